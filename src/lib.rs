@@ -1,0 +1,37 @@
+//! Generalized Stribeck surfaces of a rigid cylinder sliding on a viscoelastic half space.
+//!
+//! A cylinder (radius R, load N per length, speed V) slides through a Newtonian film (viscosity η) over a half space
+//! whose creep compliance has one or several retardation times. Made dimensionless, a case has three numbers:
+//! α (slide time over a contact length / retardation time), β (inverse Hersey number) and f (strength of retardation).
+//! The program solves Reynolds' equation together with the surface displacement for whole grids of (α, β, f) and
+//! publishes the friction coefficients μ_v (viscoelastic), μ_h (hydrodynamic) and μ_tot with the fields behind them.
+//!
+//! Data flow one way:
+//!
+//! ```text
+//! sweep file ─ sweep ─ plan ─ chains ─ continuation ─ solver ─ outcome ─ store ─ results.h5, summary.csv
+//! ```
+//!
+//! | module | what it holds | may know |
+//! | --- | --- | --- |
+//! | [`cli`] | one file per command | everything below |
+//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`model`] |
+//! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
+//! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
+//! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
+//! | [`continuation`] | seeds, predictor, retries along one chain | the [`continuation::CaseSolver`] trait |
+//! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`], [`store`] |
+//! | [`store`] | log, shards, published files; the only place that touches HDF5 | – |
+//!
+//! Equation numbers "Eq. n" are those of Wu, Jagota and Hui, *Lubricated Sliding of a Rigid Cylinder on a Viscoelastic
+//! Half Space*, Tribology Letters 70:1 (2022), doi 10.1007/s11249-021-01537-4; "(T n)" those of `docs/theory.md`.
+
+#![warn(missing_docs)]
+
+#[cfg(not(any(feature = "static-hdf5", feature = "system-hdf5")))]
+compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default) or `system-hdf5`");
+
+pub mod continuation;
+pub mod exact;
+pub mod model;
+pub mod sweep;

@@ -1,0 +1,13 @@
+//! The equations of the problem, without any iteration.
+
+pub mod kernel;
+
+mod identity;
+mod outcome;
+mod output;
+mod parameters;
+
+pub use identity::{CaseId, NotACaseId};
+pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
+pub use output::{CavityShear, FieldSelection, Output};
+pub use parameters::{Parameters, Retardation, RetardationMode, Substrate, SubstrateError};

@@ -1,0 +1,136 @@
+//! What defines a case: α, β, f and the retardation modes of the substrate.
+
+use std::sync::Arc;
+
+/// One retardation time of the substrate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RetardationMode {
+    /// Part of f that belongs to this mode; the shares of a substrate add up to 1.
+    pub share: f64,
+    /// Retardation time of this mode, over the time τ that defines α.
+    pub time: f64,
+}
+
+/// The retardation spectrum of the half space: at least one mode, shares adding up to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Substrate(Arc<[RetardationMode]>);
+
+/// Why a list of retardation modes is not a substrate.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum SubstrateError {
+    /// No mode at all.
+    #[error("a substrate needs at least one retardation mode")]
+    Empty,
+    /// A share that is not a positive number.
+    #[error("mode {mode}: the share must be a number above 0 and at most 1, not {share}")]
+    Share {
+        /// Place in the list, from 1.
+        mode: usize,
+        /// The share found.
+        share: f64,
+    },
+    /// A time that is not a positive number.
+    #[error("mode {mode}: the time must be a finite number above 0, not {time}")]
+    Time {
+        /// Place in the list, from 1.
+        mode: usize,
+        /// The time found.
+        time: f64,
+    },
+    /// Shares that do not add up to 1 within 1e-9.
+    #[error("the shares of the modes must add up to 1, not {sum}")]
+    Sum {
+        /// Their sum.
+        sum: f64,
+    },
+}
+
+impl Substrate {
+    /// A substrate of the given modes.
+    ///
+    /// # Errors
+    /// [`SubstrateError`] if the list is empty, a share or time is not positive, or the shares do not add up to 1.
+    pub fn new(modes: Vec<RetardationMode>) -> Result<Self, SubstrateError> {
+        if modes.is_empty() {
+            return Err(SubstrateError::Empty);
+        }
+        for (i, &RetardationMode { share, time }) in modes.iter().enumerate() {
+            if !(share > 0.0 && share <= 1.0) {
+                return Err(SubstrateError::Share { mode: i + 1, share });
+            }
+            if !(time > 0.0 && time.is_finite()) {
+                return Err(SubstrateError::Time { mode: i + 1, time });
+            }
+        }
+        let sum: f64 = modes.iter().map(|mode| mode.share).sum();
+        if (sum - 1.0).abs() > 1e-9 {
+            return Err(SubstrateError::Sum { sum });
+        }
+        Ok(Self(modes.into()))
+    }
+
+    /// The modes.
+    pub fn modes(&self) -> &[RetardationMode] {
+        &self.0
+    }
+}
+
+impl Default for Substrate {
+    /// One retardation time, the one in α.
+    fn default() -> Self {
+        Self(Arc::new([RetardationMode { share: 1.0, time: 1.0 }]))
+    }
+}
+
+/// The dimensionless parameters of one case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// α = a₀/(Vτ), slide time over retardation time (Eq. 13); 0 and +∞ are the two elastic limits.
+    pub alpha: f64,
+    /// β = E∞* a₀⁴/(12 η V R³), inverse Hersey number (Eq. 14); positive.
+    pub beta: f64,
+    /// f = E₀/E∞ − 1, strength of retardation; 0 for an elastic substrate.
+    pub f: f64,
+    /// The retardation spectrum.
+    pub substrate: Substrate,
+}
+
+/// A mode as the equations use it: strength f_j and rate α_j of (T8), (T9).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Retardation {
+    /// f_j, the mode's part of f.
+    pub strength: f64,
+    /// α_j = a₀/(Vτ_j).
+    pub rate: f64,
+}
+
+impl Parameters {
+    /// A case with one retardation time.
+    pub fn new(alpha: f64, beta: f64, f: f64) -> Self {
+        Self { alpha, beta, f, substrate: Substrate::default() }
+    }
+
+    /// The relaxed elastic (EHL) case at the given β: f = 0, so α means nothing and is set to +∞.
+    pub fn elastic(beta: f64) -> Self {
+        Self::new(f64::INFINITY, beta, 0.0)
+    }
+
+    /// True where the substrate responds as the relaxed elastic one: f = 0 or α = ∞. Such cases depend on β alone.
+    pub fn is_relaxed_elastic(&self) -> bool {
+        self.f == 0.0 || self.alpha == f64::INFINITY
+    }
+
+    /// The retardation modes that the displacement (T9) needs; none in the elastic limits (f = 0, α = ∞, α = 0).
+    pub fn retardation(&self) -> Vec<Retardation> {
+        if self.is_relaxed_elastic() || self.alpha == 0.0 {
+            return Vec::new();
+        }
+        let modes = self.substrate.modes().iter();
+        modes.map(|mode| Retardation { strength: mode.share * self.f, rate: self.alpha / mode.time }).collect()
+    }
+
+    /// Compliance at once over relaxed compliance, E∞/E₀ = 1/(1 + f).
+    pub fn instantaneous_compliance(&self) -> f64 {
+        1.0 / (1.0 + self.f)
+    }
+}

@@ -1,0 +1,53 @@
+//! Settings of the relaxation solver.
+
+/// Where the uniform grid lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Domain {
+    /// On the dry contact of each case: from x_trail − 2ā to x_lead + 3ā.
+    #[default]
+    Auto,
+    /// The same [x_min, x_max] for every case.
+    Fixed {
+        /// Left end, behind the outlet.
+        x_min: f64,
+        /// Right end, ahead of the inlet.
+        x_max: f64,
+    },
+}
+
+/// What speeds the iteration up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Acceleration {
+    /// Anderson acceleration of the map (p, h₀) → (p, h₀), with the plain iteration to fall back on.
+    #[default]
+    Anderson,
+    /// The paper's plain iteration.
+    None,
+}
+
+/// Settings of the relaxation solver that change its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Where the grid lies.
+    pub domain: Domain,
+    /// Grid points; odd, so that the grid of half as many intervals exists.
+    pub points: usize,
+    /// Residuals of the Reynolds equation and the load at which a case is converged.
+    pub tolerance: f64,
+    /// Acceleration of the iteration.
+    pub acceleration: Acceleration,
+    /// Whether Richardson's error estimate from the grid of half as many intervals is wanted.
+    pub estimate: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            domain: Domain::Auto,
+            points: 801,
+            tolerance: 1e-8,
+            acceleration: Acceleration::Anderson,
+            estimate: false,
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Sweep files, and the plan made of them.
