@@ -15,7 +15,7 @@
 //! | module | what it holds | may know |
 //! | --- | --- | --- |
 //! | [`cli`] | one file per command | everything below |
-//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`model`] |
+//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`model`], [`relaxation::Settings`] |
 //! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
@@ -34,4 +34,5 @@ compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default
 pub mod continuation;
 pub mod exact;
 pub mod model;
+pub mod relaxation;
 pub mod sweep;

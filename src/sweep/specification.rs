@@ -1,0 +1,92 @@
+//! A validated sweep.
+
+use std::fmt;
+
+use crate::model::{Output, Substrate};
+use crate::relaxation;
+
+/// A sweep: which cases, of what substrate, solved how, and what is wanted of each.
+///
+/// [`Sweep::read`] and [`Sweep::parse`] only give sweeps that keep the promises below; who makes one by hand has to
+/// keep them too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep {
+    /// Title of the published results; the name if the file gives none.
+    pub title: String,
+    /// The values whose product is the sweep.
+    pub axes: Axes,
+    /// The retardation spectrum of the substrate.
+    pub substrate: Substrate,
+    /// How the cases are solved.
+    pub solver: SolverSettings,
+    /// What is wanted of each case.
+    pub output: Output,
+    /// The sweep file as it was read.
+    pub text: String,
+    /// Stem of the file's name.
+    pub name: String,
+}
+
+/// The axes of a sweep: each strictly ascending and not empty.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axes {
+    /// Strengths of retardation, finite and at least 0.
+    pub f: Vec<f64>,
+    /// Ratios of slide to retardation time, at least 0; the last may be +∞.
+    pub alpha: Vec<f64>,
+    /// Inverse Hersey numbers, finite and above 0.
+    pub beta: Vec<f64>,
+}
+
+impl Axes {
+    /// Number of grid points.
+    pub fn cases(&self) -> usize {
+        self.f.len() * self.alpha.len() * self.beta.len()
+    }
+}
+
+/// A method of solution.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// The paper's Gauss–Seidel relaxation on a uniform grid.
+    #[default]
+    Relaxation,
+}
+
+impl Method {
+    /// Most cases in one chain, at most [`MAX_CHAIN`](super::MAX_CHAIN).
+    ///
+    /// What an interruption throws away is at most one chain per thread. A relaxation case takes long, so its chains
+    /// are short.
+    pub fn chain_limit(self) -> usize {
+        match self {
+            Method::Relaxation => 16,
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Method::Relaxation => "relaxation",
+        })
+    }
+}
+
+/// How the cases of a sweep are solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolverSettings {
+    /// The method.
+    pub method: Method,
+    /// Relative error wanted in μ_v, μ_h and c by methods that control it (collocation); the relaxation method does
+    /// not look at it.
+    pub tolerance: f64,
+    /// Settings of the relaxation method.
+    pub relaxation: relaxation::Settings,
+}
+
+impl Default for SolverSettings {
+    fn default() -> Self {
+        Self { method: Method::default(), tolerance: 1e-5, relaxation: relaxation::Settings::default() }
+    }
+}
