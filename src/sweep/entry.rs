@@ -210,12 +210,15 @@ fn one_of(words: &[&str]) -> String {
     }
 }
 
-/// The known word nearest to what was written, if they share at least half of their letters.
+/// The known word that was begun, or the nearest one if it shares at least half of its letters with what was written.
 fn nearest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
     if written.len() > 100 {
         return None;
     }
     let written = written.to_lowercase().replace(['-', ' '], "_");
+    if let Some(word) = known.iter().find(|word| written.len() > 1 && word.starts_with(&written)) {
+        return Some(word);
+    }
     let distances = known.iter().map(|word| (edit_distance(&written, word), *word));
     let (distance, word) = distances.min_by_key(|(distance, _)| *distance)?;
     (2 * distance <= word.len()).then_some(word)

@@ -164,7 +164,7 @@ impl Fault {
         let (start, end) = visible(text, &self.span);
         let (line, column) = line_and_column(text, start);
         let quote = text[start..end].trim();
-        let message = match self.quoted && !quote.is_empty() {
+        let message = match self.quoted && !self.span.is_empty() && !quote.is_empty() {
             true => format!("{}, found `{}`", self.what, shortened(quote)),
             false => self.what,
         };

@@ -1,4 +1,4 @@
-//! The sections of a sweep file, one function each.
+//! A sweep file as a whole: reading it, its keys, and the sections that say which cases there are.
 
 use std::fs::File;
 use std::io::Read;
@@ -9,18 +9,15 @@ use toml::de::DeTable;
 use super::axis::{self, Quantity};
 use super::entry::{Entry, Section};
 use super::error::{Fault, SweepError};
-use super::specification::{Axes, Method, SolverSettings, Sweep};
-use crate::model::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
-use crate::relaxation::{Acceleration, Domain, Settings};
+use super::specification::{Axes, Sweep};
+use super::{output, solver};
+use crate::model::{RetardationMode, Substrate};
 
 /// Most bytes of a sweep file.
 const LARGEST_FILE: u64 = 16 << 20;
 
 /// Most grid points of a sweep.
 const MOST_CASES: u128 = 1_000_000_000;
-
-/// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.
-const FARTHEST: f64 = 100.0;
 
 /// The tables of a sweep file and their keys; the first one is the top level.
 const SECTIONS: [(&str, &[&str]); 6] = [
@@ -79,8 +76,8 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
         title: root.get("title").map(|title| read_title(&title)).transpose()?.unwrap_or_else(|| name.to_owned()),
         axes,
         substrate: root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?.unwrap_or_default(),
-        solver: root.get("solver").map(|entry| read_solver(&entry)).transpose()?.unwrap_or_default(),
-        output: root.get("output").map(|entry| read_output(&entry)).transpose()?.unwrap_or_default(),
+        solver: root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default(),
+        output: root.get("output").map(|entry| output::read(&entry)).transpose()?.unwrap_or_default(),
         text: text.to_owned(),
         name: name.to_owned(),
     })
@@ -97,7 +94,7 @@ fn home(key: &str) -> Option<&'static str> {
 }
 
 /// The table behind an entry, with the keys its path says.
-fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
+pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
     entry.section(keys(entry.path()), home)
 }
 
@@ -162,142 +159,4 @@ fn read_substrate(entry: &Entry<'_>) -> Result<Substrate, Fault> {
             "scale the shares so that they add up to 1; for the usual single retardation time leave [substrate] out";
         modes_entry.fault(format!("`substrate.modes`: {error}"), "these modes", help).unquoted()
     })
-}
-
-fn read_solver(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
-    let section = section(entry)?;
-    let defaults = SolverSettings::default();
-    Ok(SolverSettings {
-        method: section.get("method").map(|entry| read_method(&entry)).transpose()?.unwrap_or_default(),
-        tolerance: match section.get("tolerance") {
-            Some(entry) => {
-                let tolerance = entry.number()?;
-                if !(tolerance > 0.0 && tolerance < 1.0) {
-                    let help = "it is the relative error wanted by the collocation method, as in 1e-5; the relaxation \
-                                method has its own in [solver.relaxation]";
-                    return Err(entry.fault("`solver.tolerance` must be above 0 and below 1", "out of range", help));
-                }
-                tolerance
-            }
-            None => defaults.tolerance,
-        },
-        relaxation: section
-            .get("relaxation")
-            .map(|entry| read_relaxation(&entry))
-            .transpose()?
-            .unwrap_or(defaults.relaxation),
-    })
-}
-
-fn read_method(entry: &Entry<'_>) -> Result<Method, Fault> {
-    match entry.choice(&[("relaxation", Some(Method::Relaxation)), ("collocation", None)])? {
-        Some(method) => Ok(method),
-        None => {
-            let what = "the collocation method is not in this version yet; `solver.method` must be \"relaxation\"";
-            Err(entry.fault(what, "not in this version", "write method = \"relaxation\""))
-        }
-    }
-}
-
-fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
-    let section = section(entry)?;
-    let defaults = Settings::default();
-    let accelerations = [("anderson", Acceleration::Anderson), ("none", Acceleration::None)];
-    Ok(Settings {
-        domain: section.get("domain").map(|entry| read_domain(&entry)).transpose()?.unwrap_or(defaults.domain),
-        points: section.get("points").map(|entry| read_points(&entry)).transpose()?.unwrap_or(defaults.points),
-        tolerance: match section.get("tolerance") {
-            Some(entry) => {
-                let tolerance = entry.number()?;
-                if !(1e-12..=1e-2).contains(&tolerance) {
-                    let what = "`solver.relaxation.tolerance` must be from 1e-12 to 1e-2";
-                    let help = "it is the residual at which a case counts as converged; 1e-8 is a good value";
-                    return Err(entry.fault(what, "out of range", help));
-                }
-                tolerance
-            }
-            None => defaults.tolerance,
-        },
-        acceleration: match section.get("acceleration") {
-            Some(entry) => entry.choice(&accelerations)?,
-            None => defaults.acceleration,
-        },
-        estimate: section.get("estimate").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.estimate),
-    })
-}
-
-fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
-    let points = entry.whole(51..=20_001)?;
-    if points % 2 == 1 {
-        return Ok(points);
-    }
-    let help = format!(
-        "coarse-to-fine solving halves the grid, which takes an even number of intervals: write {}; 401, 801 and 1601 \
-         can be halved several times and are good",
-        points + 1
-    );
-    Err(entry.fault("`solver.relaxation.points` must be an odd number from 51 to 20001", "even", help))
-}
-
-fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
-    let help = "write domain = \"auto\" (on the dry contact of each case), or both ends as in [-3.0, 4.0]";
-    let what = "`solver.relaxation.domain` must be \"auto\" or [x_min, x_max]";
-    let Some(ends) = entry.list() else {
-        return match entry.text() {
-            Ok("auto") => Ok(Domain::Auto),
-            _ => Err(entry.fault(what, "neither", help)),
-        };
-    };
-    let ends: Vec<Entry<'_>> = ends.take(3).collect();
-    let [left, right] = ends.as_slice() else { return Err(entry.fault(what, "not two numbers", help)) };
-    let (x_min, x_max) = (left.number()?, right.number()?);
-    let help = "the contact lies within -1 and 1 (in units of a0), and the film needs room on both sides of it, as in \
-                [-3.0, 4.0]";
-    if !(-FARTHEST..-1.0).contains(&x_min) {
-        let what = format!("x_min of the domain must be below -1 and at least {:?}", -FARTHEST);
-        return Err(left.fault(what, "not left of the contact", help));
-    }
-    if !(x_max > 1.0 && x_max <= FARTHEST) {
-        let what = format!("x_max of the domain must be above 1 and at most {FARTHEST:?}");
-        return Err(right.fault(what, "not right of the contact", help));
-    }
-    Ok(Domain::Fixed { x_min, x_max })
-}
-
-fn read_output(entry: &Entry<'_>) -> Result<Output, Fault> {
-    let section = section(entry)?;
-    let defaults = Output::default();
-    let shears = [("full", CavityShear::Full), ("streamers", CavityShear::Streamers), ("none", CavityShear::None)];
-    Ok(Output {
-        fields: section.get("fields").map(|entry| read_fields(&entry)).transpose()?.unwrap_or(defaults.fields),
-        x: match section.get("x") {
-            Some(entry) => axis::read(&entry, Quantity::Position)?.into(),
-            None => defaults.x,
-        },
-        limits: section.get("limits").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.limits),
-        cavity_shear: match section.get("cavity_shear") {
-            Some(entry) => entry.choice(&shears)?,
-            None => defaults.cavity_shear,
-        },
-    })
-}
-
-fn read_fields(entry: &Entry<'_>) -> Result<FieldSelection, Fault> {
-    type Part = fn(&mut FieldSelection) -> &mut bool;
-    let parts: [(&str, Part); 3] = [
-        ("pressure", |fields| &mut fields.pressure),
-        ("film_thickness", |fields| &mut fields.film_thickness),
-        ("displacement", |fields| &mut fields.displacement),
-    ];
-    let mut fields = FieldSelection::default();
-    let help = "write fields = [\"pressure\", \"film_thickness\", \"displacement\"], some of them, or [] for none";
-    for item in entry.require_list(help)? {
-        let selected = item.choice(&parts)?(&mut fields);
-        if *selected {
-            let what = "a field may stand in `output.fields` only once";
-            return Err(item.fault(what, "stands there before", "remove one of the two"));
-        }
-        *selected = true;
-    }
-    Ok(fields)
 }

@@ -8,7 +8,8 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
-//! | `file` | the sections of a sweep file, one function each |
+//! | `file` | the sweep file as a whole, its keys, `[axes]` and `[substrate]` |
+//! | `solver`, `output` | the sections of these names |
 //! | `axis` | lists and ranges |
 //! | `entry` | typed access to keys and values that remembers where they stand |
 //! | `error` | [`SweepError`], a miette diagnostic |
@@ -20,7 +21,9 @@ mod entry;
 mod error;
 mod file;
 mod fingerprint;
+mod output;
 mod plan;
+mod solver;
 mod specification;
 
 pub use error::{Invalid, SweepError};

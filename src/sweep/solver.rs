@@ -1,0 +1,111 @@
+//! The section `[solver]` of a sweep file.
+
+use super::entry::Entry;
+use super::error::Fault;
+use super::file::section;
+use super::specification::{Method, SolverSettings};
+use crate::relaxation::{Acceleration, Domain, Settings};
+
+/// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.
+const FARTHEST: f64 = 100.0;
+
+/// Reads `[solver]`.
+pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
+    let section = section(entry)?;
+    let defaults = SolverSettings::default();
+    Ok(SolverSettings {
+        method: section.get("method").map(|entry| read_method(&entry)).transpose()?.unwrap_or_default(),
+        tolerance: match section.get("tolerance") {
+            Some(entry) => {
+                let tolerance = entry.number()?;
+                if !(tolerance > 0.0 && tolerance < 1.0) {
+                    let help = "it is the relative error wanted by the collocation method, as in 1e-5; the relaxation \
+                                method has its own in [solver.relaxation]";
+                    return Err(entry.fault("`solver.tolerance` must be above 0 and below 1", "out of range", help));
+                }
+                tolerance
+            }
+            None => defaults.tolerance,
+        },
+        relaxation: section
+            .get("relaxation")
+            .map(|entry| read_relaxation(&entry))
+            .transpose()?
+            .unwrap_or(defaults.relaxation),
+    })
+}
+
+fn read_method(entry: &Entry<'_>) -> Result<Method, Fault> {
+    match entry.choice(&[("relaxation", Some(Method::Relaxation)), ("collocation", None)])? {
+        Some(method) => Ok(method),
+        None => {
+            let what = "the collocation method is not in this version yet; `solver.method` must be \"relaxation\"";
+            Err(entry.fault(what, "not in this version", "write method = \"relaxation\""))
+        }
+    }
+}
+
+fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
+    let section = section(entry)?;
+    let defaults = Settings::default();
+    let accelerations = [("anderson", Acceleration::Anderson), ("none", Acceleration::None)];
+    Ok(Settings {
+        domain: section.get("domain").map(|entry| read_domain(&entry)).transpose()?.unwrap_or(defaults.domain),
+        points: section.get("points").map(|entry| read_points(&entry)).transpose()?.unwrap_or(defaults.points),
+        tolerance: match section.get("tolerance") {
+            Some(entry) => {
+                let tolerance = entry.number()?;
+                if !(1e-12..=1e-2).contains(&tolerance) {
+                    let what = "`solver.relaxation.tolerance` must be from 1e-12 to 1e-2";
+                    let help = "it is the residual at which a case counts as converged; 1e-8 is a good value";
+                    return Err(entry.fault(what, "out of range", help));
+                }
+                tolerance
+            }
+            None => defaults.tolerance,
+        },
+        acceleration: match section.get("acceleration") {
+            Some(entry) => entry.choice(&accelerations)?,
+            None => defaults.acceleration,
+        },
+        estimate: section.get("estimate").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.estimate),
+    })
+}
+
+fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
+    let points = entry.whole(51..=20_001)?;
+    if points % 2 == 1 {
+        return Ok(points);
+    }
+    let help = format!(
+        "coarse-to-fine solving halves the grid, which takes an even number of intervals: write {}; 401, 801 and 1601 \
+         can be halved several times and are good",
+        points + 1
+    );
+    Err(entry.fault("`solver.relaxation.points` must be an odd number from 51 to 20001", "even", help))
+}
+
+fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
+    let help = "write domain = \"auto\" (on the dry contact of each case), or both ends as in [-3.0, 4.0]";
+    let what = "`solver.relaxation.domain` must be \"auto\" or [x_min, x_max]";
+    let Some(ends) = entry.list() else {
+        return match entry.text() {
+            Ok("auto") => Ok(Domain::Auto),
+            _ => Err(entry.fault(what, "neither", help)),
+        };
+    };
+    let ends: Vec<Entry<'_>> = ends.take(3).collect();
+    let [left, right] = ends.as_slice() else { return Err(entry.fault(what, "not two numbers", help)) };
+    let (x_min, x_max) = (left.number()?, right.number()?);
+    let help = "the contact lies within -1 and 1 (in units of a0), and the film needs room on both sides of it, as in \
+                [-3.0, 4.0]";
+    if !(-FARTHEST..-1.0).contains(&x_min) {
+        let what = format!("x_min of the domain must be below -1 and at least {:?}", -FARTHEST);
+        return Err(left.fault(what, "not left of the contact", help));
+    }
+    if !(x_max > 1.0 && x_max <= FARTHEST) {
+        let what = format!("x_max of the domain must be above 1 and at most {FARTHEST:?}");
+        return Err(right.fault(what, "not right of the contact", help));
+    }
+    Ok(Domain::Fixed { x_min, x_max })
+}

@@ -1,0 +1,282 @@
+//! Plans: every problem once, in chains that depend on the sweep alone, with ids that depend on the problem alone.
+
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::time::{Duration, Instant};
+
+use proptest::prelude::*;
+use stribeck::model::{CaseId, CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
+use stribeck::relaxation::{Acceleration, Domain};
+use stribeck::sweep::{Axes, Chain, Fingerprint, MAX_CHAIN, Method, Plan, SolverSettings, Sweep};
+
+fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
+    Sweep {
+        title: "plan".into(),
+        axes: Axes { f: f.to_vec(), alpha: alpha.to_vec(), beta: beta.to_vec() },
+        substrate: Substrate::default(),
+        solver: SolverSettings::default(),
+        output: Output::default(),
+        text: String::new(),
+        name: "plan".into(),
+    }
+}
+
+fn two_modes() -> Substrate {
+    let modes = vec![RetardationMode { share: 0.7, time: 1.0 }, RetardationMode { share: 0.3, time: 100.0 }];
+    Substrate::new(modes).expect("valid")
+}
+
+/// Every grid point in the order of publication.
+fn places(sweep: &Sweep) -> Vec<(usize, usize, usize)> {
+    let Axes { f, alpha, beta } = &sweep.axes;
+    let mut places = Vec::new();
+    for i_f in 0..f.len() {
+        for i_alpha in 0..alpha.len() {
+            places.extend((0..beta.len()).map(|i_beta| (i_f, i_alpha, i_beta)));
+        }
+    }
+    places
+}
+
+/// What of a grid point matters to the equations: nothing but β where the substrate is relaxed elastic.
+fn problem(sweep: &Sweep, (i_f, i_alpha, i_beta): (usize, usize, usize)) -> (u64, u64, u64) {
+    let (f, alpha, beta) = (sweep.axes.f[i_f], sweep.axes.alpha[i_alpha], sweep.axes.beta[i_beta]);
+    let (f, alpha) = if f == 0.0 || alpha.is_infinite() { (0.0, f64::INFINITY) } else { (f, alpha) };
+    (f.to_bits(), alpha.to_bits(), beta.to_bits())
+}
+
+fn axis(zero: bool, infinity: bool, longest: usize) -> impl Strategy<Value = Vec<f64>> {
+    let value = prop_oneof![
+        8 => 1e-3..1e3f64,
+        u32::from(zero) => Just(0.0),
+        u32::from(infinity) => Just(f64::INFINITY),
+    ];
+    prop::collection::vec(value, 1..longest).prop_map(|mut values| {
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    })
+}
+
+fn sweeps() -> impl Strategy<Value = Sweep> {
+    (axis(true, false, 5), axis(true, true, 6), axis(false, false, 120), any::<bool>()).prop_map(
+        |(f, alpha, beta, several)| {
+            let mut sweep = sweep(&f, &alpha, &beta);
+            if several {
+                sweep.substrate = two_modes();
+            }
+            sweep
+        },
+    )
+}
+
+proptest! {
+    #[test]
+    fn every_problem_is_in_exactly_one_chain(sweep in sweeps()) {
+        let plan = Plan::new(&sweep);
+        let mut seen = HashSet::new();
+        for chain in plan.chains() {
+            let (parameters, ids) = (plan.parameters(&chain), plan.ids(&chain));
+            prop_assert_eq!(parameters.len(), ids.len());
+            for (parameters, id) in parameters.iter().zip(&ids) {
+                prop_assert_eq!(plan.id(parameters), *id);
+                prop_assert!(seen.insert(*id), "solved twice: {:?}", parameters);
+            }
+        }
+        let grid: HashMap<_, CaseId> =
+            places(&sweep).into_iter().map(|place| (problem(&sweep, place), plan.case_at(place.0, place.1, place.2))).collect();
+        let distinct: HashSet<CaseId> = grid.values().copied().collect();
+        prop_assert_eq!(distinct.len(), grid.len(), "two problems share an id");
+        prop_assert_eq!(&seen, &distinct);
+        prop_assert_eq!((plan.problems(), plan.cases()), (seen.len(), places(&sweep).len()));
+    }
+
+    #[test]
+    fn chains_are_contiguous_ascending_short_and_balanced(sweep in sweeps()) {
+        let plan = Plan::new(&sweep);
+        let limit = sweep.solver.method.chain_limit();
+        prop_assert!(limit <= MAX_CHAIN);
+        let chains: Vec<Chain> = plan.chains().collect();
+        prop_assert_eq!(chains.len(), plan.chain_count());
+        let mut rows = BTreeSet::new();
+        for row in chains.chunk_by(|left, right| left.row == right.row) {
+            prop_assert!(rows.insert(row[0].row), "the chains of a row are neighbours");
+            prop_assert_eq!(row[0].beta.start, 0);
+            prop_assert_eq!(row[row.len() - 1].beta.end, sweep.axes.beta.len());
+            prop_assert!(row.windows(2).all(|pair| pair[0].beta.end == pair[1].beta.start));
+            let lengths: Vec<usize> = row.iter().map(|chain| chain.beta.len()).collect();
+            let (shortest, longest) = (lengths.iter().min().unwrap(), lengths.iter().max().unwrap());
+            prop_assert!(*longest <= limit && longest - shortest <= 1 && *shortest > 0, "{:?}", lengths);
+            prop_assert_eq!(lengths.len(), sweep.axes.beta.len().div_ceil(limit), "no more chains than needed");
+        }
+        prop_assert!(rows.into_iter().eq(0..plan.rows()));
+        for chain in &chains {
+            let cases = plan.parameters(chain);
+            prop_assert!(cases.is_sorted_by(|left, right| left.beta < right.beta));
+            let same = |case: &Parameters| (case.f, case.alpha, case.substrate.clone()) == (cases[0].f, cases[0].alpha, cases[0].substrate.clone());
+            prop_assert!(cases.iter().all(same));
+        }
+        prop_assert_eq!(chains, Plan::new(&sweep).chains().collect::<Vec<_>>(), "the same plan each time");
+    }
+
+    #[test]
+    fn rows_and_grid_places_belong_together(sweep in sweeps()) {
+        let plan = Plan::new(&sweep);
+        let by_row: HashMap<(usize, usize), CaseId> = plan
+            .chains()
+            .flat_map(|chain| chain.beta.clone().map(move |i_beta| (chain.row, i_beta)).zip(plan.ids(&chain)))
+            .collect();
+        let mut first = HashMap::new();
+        for (i_f, i_alpha, i_beta) in places(&sweep) {
+            let id = plan.case_at(i_f, i_alpha, i_beta);
+            let row = plan.row_of(i_f, i_alpha);
+            prop_assert_eq!(by_row.get(&(row, i_beta)), Some(&id));
+            prop_assert_eq!(plan.id(&plan.parameters_at(i_f, i_alpha, i_beta)), id);
+            let place = *first.entry(id).or_insert((i_f, i_alpha, i_beta));
+            prop_assert_eq!(plan.place_of_row(row), (place.0, place.1));
+        }
+        for (id, place) in first.into_iter().take(20) {
+            prop_assert_eq!(plan.find(id), Some(place));
+        }
+        prop_assert_eq!(plan.find(CaseId(0)), None);
+    }
+
+    #[test]
+    fn adding_values_to_an_axis_keeps_the_ids(
+        small in sweeps(), f in axis(true, false, 4), alpha in axis(true, true, 4), beta in axis(false, false, 40),
+    ) {
+        let mut large = small.clone();
+        for (axis, more) in
+            [(&mut large.axes.f, f), (&mut large.axes.alpha, alpha), (&mut large.axes.beta, beta)]
+        {
+            axis.extend(more);
+            axis.sort_by(f64::total_cmp);
+            axis.dedup();
+        }
+        let ids = |sweep: &Sweep| -> HashMap<_, _> {
+            let plan = Plan::new(sweep);
+            places(sweep).into_iter().map(|place| (problem(sweep, place), plan.case_at(place.0, place.1, place.2))).collect()
+        };
+        let grown = ids(&large);
+        prop_assert!(ids(&small).iter().all(|(problem, id)| grown.get(problem) == Some(id)));
+    }
+}
+
+#[test]
+fn elastic_cases_are_one_row_solved_once() {
+    let mut sweep = sweep(&[0.0, 10.0, 100.0], &[0.0, 1.0, f64::INFINITY], &[10.0, 100.0]);
+    sweep.substrate = two_modes();
+    let plan = Plan::new(&sweep);
+    // (0, any), (any, inf) make one row; (10 and 100) x (0 and 1) make four.
+    assert_eq!((plan.cases(), plan.rows(), plan.problems()), (18, 5, 10));
+    for (i_f, i_alpha) in [(0, 0), (0, 1), (0, 2), (1, 2), (2, 2)] {
+        assert_eq!(plan.row_of(i_f, i_alpha), 0);
+        assert_eq!(plan.parameters_at(i_f, i_alpha, 1), Parameters::elastic(100.0));
+    }
+    let only_infinite = Plan::new(&self::sweep(&[10.0, 20.0], &[f64::INFINITY], &[10.0]));
+    assert_eq!((only_infinite.rows(), only_infinite.problems(), only_infinite.cases()), (1, 1, 2));
+    let only_zero = Plan::new(&self::sweep(&[0.0], &[1.0, 2.0, 3.0], &[10.0]));
+    assert_eq!((only_zero.rows(), only_zero.problems(), only_zero.cases()), (1, 1, 3));
+    assert_eq!(only_zero.case_at(0, 1, 0), only_infinite.case_at(1, 0, 0));
+}
+
+#[test]
+fn modes_count_where_the_substrate_retards_and_only_there() {
+    let one = sweep(&[0.0, 10.0], &[0.0, 1.0, f64::INFINITY], &[10.0]);
+    let two = Sweep { substrate: two_modes(), ..one.clone() };
+    let (one_plan, two_plan) = (Plan::new(&one), Plan::new(&two));
+    for (i_f, i_alpha, i_beta) in places(&one) {
+        let retards = i_f == 1 && i_alpha == 1;
+        assert_eq!(one_plan.case_at(i_f, i_alpha, i_beta) != two_plan.case_at(i_f, i_alpha, i_beta), retards);
+    }
+}
+
+#[test]
+fn an_id_changes_with_all_that_changes_numbers() {
+    let base = sweep(&[10.0], &[1.0], &[100.0]);
+    let mut variants: Vec<Sweep> = vec![base.clone()];
+    let mut vary = |change: &dyn Fn(&mut Sweep)| {
+        let mut changed = base.clone();
+        change(&mut changed);
+        variants.push(changed);
+    };
+    vary(&|sweep| sweep.axes.f = vec![10.0f64.next_up()]);
+    vary(&|sweep| sweep.axes.alpha = vec![1.0f64.next_up()]);
+    vary(&|sweep| sweep.axes.beta = vec![100.0f64.next_up()]);
+    vary(&|sweep| {
+        (sweep.axes.f, sweep.axes.alpha) = (vec![1.0], vec![10.0]);
+    });
+    vary(&|sweep| sweep.substrate = two_modes());
+    vary(&|sweep| {
+        let modes = vec![RetardationMode { share: 0.3, time: 1.0 }, RetardationMode { share: 0.7, time: 100.0 }];
+        sweep.substrate = Substrate::new(modes).expect("valid");
+    });
+    vary(&|sweep| sweep.solver.relaxation.domain = Domain::Fixed { x_min: -3.0, x_max: 4.0 });
+    vary(&|sweep| sweep.solver.relaxation.domain = Domain::Fixed { x_min: -3.0, x_max: 5.0 });
+    vary(&|sweep| sweep.solver.relaxation.points = 803);
+    vary(&|sweep| sweep.solver.relaxation.tolerance = 1e-9);
+    vary(&|sweep| sweep.solver.relaxation.acceleration = Acceleration::None);
+    vary(&|sweep| sweep.solver.relaxation.estimate = true);
+    vary(&|sweep| sweep.output.cavity_shear = CavityShear::Streamers);
+    vary(&|sweep| sweep.output.cavity_shear = CavityShear::None);
+    let ids: HashSet<CaseId> = variants.iter().map(|sweep| Plan::new(sweep).case_at(0, 0, 0)).collect();
+    assert_eq!(ids.len(), variants.len());
+}
+
+#[test]
+fn an_id_stays_whatever_is_kept_of_the_case() {
+    let base = sweep(&[0.0, 10.0], &[0.0, 1.0], &[100.0]);
+    let mut other = base.clone();
+    other.title = "another title".into();
+    other.name = "another-name".into();
+    other.text = "# another text".into();
+    other.output.fields = FieldSelection::default();
+    other.output.x = vec![0.0].into();
+    other.output.limits = false;
+    // The accuracy wanted of the collocation method means nothing to the relaxation method.
+    other.solver.tolerance = 1e-3;
+    let (base_plan, other_plan) = (Plan::new(&base), Plan::new(&other));
+    for (i_f, i_alpha, i_beta) in places(&base) {
+        assert_eq!(base_plan.case_at(i_f, i_alpha, i_beta), other_plan.case_at(i_f, i_alpha, i_beta));
+    }
+}
+
+#[test]
+fn minus_zero_is_the_same_case() {
+    let fingerprint = Fingerprint::new(&SolverSettings::default(), CavityShear::Full);
+    assert_eq!(fingerprint.id(&Parameters::new(-0.0, 10.0, 5.0)), fingerprint.id(&Parameters::new(0.0, 10.0, 5.0)));
+    assert_eq!(fingerprint.id(&Parameters::new(1.0, 10.0, -0.0)), fingerprint.id(&Parameters::elastic(10.0)));
+}
+
+#[test]
+fn an_id_is_the_documented_hash() {
+    // The bytes of the table in the documentation of `Fingerprint`, put together by hand.
+    let mut bytes = b"stribeck case 1\nrelaxation\n".to_vec();
+    bytes.extend(stribeck::relaxation::RESULTS_VERSION.to_le_bytes());
+    bytes.push(0);
+    bytes.extend(801u64.to_le_bytes());
+    bytes.extend(1e-8f64.to_le_bytes());
+    bytes.extend([1, 0, 0]);
+    for value in [5.0f64, 2.0, 10.0] {
+        bytes.extend(value.to_le_bytes());
+    }
+    bytes.extend(1u64.to_le_bytes());
+    bytes.extend([1.0f64.to_le_bytes(), 1.0f64.to_le_bytes()].concat());
+    let hexadecimal = blake3::hash(&bytes).to_hex();
+    let id = Fingerprint::new(&SolverSettings::default(), CavityShear::Full).id(&Parameters::new(2.0, 10.0, 5.0));
+    assert_eq!(id.to_string(), hexadecimal[..16]);
+}
+
+#[test]
+fn a_billion_cases_are_planned_at_once() {
+    let thousand: Vec<f64> = (1..=1000).map(f64::from).collect();
+    let start = Instant::now();
+    let plan = Plan::new(&sweep(&thousand, &thousand, &thousand));
+    assert_eq!((plan.cases(), plan.rows(), plan.problems()), (1_000_000_000, 1_000_000, 1_000_000_000));
+    assert_eq!(plan.chains().len(), 1_000_000 * 1000usize.div_ceil(Method::Relaxation.chain_limit()));
+    let last = plan.chains().next_back().expect("there are chains");
+    assert_eq!((last.row, last.beta.end), (999_999, 1000));
+    assert_eq!(plan.parameters(&last).last(), Some(&Parameters::new(1000.0, 1000.0, 1000.0)));
+    assert_eq!(plan.find(plan.case_at(0, 2, 500)), Some((0, 2, 500)));
+    // Listing the cases, or the chains, would take many times longer.
+    assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());
+}
