@@ -3,7 +3,11 @@
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::model::{Failure, Fields, Limits, Parameters, Quantities, RelativeErrors};
+use crate::model::{Failure, Fields, Limits, Output, Parameters, Quantities, RelativeErrors};
+
+mod chain;
+
+pub use chain::solve_chain;
 
 /// Set when the user asks the program to stop; solvers look at it often.
 #[derive(Debug, Default)]
@@ -29,6 +33,8 @@ impl Interrupt {
 /// Where the first guess of a case came from; recorded with the case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seed {
+    /// Hertz pressure, for the elastic solution itself.
+    Hertz,
     /// The elastic (EHL) solution at the same β.
     Elastic,
     /// The elastic solution at β/(1+f), rescaled to the instantaneous modulus.
@@ -44,6 +50,7 @@ pub enum Seed {
 impl fmt::Display for Seed {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Seed::Hertz => formatter.write_str("hertz"),
             Seed::Elastic => formatter.write_str("elastic"),
             Seed::RescaledElastic => formatter.write_str("rescaled-elastic"),
             Seed::Neighbour => formatter.write_str("neighbour"),
@@ -88,9 +95,74 @@ pub struct Solution {
     pub fields: Fields,
 }
 
+/// Why a solver stops without a solution.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Halt {
+    /// There is none to be found, for this reason.
+    Failed(Failure),
+    /// The user asked to stop.
+    Interrupted,
+}
+
 /// A chain that was given up because the user asked to stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interrupted;
 
-/// The cases of one chain: same f, α and substrate, β ascending.
-pub type Chain = [Parameters];
+/// A method that takes a case from a first guess to its solution.
+///
+/// A chain is a list of cases with the same f, α and substrate and ascending β. What its cases share is computed once, in
+/// [`CaseSolver::prepare`].
+pub trait CaseSolver: Sync {
+    /// What the cases of a chain share.
+    type Shared;
+    /// A converged solution in the solver's own unknowns.
+    type State: Clone;
+
+    /// What the cases with the f, α and substrate of `parameters` share.
+    ///
+    /// # Errors
+    /// [`Failure`] if no case of this kind can be solved.
+    fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Self::Shared, Failure>;
+
+    /// A first guess that needs no neighbour, and where it came from.
+    ///
+    /// # Errors
+    /// [`Halt`] if there is none.
+    fn start(
+        &self,
+        shared: &Self::Shared,
+        parameters: &Parameters,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<(Self::State, Seed), Halt>;
+
+    /// A first guess at β from one or two solved cases, the nearest last, each with its β.
+    fn predict(&self, shared: &Self::Shared, solved: &[(f64, Self::State)], beta: f64) -> Self::State;
+
+    /// The solution near a first guess.
+    ///
+    /// # Errors
+    /// [`Halt`] if the method does not converge or is interrupted.
+    fn solve(
+        &self,
+        shared: &Self::Shared,
+        parameters: &Parameters,
+        guess: &Self::State,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<Self::State, Halt>;
+
+    /// What is to be known of a solution.
+    ///
+    /// # Errors
+    /// [`Halt`] if an error estimate that was asked for needs a solution that does not converge.
+    fn evaluate(
+        &self,
+        shared: &Self::Shared,
+        parameters: &Parameters,
+        state: &Self::State,
+        output: &Output,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<Solution, Halt>;
+}

@@ -1,12 +1,15 @@
 //! The equations of the problem, without any iteration.
 
+pub mod gauss;
 pub mod kernel;
 
+mod displacement;
 mod identity;
 mod outcome;
 mod output;
 mod parameters;
 
+pub use displacement::DisplacementKernel;
 pub use identity::{CaseId, NotACaseId};
 pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
 pub use output::{CavityShear, FieldSelection, Output};

@@ -1,8 +1,27 @@
 //! The paper's solver (Sec. 3, Eqs. 37–44): Gauss–Seidel relaxation of Reynolds' equation on a uniform grid.
+//!
+//! [`reynolds`] holds the discrete equation and the pass, [`deformation`] the displacement, [`far_field`] what lies beyond
+//! the grid, [`iteration`] one round of passes and the load balance, [`convergence`] when to stop and what to do when it
+//! does not converge, [`quantities`] and [`fields`] what comes out.
 
+mod anderson;
+mod convergence;
+mod deformation;
+mod far_field;
+mod fields;
+mod grid;
+mod iteration;
+mod quantities;
+mod reynolds;
 mod settings;
+mod solver;
+mod state;
+mod stiffness;
 
+pub use grid::Grid;
 pub use settings::{Acceleration, Domain, Settings};
+pub use solver::{RelaxationSolver, Shared};
+pub use state::State;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.

@@ -1,0 +1,173 @@
+//! Solving a chain: each case seeded by the ones before it, with a ladder of other seeds should one fail.
+
+use std::time::Instant;
+
+use super::{CaseSolver, Effort, Halt, Interrupt, Interrupted, Seed, Solution, SolvedCase};
+use crate::exact;
+use crate::model::{Failure, Limits, Output, Parameters};
+
+/// Numbers of unpublished points that are put between a case and its neighbour when longer steps fail.
+const INTERMEDIATE_POINTS: [usize; 2] = [1, 3];
+
+/// Solves the cases of a chain in their order. A case that fails is reported as such and does not stop the others.
+///
+/// Seeds are tried in this order: the predictor from the last two solved cases, the last one as it is, the same with
+/// one and with three points in between, the solver's own start. The first case has the start alone. So every number
+/// is a function of the chain, and of nothing that happens elsewhere.
+///
+/// # Errors
+/// [`Interrupted`] if the user asks to stop before the last case is done; what was solved of the chain is dropped.
+pub fn solve_chain<S: CaseSolver>(
+    solver: &S,
+    cases: &[Parameters],
+    output: &Output,
+    interrupt: &Interrupt,
+) -> Result<Vec<SolvedCase>, Interrupted> {
+    let Some(first) = cases.first() else { return Ok(Vec::new()) };
+    let start = Instant::now();
+    let shared = solver.prepare(first, output);
+    let mut preparation = start.elapsed().as_secs_f64();
+    let mut solved = Vec::with_capacity(2);
+    let mut results = Vec::with_capacity(cases.len());
+    for parameters in cases {
+        let start = Instant::now();
+        let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };
+        let mut result = match &shared {
+            Err(failure) => SolvedCase {
+                outcome: Err(failure.clone()),
+                limits,
+                seed: Seed::Elastic,
+                effort: Effort::default(),
+            },
+            Ok(shared) => {
+                let ladder = Ladder { solver, shared, solved: &mut solved, output, interrupt };
+                ladder.solve(parameters, limits)?
+            }
+        };
+        // the first case pays for what the chain shares
+        result.effort.seconds = start.elapsed().as_secs_f64() + std::mem::take(&mut preparation);
+        results.push(result);
+    }
+    Ok(results)
+}
+
+/// The seeds of one case, and what they need.
+struct Ladder<'a, S: CaseSolver> {
+    solver: &'a S,
+    shared: &'a S::Shared,
+    /// The last solved cases of the chain, at most two, each with its β.
+    solved: &'a mut Vec<(f64, S::State)>,
+    output: &'a Output,
+    interrupt: &'a Interrupt,
+}
+
+impl<S: CaseSolver> Ladder<'_, S> {
+    /// Tries one rung after the other.
+    fn solve(self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
+        let mut effort = Effort::default();
+        let mut reasons: Vec<String> = Vec::new();
+        let mut last_seed = Seed::Elastic;
+        for rung in self.rungs() {
+            let (seed, outcome) = match self.attempt(&rung, parameters, &mut effort) {
+                Ok((seed, state, solution)) => (seed, Ok((state, solution))),
+                Err((_, Halt::Interrupted)) => return Err(Interrupted),
+                Err((seed, Halt::Failed(failure))) => (seed, Err(failure)),
+            };
+            match outcome {
+                Ok((state, solution)) => {
+                    if self.solved.len() == 2 {
+                        self.solved.remove(0);
+                    }
+                    self.solved.push((parameters.beta, state));
+                    return Ok(SolvedCase { outcome: Ok(solution), limits, seed, effort });
+                }
+                Err(failure) => {
+                    reasons.push(format!("from {seed}: {}", failure.reason));
+                    last_seed = seed;
+                }
+            }
+        }
+        let failure = Failure { reason: reasons.join("; ") };
+        Ok(SolvedCase { outcome: Err(failure), limits, seed: last_seed, effort })
+    }
+
+    fn rungs(&self) -> Vec<Rung> {
+        let mut rungs = Vec::new();
+        if self.solved.len() == 2 {
+            rungs.push(Rung::Predictor);
+        }
+        if !self.solved.is_empty() {
+            rungs.push(Rung::Neighbour);
+            rungs.extend(INTERMEDIATE_POINTS.map(Rung::Intermediate));
+        }
+        rungs.push(Rung::Start);
+        rungs
+    }
+
+    /// One seed and the solution from it.
+    #[allow(clippy::type_complexity)]
+    fn attempt(
+        &self,
+        rung: &Rung,
+        parameters: &Parameters,
+        effort: &mut Effort,
+    ) -> Result<(Seed, S::State, Solution), (Seed, Halt)> {
+        let (seed, guess) = match *rung {
+            Rung::Predictor => (Seed::Predictor, self.solver.predict(self.shared, self.solved, parameters.beta)),
+            Rung::Neighbour => (Seed::Neighbour, self.solver.predict(self.shared, self.nearest(), parameters.beta)),
+            Rung::Intermediate(points) => {
+                let seed = Seed::Intermediate(points);
+                let guess = self.walk(points, parameters, effort).map_err(|halt| (seed.clone(), halt))?;
+                (seed, guess)
+            }
+            Rung::Start => {
+                let (guess, seed) = self
+                    .solver
+                    .start(self.shared, parameters, effort, self.interrupt)
+                    .map_err(|halt| (Seed::Elastic, halt))?;
+                (seed, guess)
+            }
+        };
+        let solution = self
+            .solver
+            .solve(self.shared, parameters, &guess, effort, self.interrupt)
+            .and_then(|state| {
+                let evaluate = self.solver.evaluate(self.shared, parameters, &state, self.output, effort, self.interrupt);
+                evaluate.map(|solution| (state, solution))
+            });
+        match solution {
+            Ok((state, solution)) => Ok((seed, state, solution)),
+            Err(halt) => Err((seed, halt)),
+        }
+    }
+
+    /// The guess at a case after solving `points` cases between it and its neighbour, evenly spaced in ln β.
+    fn walk(&self, points: usize, parameters: &Parameters, effort: &mut Effort) -> Result<S::State, Halt> {
+        let mut path = self.nearest().to_vec();
+        let from = path.last().expect("a walk starts at a neighbour").0;
+        for step in 1..=points {
+            let part = step as f64 / (points + 1) as f64;
+            let beta = from * (parameters.beta / from).powf(part);
+            let between = Parameters { beta, ..parameters.clone() };
+            let guess = self.solver.predict(self.shared, &path, beta);
+            let state = self.solver.solve(self.shared, &between, &guess, effort, self.interrupt)?;
+            if path.len() == 2 {
+                path.remove(0);
+            }
+            path.push((beta, state));
+        }
+        Ok(self.solver.predict(self.shared, &path, parameters.beta))
+    }
+
+    /// The last solved case alone.
+    fn nearest(&self) -> &[(f64, S::State)] {
+        &self.solved[self.solved.len() - 1..]
+    }
+}
+
+enum Rung {
+    Predictor,
+    Neighbour,
+    Intermediate(usize),
+    Start,
+}

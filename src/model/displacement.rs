@@ -1,0 +1,47 @@
+//! The kernel of the surface displacement for given parameters (T10).
+
+use super::Parameters;
+use super::kernel::{cell_average_log, cell_average_retarded_log, retarded_log_integral};
+
+/// K(x) = ln|x| + Σ_j (f_j/(1+f)) S(α_j x), with which w(x) = (1/π) ∫ p(s) K(x − s) ds (Eq. 15, T10).
+///
+/// At α = 0 the substrate is elastic with the instantaneous modulus, K(x) = ln|x|/(1+f): the limit of (T10) but for the
+/// constant, which h₀ absorbs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DisplacementKernel {
+    log_weight: f64,
+    /// (f_j/(1+f), α_j)
+    retarded: Vec<(f64, f64)>,
+}
+
+impl DisplacementKernel {
+    /// The kernel of a case; it does not depend on β.
+    pub fn new(parameters: &Parameters) -> Self {
+        let compliance = parameters.instantaneous_compliance();
+        let frozen = parameters.alpha == 0.0 && !parameters.is_relaxed_elastic();
+        let retarded = parameters.retardation();
+        Self {
+            log_weight: if frozen { compliance } else { 1.0 },
+            retarded: retarded.iter().map(|mode| (mode.strength * compliance, mode.rate)).collect(),
+        }
+    }
+
+    /// Mean of K over a cell of the given width centred at x; exact (T11), finite also around x = 0.
+    pub fn cell_average(&self, x: f64, width: f64) -> f64 {
+        let retarded = self.retarded.iter();
+        self.log_weight * cell_average_log(x, width)
+            + retarded.map(|&(weight, rate)| weight * cell_average_retarded_log(rate * x, rate * width)).sum::<f64>()
+    }
+
+    /// K split as `log_weight` ln|x| + K_regular(x), with K_regular bounded at x = 0: the weight of the logarithm, which
+    /// is the instantaneous compliance wherever there is retardation.
+    pub fn singular_weight(&self) -> f64 {
+        self.log_weight - self.retarded.iter().map(|(weight, _)| weight).sum::<f64>()
+    }
+
+    /// The bounded part of K, K(x) − `singular_weight` ln|x| = Σ_j (f_j/(1+f)) [S(α_j x) + ln|x|].
+    pub fn regular(&self, x: f64) -> f64 {
+        let retarded = self.retarded.iter();
+        retarded.map(|&(weight, rate)| weight * (retarded_log_integral(rate * x) - rate.ln())).sum()
+    }
+}

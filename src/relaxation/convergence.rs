@@ -1,0 +1,222 @@
+//! From a first guess to the solution: the plain iteration, and the accelerated one that falls back on it.
+
+use super::anderson::Anderson;
+use super::iteration::{Iteration, PASSES_PER_BALANCE};
+use super::reynolds::{self, Relaxation};
+use super::stiffness::thin_film_number;
+use super::Acceleration;
+use crate::continuation::{Halt, Interrupt};
+use crate::model::Failure;
+
+/// λ over its limit of stability κ where the film is thin; see [`Relaxation::Local`].
+const THIN_FILM: f64 = 0.1;
+/// ω where the film is thick.
+const OVER_RELAXATION: f64 = 1.8;
+/// The largest uniform λ_p.
+const LARGEST_UNIFORM: f64 = 0.5;
+/// Rounds between two looks at the residuals of the plain iteration.
+const ROUNDS_PER_LOOK: usize = 20;
+/// Rounds after which acceleration is given up: a small part of what the plain iteration may need.
+const MOST_ACCELERATED_ROUNDS: usize = 6_000;
+/// How often acceleration may run away before it is given up.
+const MOST_RESTARTS: usize = 12;
+/// Rounds that Anderson acceleration looks back.
+const DEPTH: usize = 20;
+/// A residual this many times the best so far is taken for divergence.
+const DIVERGED: f64 = 1e4;
+/// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
+const MOST_UNRESOLVED: f64 = 0.5;
+
+/// What an iteration is to reach, and how long it may take.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// Largest residual of flow and load.
+    pub tolerance: f64,
+    /// Passes after which the plain iteration is given up.
+    pub most_passes: u64,
+}
+
+/// Iterates until the residuals of the discrete equations are within the tolerance.
+///
+/// `stiffness` is M of [`Relaxation::Local`]. With [`Acceleration::Anderson`] a runaway or a stall ends the acceleration,
+/// and the iteration starts again from where it began without it, so that acceleration can only save time.
+///
+/// # Errors
+/// [`Halt::Failed`] says why there is no solution, [`Halt::Interrupted`] that the user asked to stop. The iteration then
+/// holds the best state it saw.
+pub fn converge(
+    iteration: &mut Iteration,
+    acceleration: Acceleration,
+    target: Target,
+    stiffness: f64,
+    interrupt: &Interrupt,
+) -> Result<(), Halt> {
+    let mut solver = Convergence { iteration, target, stiffness, interrupt };
+    match acceleration {
+        Acceleration::None => solver.plain(Rule::Uniform)?,
+        Acceleration::Anderson => {
+            let start = solver.iteration.state();
+            if !solver.accelerated()? {
+                solver.iteration.restore(&start);
+                solver.plain(Rule::Local)?;
+            }
+        }
+    }
+    solver.check_resolution()
+}
+
+/// Which relaxation factors a plain iteration uses.
+#[derive(Clone, Copy)]
+enum Rule {
+    Uniform,
+    Local,
+}
+
+struct Convergence<'i, 's> {
+    iteration: &'i mut Iteration<'s>,
+    target: Target,
+    stiffness: f64,
+    interrupt: &'i Interrupt,
+}
+
+impl Convergence<'_, '_> {
+    fn relaxation(&self, rule: Rule, reduction: f64) -> Relaxation {
+        let thin_film = reduction * THIN_FILM * self.stiffness;
+        match rule {
+            Rule::Local => Relaxation::Local { over_relaxation: OVER_RELAXATION, thin_film },
+            Rule::Uniform => {
+                let dx = self.iteration.shared.grid.spacing();
+                let film = self.iteration.film_min().max(0.0);
+                let number = thin_film_number(dx, self.iteration.beta, film, self.stiffness);
+                Relaxation::Uniform((reduction * THIN_FILM / number).clamp(1e-4, LARGEST_UNIFORM))
+            }
+        }
+    }
+
+    /// Rounds without acceleration. A divergence goes back to the best state and halves the relaxation factor.
+    fn plain(&mut self, rule: Rule) -> Result<(), Halt> {
+        let mut best = self.iteration.state();
+        let mut least = f64::INFINITY;
+        let mut reduction = 1.0;
+        let first_pass = self.iteration.passes;
+        loop {
+            let residuals = self.iteration.residuals();
+            if residuals.within(self.target.tolerance) {
+                return Ok(());
+            }
+            let size = residuals.largest();
+            if size < least {
+                least = size;
+                self.iteration.save(&mut best);
+            } else if !(size < DIVERGED * least) || !(self.iteration.film_min() > 0.0) {
+                reduction *= 0.5;
+                self.iteration.restore(&best);
+                if reduction < 1e-3 {
+                    return Err(self.failed("the iteration diverges with every relaxation factor tried", least));
+                }
+            }
+            if self.iteration.passes - first_pass > self.target.most_passes {
+                self.iteration.restore(&best);
+                return Err(self.failed("the iteration stalls", least));
+            }
+            let relaxation = self.relaxation(rule, reduction);
+            for _ in 0..ROUNDS_PER_LOOK {
+                self.iteration.round(relaxation);
+            }
+            self.iteration.update_film();
+            self.look_for_interrupt()?;
+        }
+    }
+
+    /// Rounds with Anderson acceleration; false if it ran away or stalled.
+    fn accelerated(&mut self) -> Result<bool, Halt> {
+        let n = self.iteration.p.len();
+        let scale = self.iteration.c().abs();
+        let (mut x, mut image) = (vec![0.0; n + 1], vec![0.0; n + 1]);
+        let mut anderson = Anderson::new(n + 1, DEPTH);
+        let mut best = self.iteration.state();
+        let mut least = f64::INFINITY;
+        let mut restarts = 0;
+        let relaxation = self.relaxation(Rule::Local, 1.0);
+        let most_rounds = MOST_ACCELERATED_ROUNDS.min(self.target.most_passes as usize / PASSES_PER_BALANCE);
+        for _ in 0..most_rounds {
+            let residuals = self.iteration.residuals();
+            if residuals.within(self.target.tolerance) {
+                return Ok(true);
+            }
+            let film_min = self.iteration.film_min();
+            let size = residuals.largest();
+            if size < least {
+                least = size;
+                self.iteration.save(&mut best);
+            } else if !(size < DIVERGED * least) || !(film_min > 0.0) {
+                restarts += 1;
+                if restarts > MOST_RESTARTS {
+                    return Ok(false);
+                }
+                self.iteration.restore(&best);
+                anderson.forget();
+                for _ in 0..ROUNDS_PER_LOOK {
+                    self.iteration.round(relaxation);
+                }
+                self.iteration.update_film();
+            }
+            self.pack(scale, &mut x);
+            self.iteration.round(relaxation);
+            self.pack(scale, &mut image);
+            anderson.mix(&x, &mut image);
+            let (before, plain_separation) = (self.iteration.film_min(), self.iteration.separation);
+            x[..n].copy_from_slice(&self.iteration.p);
+            self.iteration.p.iter_mut().zip(&image).for_each(|(p, mixed)| *p = mixed.max(0.0));
+            self.iteration.separation = image[n] * scale;
+            self.iteration.update_film();
+            let after = self.iteration.film_min();
+            if !(after > 0.1 * before && after < 10.0 * before) {
+                // too long a step: the plain one instead, and a new history
+                self.iteration.p.copy_from_slice(&x[..n]);
+                self.iteration.separation = plain_separation;
+                self.iteration.update_film();
+                anderson.forget();
+            }
+            self.look_for_interrupt()?;
+        }
+        Ok(false)
+    }
+
+    /// The unknowns (p, h₀), the latter in units of the film so that both count.
+    fn pack(&self, scale: f64, x: &mut [f64]) {
+        let n = self.iteration.p.len();
+        x[..n].copy_from_slice(&self.iteration.p);
+        x[n] = self.iteration.separation / scale;
+    }
+
+    fn look_for_interrupt(&self) -> Result<(), Halt> {
+        if self.interrupt.requested() { Err(Halt::Interrupted) } else { Ok(()) }
+    }
+
+    fn failed(&self, what: &str, residual: f64) -> Halt {
+        let passes = self.iteration.passes;
+        Halt::Failed(Failure {
+            reason: format!("{what}: residual {residual:.1e} after {passes} passes, tolerance {:.1e}", self.target.tolerance),
+        })
+    }
+
+    /// A converged state is a solution only on a grid that resolves the film.
+    fn check_resolution(&self) -> Result<(), Halt> {
+        let iteration = &self.iteration;
+        let dx = iteration.shared.grid.spacing();
+        let error = reynolds::conservation_error(&iteration.p, &iteration.u, iteration.beta, dx, iteration.c());
+        if error <= MOST_UNRESOLVED && iteration.film_min() > 0.0 {
+            return Ok(());
+        }
+        Err(Halt::Failed(Failure {
+            reason: format!(
+                "the grid does not resolve the film: the flow at mid-points is wrong by {:.0} % of the film; \
+                 use more points",
+                100.0 * error
+            ),
+        }))
+    }
+}
+
+const _: () = assert!(PASSES_PER_BALANCE * ROUNDS_PER_LOOK <= 1000, "an interrupt is noticed within a moment");

@@ -1,0 +1,60 @@
+//! The uniform grid.
+
+/// Points x_i = x_min + i Δx, i = 0 … n−1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grid {
+    /// Left end, behind the outlet.
+    pub x_min: f64,
+    /// Right end, ahead of the inlet.
+    pub x_max: f64,
+    /// Number of points n.
+    pub points: usize,
+}
+
+impl Grid {
+    /// Δx.
+    pub fn spacing(&self) -> f64 {
+        (self.x_max - self.x_min) / (self.points - 1) as f64
+    }
+
+    /// x_i.
+    pub fn x(&self, i: usize) -> f64 {
+        self.x_min + i as f64 * self.spacing()
+    }
+
+    /// The grid of half as many intervals, while it has enough points to be of use.
+    pub fn coarser(&self) -> Option<Self> {
+        const FEWEST: usize = 101;
+        let points = self.points.div_ceil(2);
+        (self.points % 2 == 1 && points >= FEWEST).then_some(Self { points, ..*self })
+    }
+
+    /// A function known at the points of this grid, at any x, by linear interpolation; zero outside.
+    pub fn interpolate(&self, values: &[f64], x: f64) -> f64 {
+        let place = (x - self.x_min) / self.spacing();
+        if !(place >= 0.0 && place <= (self.points - 1) as f64) {
+            return 0.0;
+        }
+        let i = (place as usize).min(self.points - 2);
+        let t = place - i as f64;
+        (1.0 - t) * values[i] + t * values[i + 1]
+    }
+
+    /// True if x lies on the grid.
+    pub fn contains(&self, x: f64) -> bool {
+        x >= self.x_min && x <= self.x_max
+    }
+
+    /// A smooth function known at the points of this grid, at an x on it, by the cubic through the four nearest points.
+    pub fn cubic(&self, values: &[f64], x: f64) -> f64 {
+        let place = (x - self.x_min) / self.spacing();
+        let first = (place as usize).clamp(1, self.points - 3) - 1;
+        let t = place - first as f64;
+        (0..4)
+            .map(|j| {
+                let others = (0..4).filter(|&k| k != j);
+                values[first + j] * others.map(|k| (t - k as f64) / (j as f64 - k as f64)).product::<f64>()
+            })
+            .sum()
+    }
+}

@@ -1,0 +1,198 @@
+//! Friction and film of a converged state (section "Outputs" of `docs/theory.md`), on the grid and beyond it.
+
+use std::f64::consts::PI;
+
+use super::iteration::{Iteration, index_of_largest};
+use crate::model::{CavityShear, Friction, Quantities};
+
+/// All numbers of a converged state. Second order in Δx where the film is resolved; what lies beyond the grid is
+/// integrated to infinity.
+pub fn quantities(state: &Iteration, cavity_shear: CavityShear) -> Quantities {
+    let peak = Peak::of(state);
+    let outlet = Outlet::of(state, peak.c);
+    let inlet = Inlet::of(state, peak.c);
+    let friction = Friction {
+        viscoelastic: viscoelastic_friction(state, &inlet),
+        hydrodynamic_film: film_friction(state, &outlet, &inlet),
+        hydrodynamic_cavity: cavity_friction(state, &outlet, peak.c, cavity_shear),
+        drag: 0.0,
+    };
+    let centroid = centroid(state, &inlet);
+    Quantities {
+        friction: Friction { drag: friction.hydrodynamic() + centroid, ..friction },
+        c: peak.c,
+        film_min: film_min(state),
+        p_max: peak.pressure,
+        x_p_max: peak.x,
+        x_outlet: outlet.x,
+        centroid,
+        separation: state.separation,
+        load_residual: state.load_residual().abs(),
+    }
+}
+
+/// Largest pressure, by the parabola through the three highest points.
+struct Peak {
+    x: f64,
+    pressure: f64,
+    c: f64,
+}
+
+impl Peak {
+    fn of(state: &Iteration) -> Self {
+        let grid = &state.shared.grid;
+        let i = index_of_largest(&state.p).clamp(1, grid.points - 2);
+        let t = vertex(&state.p[i - 1..=i + 1]);
+        Self {
+            x: grid.x(i) + t * grid.spacing(),
+            pressure: parabola(&state.p[i - 1..=i + 1], t),
+            c: parabola(&state.u[i - 1..=i + 1], t),
+        }
+    }
+}
+
+/// Smallest film thickness, by the parabola through the three lowest points.
+fn film_min(state: &Iteration) -> f64 {
+    let u = &state.u;
+    let i = (0..u.len()).fold(0, |best, i| if u[i] < u[best] { i } else { best }).clamp(1, u.len() - 2);
+    parabola(&u[i - 1..=i + 1], vertex(&u[i - 1..=i + 1]))
+}
+
+/// Place of the extremum of the parabola through three values, in steps from the middle one, at most half a step.
+fn vertex(values: &[f64]) -> f64 {
+    let curvature = values[0] - 2.0 * values[1] + values[2];
+    let t = 0.5 * (values[0] - values[2]) / curvature;
+    if t.is_finite() { t.clamp(-0.5, 0.5) } else { 0.0 }
+}
+
+/// The parabola through three values, `t` steps from the middle one.
+fn parabola(values: &[f64], t: f64) -> f64 {
+    values[1] + 0.5 * t * (values[2] - values[0]) + 0.5 * t * t * (values[0] - 2.0 * values[1] + values[2])
+}
+
+/// The outlet, where u = c behind the smallest film (T2 with T5).
+struct Outlet {
+    x: f64,
+    /// The first grid point ahead of it.
+    ahead: usize,
+}
+
+impl Outlet {
+    fn of(state: &Iteration, c: f64) -> Self {
+        let (grid, u) = (&state.shared.grid, &state.u);
+        let lowest = (0..u.len()).fold(0, |best, i| if u[i] < u[best] { i } else { best });
+        let behind = (0..lowest).rev().find(|&i| u[i] >= c).unwrap_or(0);
+        // u is smooth across the outlet: the parabola through the two points beside it and the next one behind
+        let (t, _) = crossing(u, behind, c);
+        Self { x: grid.x(behind) + t * grid.spacing(), ahead: behind + 1 }
+    }
+}
+
+/// Where between points i and i + 1 the interpolating parabola of u is c, as a part of the step; and the slope there.
+fn crossing(u: &[f64], i: usize, c: f64) -> (f64, f64) {
+    let i = i.clamp(1, u.len() - 2);
+    let values = &u[i - 1..=i + 1];
+    let mut t = ((values[1] - c) / (values[1] - values[2])).clamp(0.0, 1.0);
+    let curvature = values[0] - 2.0 * values[1] + values[2];
+    let slope = |t: f64| 0.5 * (values[2] - values[0]) + t * curvature;
+    for _ in 0..3 {
+        let step = (parabola(values, t) - c) / slope(t);
+        if step.is_finite() {
+            t = (t - step).clamp(0.0, 1.0);
+        }
+    }
+    (t, slope(t))
+}
+
+/// What the film ahead of the grid adds to the integrals of section 7, by quadrature to infinity.
+struct Inlet {
+    /// ∫ p w′ dx.
+    hysteresis: f64,
+    /// ∫ [p′u/π + 1/(3πβu)] dx.
+    shear: f64,
+    /// ∫ p x dx.
+    moment: f64,
+    /// ∫ p′u dx.
+    pressure_flow: f64,
+}
+
+impl Inlet {
+    fn of(state: &Iteration, c: f64) -> Self {
+        let (beta, end) = (state.beta, state.shared.grid.x_max);
+        let last = state.p.len() - 1;
+        let mut inlet = Self { hysteresis: 0.0, shear: 0.0, moment: 0.0, pressure_flow: 0.0 };
+        for (x, weight, u) in state.film_ahead() {
+            let gradient = -(u - c) / (beta * u.powi(3));
+            let displacement = state.separation + 0.5 * x * x - u;
+            // by parts: ∫ p w′ = −∫ p′ (w − w(X)),  ∫ p x = ½ p(X) (0 − X²) … = −½ ∫ p′ (x² − X²)
+            inlet.hysteresis -= weight * gradient * (displacement - state.w[last]);
+            inlet.moment -= weight * gradient * 0.5 * (x * x - end * end);
+            inlet.pressure_flow += weight * gradient * u;
+            inlet.shear += weight * (gradient * u + 1.0 / (3.0 * beta * u)) / PI;
+        }
+        inlet
+    }
+}
+
+/// F_v = (2/π) ∫ p w′ dx, central differences of w: on an elastic substrate the kernel is even and the sum vanishes.
+fn viscoelastic_friction(state: &Iteration, inlet: &Inlet) -> f64 {
+    let (p, w) = (&state.p, &state.w);
+    let last = p.len() - 1;
+    let inside: f64 = (1..last).map(|i| 0.5 * p[i] * (w[i + 1] - w[i - 1])).sum();
+    let half_cell = 0.5 * p[last] * (w[last] - w[last - 1]);
+    2.0 / PI * (inside + half_cell + inlet.hysteresis)
+}
+
+/// F_h,film = ∫ [p′u/π + 1/(3πβu)] dx from the outlet on (Eq. 20).
+fn film_friction(state: &Iteration, outlet: &Outlet, inlet: &Inlet) -> f64 {
+    let shear = shear_ahead_of(state, outlet) / (3.0 * PI * state.beta);
+    pressure_flow(state) / PI + shear + inlet.shear
+}
+
+/// ∫ p′u dx on the grid.
+fn pressure_flow(state: &Iteration) -> f64 {
+    let (p, u) = (&state.p, &state.u);
+    (0..p.len() - 1).map(|i| 0.5 * (p[i + 1] - p[i]) * (u[i] + u[i + 1])).sum()
+}
+
+/// ∫ dx/u from the outlet to the end of the grid.
+fn shear_ahead_of(state: &Iteration, outlet: &Outlet) -> f64 {
+    let (grid, u) = (&state.shared.grid, &state.u);
+    let dx = grid.spacing();
+    let part = grid.x(outlet.ahead) - outlet.x;
+    let t = 1.0 - part / dx;
+    let u_outlet = u[outlet.ahead - 1] + t * (u[outlet.ahead] - u[outlet.ahead - 1]);
+    let inside: f64 = (outlet.ahead..u.len() - 1).map(|i| 0.5 * dx * (1.0 / u[i] + 1.0 / u[i + 1])).sum();
+    inside + 0.5 * part * (1.0 / u_outlet + 1.0 / u[outlet.ahead])
+}
+
+/// F_h,cavity = ∫ θ/(3πβu) dx behind the outlet, θ = 1, c/u or 0.
+fn cavity_friction(state: &Iteration, outlet: &Outlet, c: f64, cavity_shear: CavityShear) -> f64 {
+    let shear = |u: f64| match cavity_shear {
+        CavityShear::Full => 1.0 / u,
+        CavityShear::Streamers => c / (u * u),
+        CavityShear::None => 0.0,
+    };
+    let (grid, u) = (&state.shared.grid, &state.u);
+    let (dx, behind) = (grid.spacing(), outlet.ahead - 1);
+    let part = outlet.x - grid.x(behind);
+    let inside: f64 = (0..behind).map(|i| 0.5 * dx * (shear(u[i]) + shear(u[i + 1]))).sum();
+    let beyond: f64 = state.film_behind().map(|(_, weight, u)| weight * shear(u)).sum();
+    (inside + 0.5 * part * (shear(u[behind]) + shear(c)) + beyond) / (3.0 * PI * state.beta)
+}
+
+/// (2/π) ∫ p x dx.
+fn centroid(state: &Iteration, inlet: &Inlet) -> f64 {
+    let grid = &state.shared.grid;
+    let last = state.p.len() - 1;
+    let inside: f64 = (1..last).map(|i| state.p[i] * grid.x(i)).sum();
+    // half a cell, whose centre is a quarter of a step inside
+    let half_cell = 0.5 * state.p[last] * (grid.x_max - 0.25 * grid.spacing());
+    2.0 / PI * ((inside + half_cell) * grid.spacing() + inlet.moment)
+}
+
+/// F_drag by the other route, F_v + F_h − (2/π) ∫ p′u dx; equal to [`Friction::drag`] for the exact solution.
+pub fn drag_from_substrate(state: &Iteration, friction: &Friction, c: f64) -> f64 {
+    let inlet = Inlet::of(state, c);
+    friction.total() - 2.0 / PI * (pressure_flow(state) + inlet.pressure_flow)
+}

@@ -1,0 +1,274 @@
+//! The relaxation method as a [`CaseSolver`].
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock};
+
+use super::convergence::{Target, converge};
+use super::far_field::FarField;
+use super::fields::fields;
+use super::iteration::{Discretisation, Iteration};
+use super::quantities::quantities;
+use super::stiffness::{stiffness, thin_film_number};
+use super::{Domain, Grid, Settings, State};
+use crate::continuation::{CaseSolver, Effort, Halt, Interrupt, Seed, Solution};
+use crate::exact;
+use crate::model::{DisplacementKernel, Failure, Output, Parameters, Quantities, RelativeErrors};
+
+/// Passes after which the plain iteration is given up.
+const MOST_PASSES: u64 = 2_000_000;
+/// The same for a first guess on a coarse grid.
+const ROUGH_PASSES: u64 = 20_000;
+/// The largest [`thin_film_number`] of a grid that is of use for a first guess.
+const COARSEST: f64 = 20.0;
+
+/// The paper's solver with given settings. Elastic solutions that start chains are solved once and shared.
+pub struct RelaxationSolver {
+    settings: Settings,
+    /// Elastic solutions by the bits of their β; a thread that needs one being solved by another waits for it.
+    elastic: Mutex<HashMap<u64, Arc<OnceLock<Result<ElasticSeed, Halt>>>>>,
+}
+
+/// An elastic solution and the grid it lives on.
+type ElasticSeed = Arc<(Grid, State)>;
+
+/// What the cases of one (α, f) share.
+pub struct Shared {
+    /// Finest grid first, each of half the intervals of the one before.
+    levels: Vec<Discretisation>,
+    /// M of [`super::reynolds::Relaxation::Local`].
+    stiffness: f64,
+    /// The points of the output beyond the grid.
+    beyond: FarField,
+}
+
+impl Shared {
+    fn finest(&self) -> &Discretisation {
+        &self.levels[0]
+    }
+}
+
+impl RelaxationSolver {
+    /// A solver with the given settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings, elastic: Mutex::default() }
+    }
+
+    fn target(&self) -> Target {
+        Target { tolerance: self.settings.tolerance, most_passes: MOST_PASSES }
+    }
+
+    fn grid(&self, parameters: &Parameters) -> Result<Grid, Failure> {
+        let (trailing, leading, half_width) = exact::contact_bounds(parameters);
+        let points = self.settings.points;
+        match self.settings.domain {
+            Domain::Auto => {
+                Ok(Grid { x_min: trailing - 2.0 * half_width, x_max: leading + 3.0 * half_width, points })
+            }
+            Domain::Fixed { x_min, x_max } if x_min < trailing && leading < x_max && x_max > 0.0 => {
+                Ok(Grid { x_min, x_max, points })
+            }
+            Domain::Fixed { x_min, x_max } => Err(Failure {
+                reason: format!(
+                    "the domain [{x_min}, {x_max}] does not hold the dry contact [{trailing:.3}, {leading:.3}]; \
+                     widen it or use domain = \"auto\""
+                ),
+            }),
+        }
+    }
+
+    fn shared(&self, parameters: &Parameters, output: &Output) -> Result<Shared, Failure> {
+        let grid = self.grid(parameters)?;
+        let grids = std::iter::successors(Some(grid), Grid::coarser);
+        let wanted = if output.fields.is_empty() { &[][..] } else { &output.x };
+        let beyond = wanted.iter().copied().filter(|&x| !grid.contains(x));
+        Ok(Shared {
+            levels: grids.map(|grid| Discretisation::new(parameters, grid)).collect(),
+            stiffness: stiffness(parameters, grid),
+            beyond: FarField::points(&DisplacementKernel::new(parameters), &grid, beyond),
+        })
+    }
+
+    /// A better guess from a guess on the finest grid, coarse to fine. A coarse grid that does not resolve the film is
+    /// left out, and one that does not converge soon only fails to help.
+    fn refine(
+        &self,
+        shared: &Shared,
+        beta: f64,
+        mut guess: State,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<State, Halt> {
+        let finest = shared.finest();
+        let rough = Target { tolerance: self.settings.tolerance.max(1e-4), most_passes: ROUGH_PASSES };
+        for level in shared.levels.iter().skip(1).rev() {
+            if thin_film_number(level.grid.spacing(), beta, guess.c, shared.stiffness) > COARSEST {
+                continue;
+            }
+            let coarse = guess.on(&finest.grid, level);
+            match self.solve_on(level, shared.stiffness, beta, &coarse, rough, effort, interrupt) {
+                Ok(state) => guess = state.on(&level.grid, finest),
+                Err(Halt::Failed(_)) => {}
+                Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+            }
+        }
+        Ok(guess)
+    }
+
+    fn solve_on(
+        &self,
+        level: &Discretisation,
+        stiffness: f64,
+        beta: f64,
+        guess: &State,
+        target: Target,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<State, Halt> {
+        let mut iteration = Iteration::new(level, beta, guess);
+        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, interrupt);
+        effort.iterations += iteration.passes;
+        result.map(|()| iteration.state())
+    }
+
+    /// The same case on the grid of half as many intervals, for an error estimate.
+    fn on_second_grid(
+        &self,
+        shared: &Shared,
+        parameters: &Parameters,
+        state: &State,
+        output: &Output,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<Quantities, Halt> {
+        let level = shared.levels.get(1).ok_or_else(|| {
+            let points = self.settings.points;
+            Halt::Failed(Failure { reason: format!("no error estimate: {points} points leave no second grid; use 201 or more") })
+        })?;
+        let guess = state.on(&shared.finest().grid, level);
+        let coarse = self
+            .solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), effort, interrupt)
+            .map_err(|halt| match halt {
+                Halt::Failed(failure) => {
+                    Halt::Failed(Failure { reason: format!("no error estimate, on the second grid {}", failure.reason) })
+                }
+                Halt::Interrupted => Halt::Interrupted,
+            })?;
+        Ok(quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear))
+    }
+
+    /// The elastic solution at β, from Hertz pressure; solved by the first thread that asks.
+    fn elastic(&self, beta: f64, effort: &mut Effort, interrupt: &Interrupt) -> Result<ElasticSeed, Halt> {
+        let entry = {
+            let mut seeds = self.elastic.lock().expect("no thread panics while it holds the seeds");
+            Arc::clone(seeds.entry(beta.to_bits()).or_default())
+        };
+        let solve = || {
+            let parameters = Parameters::elastic(beta);
+            let none = Output { fields: Default::default(), ..Output::default() };
+            let shared = self.shared(&parameters, &none).map_err(Halt::Failed)?;
+            let grid = shared.finest().grid;
+            let pressure = (0..grid.points).map(|i| (1.0 - grid.x(i) * grid.x(i)).max(0.0).sqrt()).collect();
+            let c = 0.5 / (1.0 + beta.powf(0.6));
+            let guess = State::resting(shared.finest(), pressure, c);
+            let guess = self.refine(&shared, beta, guess, effort, interrupt)?;
+            let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), effort, interrupt)?;
+            Ok(Arc::new((grid, state)))
+        };
+        entry.get_or_init(solve).clone()
+    }
+}
+
+/// Richardson's estimate of the relative error of a second-order value, from the grids of Δx and 2Δx.
+fn richardson(fine: f64, coarse: f64, scale: f64) -> f64 {
+    ((fine - coarse) / 3.0).abs() / scale
+}
+
+impl CaseSolver for RelaxationSolver {
+    type Shared = Shared;
+    type State = State;
+
+    fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Shared, Failure> {
+        self.shared(parameters, output)
+    }
+
+    /// The elastic solution at the same β, or, where the dry contact is nearer to that of the instantaneous modulus, the
+    /// one at β/(1+f) with x over √(1+f), u over 1+f and p times √(1+f).
+    fn start(
+        &self,
+        shared: &Shared,
+        parameters: &Parameters,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<(State, Seed), Halt> {
+        if parameters.is_relaxed_elastic() {
+            let seed = self.elastic(parameters.beta, effort, interrupt)?;
+            return Ok((seed.1.clone(), Seed::Hertz));
+        }
+        let stiffening = 1.0 + parameters.f;
+        let (_, _, half_width) = exact::contact_bounds(parameters);
+        let rescaled = half_width < stiffening.powf(-0.25);
+        let scale = if rescaled { stiffening.sqrt() } else { 1.0 };
+        let seed = self.elastic(parameters.beta / (scale * scale), effort, interrupt)?;
+        let (grid, state) = (&seed.0, &seed.1);
+        let target = shared.finest();
+        let pressure = (0..target.grid.points)
+            .map(|i| scale * grid.interpolate(&state.pressure, scale * target.grid.x(i)))
+            .collect();
+        let guess = State::resting(target, pressure, state.c / (scale * scale));
+        let guess = self.refine(shared, parameters.beta, guess, effort, interrupt)?;
+        Ok((guess, if rescaled { Seed::RescaledElastic } else { Seed::Elastic }))
+    }
+
+    /// c and p extrapolated in ln β; from one case c β^{3/5} is taken to stay the same, and the pressure too.
+    fn predict(&self, shared: &Shared, solved: &[(f64, State)], beta: f64) -> State {
+        let (near_beta, near) = solved.last().expect("a prediction needs a solved case");
+        let (pressure, c) = match solved {
+            [(far_beta, far), _] => {
+                let t = (beta / near_beta).ln() / (near_beta / far_beta).ln();
+                let pairs = near.pressure.iter().zip(&far.pressure);
+                let pressure = pairs.map(|(near, far)| (near + t * (near - far)).max(0.0)).collect();
+                (pressure, near.c * (near.c / far.c).powf(t))
+            }
+            _ => (near.pressure.clone(), near.c * (beta / near_beta).powf(-0.6)),
+        };
+        State::resting(shared.finest(), pressure, c)
+    }
+
+    fn solve(
+        &self,
+        shared: &Shared,
+        parameters: &Parameters,
+        guess: &State,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<State, Halt> {
+        self.solve_on(shared.finest(), shared.stiffness, parameters.beta, guess, self.target(), effort, interrupt)
+    }
+
+    fn evaluate(
+        &self,
+        shared: &Shared,
+        parameters: &Parameters,
+        state: &State,
+        output: &Output,
+        effort: &mut Effort,
+        interrupt: &Interrupt,
+    ) -> Result<Solution, Halt> {
+        let fine = Iteration::new(shared.finest(), parameters.beta, state);
+        let quantities = quantities(&fine, output.cavity_shear);
+        let errors = if self.settings.estimate {
+            let coarse = self.on_second_grid(shared, parameters, state, output, effort, interrupt)?;
+            let (fine, coarse_friction) = (&quantities.friction, &coarse.friction);
+            // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that
+            let scale = fine.viscoelastic.abs().max(1e-3 * fine.total());
+            RelativeErrors {
+                mu_v: richardson(fine.viscoelastic, coarse_friction.viscoelastic, scale),
+                mu_h: richardson(fine.hydrodynamic(), coarse_friction.hydrodynamic(), fine.hydrodynamic()),
+                c: richardson(quantities.c, coarse.c, quantities.c),
+            }
+        } else {
+            RelativeErrors::UNKNOWN
+        };
+        Ok(Solution { quantities, errors, fields: fields(&fine, &shared.beyond, output) })
+    }
+}
