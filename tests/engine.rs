@@ -196,6 +196,14 @@ fn a_writer_error_frees_solvers_that_wait_for_the_queue() {
 }
 
 #[test]
+#[should_panic(expected = "the writer is broken")]
+fn a_panic_of_the_writer_reaches_the_caller_and_frees_the_solvers() {
+    let chains: Vec<usize> = (0..1000).collect();
+    let commit = |_: &usize, _| -> Result<(), Infallible> { panic!("the writer is broken") };
+    engine(4).run(&chains, &Interrupt::new(), solve, never_panicked, commit).expect("the panic comes first");
+}
+
+#[test]
 fn a_panic_fails_its_own_chain_only_and_its_message_is_kept() {
     let chains: Vec<usize> = (0..50).collect();
     for threads in [1, 4] {
