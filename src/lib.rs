@@ -20,7 +20,7 @@
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | seeds, predictor, retries along one chain | the [`continuation::CaseSolver`] trait |
-//! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`], [`store`] |
+//! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | – |
 //!
 //! Equation numbers "Eq. n" are those of Wu, Jagota and Hui, *Lubricated Sliding of a Rigid Cylinder on a Viscoelastic
@@ -32,6 +32,7 @@
 compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default) or `system-hdf5`");
 
 pub mod continuation;
+pub mod engine;
 pub mod exact;
 pub mod model;
 pub mod relaxation;
