@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use super::{CaseSolver, Effort, Halt, Interrupt, Interrupted, Seed, Solution, SolvedCase};
+
 use crate::exact;
 use crate::model::{Failure, Limits, Output, Parameters};
 
@@ -33,12 +34,9 @@ pub fn solve_chain<S: CaseSolver>(
         let start = Instant::now();
         let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };
         let mut result = match &shared {
-            Err(failure) => SolvedCase {
-                outcome: Err(failure.clone()),
-                limits,
-                seed: Seed::Elastic,
-                effort: Effort::default(),
-            },
+            Err(failure) => {
+                SolvedCase { outcome: Err(failure.clone()), limits, seed: Seed::Elastic, effort: Effort::default() }
+            }
             Ok(shared) => {
                 let ladder = Ladder { solver, shared, solved: &mut solved, output, interrupt };
                 ladder.solve(parameters, limits)?
@@ -128,13 +126,10 @@ impl<S: CaseSolver> Ladder<'_, S> {
                 (seed, guess)
             }
         };
-        let solution = self
-            .solver
-            .solve(self.shared, parameters, &guess, effort, self.interrupt)
-            .and_then(|state| {
-                let evaluate = self.solver.evaluate(self.shared, parameters, &state, self.output, effort, self.interrupt);
-                evaluate.map(|solution| (state, solution))
-            });
+        let solution = self.solver.solve(self.shared, parameters, &guess, effort, self.interrupt).and_then(|state| {
+            let evaluate = self.solver.evaluate(self.shared, parameters, &state, self.output, effort, self.interrupt);
+            evaluate.map(|solution| (state, solution))
+        });
         match solution {
             Ok((state, solution)) => Ok((seed, state, solution)),
             Err(halt) => Err((seed, halt)),

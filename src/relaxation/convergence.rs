@@ -1,10 +1,10 @@
 //! From a first guess to the solution: the plain iteration, and the accelerated one that falls back on it.
 
+use super::Acceleration;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, PASSES_PER_BALANCE};
 use super::reynolds::{self, Relaxation};
 use super::stiffness::thin_film_number;
-use super::Acceleration;
 use crate::continuation::{Halt, Interrupt};
 use crate::model::Failure;
 
@@ -19,11 +19,13 @@ const ROUNDS_PER_LOOK: usize = 20;
 /// Rounds after which acceleration is given up: a small part of what the plain iteration may need.
 const MOST_ACCELERATED_ROUNDS: usize = 6_000;
 /// How often acceleration may run away before it is given up.
-const MOST_RESTARTS: usize = 12;
+const MOST_RESTARTS: i32 = 6;
 /// Rounds that Anderson acceleration looks back.
 const DEPTH: usize = 20;
 /// A residual this many times the best so far is taken for divergence.
-const DIVERGED: f64 = 1e4;
+const DIVERGED: f64 = 1e3;
+/// A relative error of the load beyond this is taken for divergence too.
+const FLOATING: f64 = 0.3;
 /// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
 const MOST_UNRESOLVED: f64 = 0.5;
 
@@ -108,7 +110,7 @@ impl Convergence<'_, '_> {
             if size < least {
                 least = size;
                 self.iteration.save(&mut best);
-            } else if !(size < DIVERGED * least) || !(self.iteration.film_min() > 0.0) {
+            } else if self.ran_away(size, least) {
                 reduction *= 0.5;
                 self.iteration.restore(&best);
                 if reduction < 1e-3 {
@@ -137,26 +139,27 @@ impl Convergence<'_, '_> {
         let mut best = self.iteration.state();
         let mut least = f64::INFINITY;
         let mut restarts = 0;
-        let relaxation = self.relaxation(Rule::Local, 1.0);
+        let mut relaxation = self.relaxation(Rule::Local, 1.0);
         let most_rounds = MOST_ACCELERATED_ROUNDS.min(self.target.most_passes as usize / PASSES_PER_BALANCE);
         for _ in 0..most_rounds {
             let residuals = self.iteration.residuals();
             if residuals.within(self.target.tolerance) {
                 return Ok(true);
             }
-            let film_min = self.iteration.film_min();
             let size = residuals.largest();
             if size < least {
                 least = size;
                 self.iteration.save(&mut best);
-            } else if !(size < DIVERGED * least) || !(film_min > 0.0) {
+            } else if self.ran_away(size, least) {
                 restarts += 1;
                 if restarts > MOST_RESTARTS {
                     return Ok(false);
                 }
                 self.iteration.restore(&best);
                 anderson.forget();
-                for _ in 0..ROUNDS_PER_LOOK {
+                // plain rounds first, more and smaller ones each time
+                relaxation = self.relaxation(Rule::Local, 0.5_f64.powi(restarts));
+                for _ in 0..ROUNDS_PER_LOOK << restarts {
                     self.iteration.round(relaxation);
                 }
                 self.iteration.update_film();
@@ -183,6 +186,13 @@ impl Convergence<'_, '_> {
         Ok(false)
     }
 
+    /// True if the film closed, or if residuals or load left the neighbourhood of the best state so far. A cylinder that
+    /// floats off has small residuals of flow, but no load.
+    fn ran_away(&self, size: f64, least: f64) -> bool {
+        let floats = self.iteration.load_residual().abs() > f64::max(FLOATING, 10.0 * least);
+        floats || !(size < DIVERGED * least) || !(self.iteration.film_min() > 0.0)
+    }
+
     /// The unknowns (p, h₀), the latter in units of the film so that both count.
     fn pack(&self, scale: f64, x: &mut [f64]) {
         let n = self.iteration.p.len();
@@ -197,7 +207,10 @@ impl Convergence<'_, '_> {
     fn failed(&self, what: &str, residual: f64) -> Halt {
         let passes = self.iteration.passes;
         Halt::Failed(Failure {
-            reason: format!("{what}: residual {residual:.1e} after {passes} passes, tolerance {:.1e}", self.target.tolerance),
+            reason: format!(
+                "{what}: residual {residual:.1e} after {passes} passes, tolerance {:.1e}",
+                self.target.tolerance
+            ),
         })
     }
 

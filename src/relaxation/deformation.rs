@@ -7,19 +7,19 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 
 use super::Grid;
-use super::far_field::last_column;
+use super::far_field::EndColumn;
 use crate::model::DisplacementKernel;
 
 /// w_i = Σ_k χ_{i−k} p_k (Eq. 41 with the cell average of the kernel in place of its infinite point value).
 ///
-/// The pressure is constant over the cell around each point. The last point stands for half a cell and the tail
-/// p = p_{n−1} (x_max/x)³ beyond it. Once per (α, f) and grid.
+/// The pressure is constant over the cell around each point, half a cell at the last, beyond which comes the tail of
+/// [`EndColumn`]. Once per (α, f) and grid.
 pub struct Deformation {
     points: usize,
     /// Transform of χ_m, m = −(n−1) … n−1, wrapped around.
     transfer: Vec<Complex<f64>>,
-    /// Displacement at each point for unit pressure at the last point.
-    last_column: Vec<f64>,
+    /// The end of the grid seen from each point.
+    end: Vec<EndColumn>,
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
 }
@@ -54,8 +54,8 @@ impl Deformation {
         let mut transfer = forward.make_output_vec();
         forward.process(&mut influence, &mut transfer).expect("lengths fit by construction");
 
-        let last_column = (0..n).map(|i| last_column(kernel, grid, grid.x(i)));
-        Self { points: n, transfer, last_column: last_column.collect(), forward, inverse }
+        let end = (0..n).map(|i| EndColumn::new(kernel, grid, grid.x(i))).collect();
+        Self { points: n, transfer, end, forward, inverse }
     }
 
     /// Space for [`Deformation::displace`].
@@ -68,22 +68,22 @@ impl Deformation {
         }
     }
 
-    /// Displacement `w` (n values) of the pressure `p` (n values).
-    pub fn displace(&self, p: &[f64], w: &mut [f64], space: &mut DeformationSpace) {
+    /// Displacement `w` (n values) of the pressure `p` (n values) and of the load ahead of the grid.
+    pub fn displace(&self, p: &[f64], tail_load: f64, w: &mut [f64], space: &mut DeformationSpace) {
         let last = self.points - 1;
         assert_eq!((p.len(), w.len()), (self.points, self.points));
         space.padded[..last].copy_from_slice(&p[..last]);
         space.padded[last..].fill(0.0);
         let lengths = "lengths fit by construction";
-        self.forward
-            .process_with_scratch(&mut space.padded, &mut space.spectrum, &mut space.forward)
-            .expect(lengths);
+        self.forward.process_with_scratch(&mut space.padded, &mut space.spectrum, &mut space.forward).expect(lengths);
         space.spectrum.iter_mut().zip(&self.transfer).for_each(|(value, factor)| *value *= factor);
-        self.inverse
-            .process_with_scratch(&mut space.spectrum, &mut space.padded, &mut space.inverse)
-            .expect(lengths);
-        for ((w, convolution), column) in w.iter_mut().zip(&space.padded).zip(&self.last_column) {
-            *w = convolution + p[last] * column;
+        // real signals: exactly zero already, unless the pressure overflowed, which shows in w
+        let nyquist = space.spectrum.len() - 1;
+        space.spectrum[0].im = 0.0;
+        space.spectrum[nyquist].im = 0.0;
+        self.inverse.process_with_scratch(&mut space.spectrum, &mut space.padded, &mut space.inverse).expect(lengths);
+        for ((w, convolution), end) in w.iter_mut().zip(&space.padded).zip(&self.end) {
+            *w = convolution + end.displacement(p[last], tail_load);
         }
     }
 }

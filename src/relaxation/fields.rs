@@ -35,7 +35,7 @@ pub fn fields(state: &Iteration, beyond: &FarField, output: &Output) -> Fields {
                     return grid.cubic(&state.w, x);
                 }
                 next_beyond += 1;
-                beyond.displacement(next_beyond - 1, &state.p)
+                beyond.displacement(next_beyond - 1, &state.p, state.tail_load)
             })
             .collect();
         if wanted.film_thickness {

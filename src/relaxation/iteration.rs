@@ -112,8 +112,7 @@ impl<'a> Iteration<'a> {
 
     /// The present state.
     pub fn state(&self) -> State {
-        let mut state =
-            State { pressure: vec![0.0; self.p.len()], separation: 0.0, tail_load: 0.0, c: 0.0 };
+        let mut state = State { pressure: vec![0.0; self.p.len()], separation: 0.0, tail_load: 0.0, c: 0.0 };
         self.save(&mut state);
         state
     }
@@ -128,7 +127,7 @@ impl<'a> Iteration<'a> {
 
     /// The film of the present pressure, u = h₀ + x²/2 − w (T3).
     pub fn update_film(&mut self) {
-        self.shared.deformation.displace(&self.p, &mut self.w, &mut self.space);
+        self.shared.deformation.displace(&self.p, self.tail_load, &mut self.w, &mut self.space);
         for ((u, parabola), w) in self.u.iter_mut().zip(&self.shared.parabola).zip(&self.w) {
             *u = self.separation + parabola - w;
         }
@@ -171,7 +170,8 @@ impl<'a> Iteration<'a> {
 
     /// Residuals of the present state, whose film must be up to date.
     pub fn residuals(&self) -> Residuals {
-        let flow = reynolds::flow_residual(&self.p, &self.u, self.beta, self.shared.grid.spacing());
+        let dx = self.shared.grid.spacing();
+        let flow = reynolds::flow_residual(&self.p, &self.u, self.beta, dx, self.c());
         Residuals { flow, load: self.load_residual() }
     }
 
@@ -203,7 +203,7 @@ impl<'a> Iteration<'a> {
     fn film_of(&self, field: &FarField) -> impl Iterator<Item = (f64, f64, f64)> {
         (0..field.x.len()).map(|q| {
             let x = field.x[q];
-            (x, field.weight[q], self.separation + 0.5 * x * x - field.displacement(q, &self.p))
+            (x, field.weight[q], self.separation + 0.5 * x * x - field.displacement(q, &self.p, self.tail_load))
         })
     }
 }

@@ -70,7 +70,7 @@ fn parabola(values: &[f64], t: f64) -> f64 {
     values[1] + 0.5 * t * (values[2] - values[0]) + 0.5 * t * t * (values[0] - 2.0 * values[1] + values[2])
 }
 
-/// The outlet, where u = c behind the smallest film (T2 with T5).
+/// The outlet, beside the first point under pressure: u = c there (T2 with T5).
 struct Outlet {
     x: f64,
     /// The first grid point ahead of it.
@@ -78,30 +78,37 @@ struct Outlet {
 }
 
 impl Outlet {
+    /// Second order from u = c. Where the film is so flat that u meets c nowhere near, first order from √p, which grows
+    /// in proportion to the distance.
     fn of(state: &Iteration, c: f64) -> Self {
-        let (grid, u) = (&state.shared.grid, &state.u);
-        let lowest = (0..u.len()).fold(0, |best, i| if u[i] < u[best] { i } else { best });
-        let behind = (0..lowest).rev().find(|&i| u[i] >= c).unwrap_or(0);
-        // u is smooth across the outlet: the parabola through the two points beside it and the next one behind
-        let (t, _) = crossing(u, behind, c);
-        Self { x: grid.x(behind) + t * grid.spacing(), ahead: behind + 1 }
+        const NEAR: usize = 4;
+        let (grid, p, u) = (&state.shared.grid, &state.p, &state.u);
+        let first = p.iter().position(|&p| p > 0.0).unwrap_or(1).clamp(1, p.len() - 2);
+        let window = first.saturating_sub(NEAR)..(first + NEAR).min(u.len() - 2);
+        let crossing = window.rev().find(|&i| u[i] >= c && u[i + 1] < c);
+        let place = crossing.map_or_else(
+            || {
+                let (root, next) = (p[first].sqrt(), p[first + 1].sqrt());
+                first as f64 - (root / (next - root)).clamp(0.0, 1.0)
+            },
+            |behind| behind as f64 + crossing_part(u, behind, c),
+        );
+        Self { x: grid.x_min + place * grid.spacing(), ahead: place as usize + 1 }
     }
 }
 
-/// Where between points i and i + 1 the interpolating parabola of u is c, as a part of the step; and the slope there.
-fn crossing(u: &[f64], i: usize, c: f64) -> (f64, f64) {
-    let i = i.clamp(1, u.len() - 2);
-    let values = &u[i - 1..=i + 1];
-    let mut t = ((values[1] - c) / (values[1] - values[2])).clamp(0.0, 1.0);
-    let curvature = values[0] - 2.0 * values[1] + values[2];
-    let slope = |t: f64| 0.5 * (values[2] - values[0]) + t * curvature;
-    for _ in 0..3 {
-        let step = (parabola(values, t) - c) / slope(t);
+/// Where between points i and i + 1 the parabola through u at i − 1, i, i + 1 is c, as a part of the step.
+fn crossing_part(u: &[f64], i: usize, c: f64) -> f64 {
+    let values = [u[i.max(1) - 1], u[i], u[i + 1]];
+    let mut t = (values[1] - c) / (values[1] - values[2]);
+    for _ in 0..4 {
+        let slope = 0.5 * (values[2] - values[0]) + t * (values[0] - 2.0 * values[1] + values[2]);
+        let step = (parabola(&values, t) - c) / slope;
         if step.is_finite() {
             t = (t - step).clamp(0.0, 1.0);
         }
     }
-    (t, slope(t))
+    t
 }
 
 /// What the film ahead of the grid adds to the integrals of section 7, by quadrature to infinity.

@@ -1,5 +1,7 @@
 //! Reynolds' equation on the uniform grid (Eqs. 37–38) and its Gauss–Seidel pass (Eq. 42).
 
+use super::stiffness::HALF_WIDTHS;
+
 /// Coefficients A, B, C, D of one row A p_{i−1} + B p_i + C p_{i+1} = D (Eq. 38), for the film thicknesses `u` at
 /// i−1, i, i+1.
 #[inline]
@@ -48,18 +50,25 @@ pub fn pass(p: &mut [f64], u: &[f64], beta: f64, dx: f64, relaxation: Relaxation
     }
 }
 
-/// Largest error of the flow that the discrete equations leave, relative to the film thickness there.
+/// Largest error of the flow that the discrete equations leave, as a part of the film thickness.
 ///
 /// A row of Eq. 37 is the difference of the flow β p′u³ + u over one cell, so the sum of the residuals from the outlet
-/// on, times βΔx, is the error of the flow there. Unlike the change of p per pass it does not look small because λ_p is
-/// small or the error smooth, and unlike the flow at mid-points it has no floor of the scheme's own.
-pub fn flow_residual(p: &[f64], u: &[f64], beta: f64, dx: f64) -> f64 {
+/// on, times βΔx, is the error q of the flow there. Unlike the change of p per pass it does not look small because λ_p
+/// is small or the error smooth, and unlike the flow at mid-points it has no floor of the scheme's own.
+///
+/// It is taken relative to the film, q/u. Where the film is so thick that the pressure which drives q is worth less,
+/// q ℓ/(βu³) over c, with the half width ℓ of the contact, it is taken so: far ahead q is no more than the rounding error
+/// of p times βu³.
+pub fn flow_residual(p: &[f64], u: &[f64], beta: f64, dx: f64, c: f64) -> f64 {
+    let half_width = HALF_WIDTHS.recip() * dx * (p.len() - 1) as f64;
     let (mut flow, mut largest) = (0.0, 0.0);
     for i in 1..p.len() - 1 {
         if p[i] > 0.0 {
-            let [a, b, c, d] = row([u[i - 1], u[i], u[i + 1]], beta, dx);
-            flow += beta * dx * (d - a * p[i - 1] - b * p[i] - c * p[i + 1]);
-            largest = larger(largest, flow.abs() / u[i]);
+            let [behind, here, ahead, right] = row([u[i - 1], u[i], u[i + 1]], beta, dx);
+            flow += beta * dx * (right - behind * p[i - 1] - here * p[i] - ahead * p[i + 1]);
+            let film = u[i];
+            let worth = f64::min(1.0 / film, half_width / (beta * film.powi(3) * c));
+            largest = larger(largest, flow.abs() * worth);
         }
     }
     largest

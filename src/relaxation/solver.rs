@@ -61,9 +61,7 @@ impl RelaxationSolver {
         let (trailing, leading, half_width) = exact::contact_bounds(parameters);
         let points = self.settings.points;
         match self.settings.domain {
-            Domain::Auto => {
-                Ok(Grid { x_min: trailing - 2.0 * half_width, x_max: leading + 3.0 * half_width, points })
-            }
+            Domain::Auto => Ok(Grid { x_min: trailing - 2.0 * half_width, x_max: leading + 3.0 * half_width, points }),
             Domain::Fixed { x_min, x_max } if x_min < trailing && leading < x_max && x_max > 0.0 => {
                 Ok(Grid { x_min, x_max, points })
             }
@@ -142,15 +140,17 @@ impl RelaxationSolver {
     ) -> Result<Quantities, Halt> {
         let level = shared.levels.get(1).ok_or_else(|| {
             let points = self.settings.points;
-            Halt::Failed(Failure { reason: format!("no error estimate: {points} points leave no second grid; use 201 or more") })
+            Halt::Failed(Failure {
+                reason: format!("no error estimate: {points} points leave no second grid; use 201 or more"),
+            })
         })?;
         let guess = state.on(&shared.finest().grid, level);
         let coarse = self
             .solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), effort, interrupt)
             .map_err(|halt| match halt {
-                Halt::Failed(failure) => {
-                    Halt::Failed(Failure { reason: format!("no error estimate, on the second grid {}", failure.reason) })
-                }
+                Halt::Failed(failure) => Halt::Failed(Failure {
+                    reason: format!("no error estimate, on the second grid {}", failure.reason),
+                }),
                 Halt::Interrupted => Halt::Interrupted,
             })?;
         Ok(quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear))
@@ -171,7 +171,8 @@ impl RelaxationSolver {
             let c = 0.5 / (1.0 + beta.powf(0.6));
             let guess = State::resting(shared.finest(), pressure, c);
             let guess = self.refine(&shared, beta, guess, effort, interrupt)?;
-            let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), effort, interrupt)?;
+            let state =
+                self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), effort, interrupt)?;
             Ok(Arc::new((grid, state)))
         };
         entry.get_or_init(solve).clone()

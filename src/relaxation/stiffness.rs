@@ -3,11 +3,12 @@
 use super::Grid;
 use crate::model::Parameters;
 
+/// Length of the automatic domain in half widths of the dry contact: two behind it, three ahead, two of its own.
+pub const HALF_WIDTHS: f64 = 7.0;
+
 /// M ≥ 1, the modulus of the substrate at wavenumber q ≈ 1/ā over the relaxed one: |(1+f)/(1 + Σ f_j α_j/(α_j − iq))|,
 /// by the Fourier transform of (T8), (T9). The length of the contact is the worst case: shorter waves find it stiffer.
 pub fn stiffness(parameters: &Parameters, grid: Grid) -> f64 {
-    /// The automatic domain is seven half widths long.
-    const HALF_WIDTHS: f64 = 7.0;
     if parameters.alpha == 0.0 {
         return 1.0 + parameters.f;
     }
