@@ -10,10 +10,10 @@ use crate::model::Parameters;
 /// With K = (1+f)α, k = Kā, Q = K₀(αā)/K₁(αā), T = I₂(k)/I₁(k) and m = k(Q + T), the printed formulas become
 ///
 /// ```text
-/// ā² = (2 + m)/(2(1 + f) + m)          half width                                  (Eq. 28)
-/// Γ₂ = f/(2 + m)                                                                   (Eq. 30)
-/// b  = ā f Q/(2 + m)                   centre, towards the leading edge            (Eq. 29)
-/// F_v = ā f (Q + ā² T)/(2 + m)         friction                                    (Eq. 32)
+/// ā² = (2 + m)/(2(1 + f) + m)          half width                        (T14)
+/// Γ₂ = f/(2 + m)                                                         (T14)
+/// b  = ā f Q/(2 + m)                   centre, towards the leading edge  (T14)
+/// F_v = ā f (Q + ā² T)/(2 + m)         friction                          (T15)
 /// ```
 ///
 /// in which nothing cancels: written as ½(1/ā² − 1), āΓ₁ + 1/α and b − 1/K − ā³Γ₁ they lose all digits for small and
@@ -45,7 +45,7 @@ impl DryContact {
             let k = (1.0 + f) * alpha * half_width;
             (k, k0_over_k1(alpha * half_width), i2_over_i1(k))
         };
-        // Eq. 28 in ln ā. It is not positive at the instantaneous half width and not negative at the relaxed one.
+        // The half width (T14) in ln ā. It is not positive at the instantaneous half width and not negative at the relaxed one.
         let residual = |ln_half_width: f64| {
             let (k, q, t) = ratios(ln_half_width.exp());
             2.0 * ln_half_width + (2.0 * f / (2.0 + k * (q + t))).ln_1p()
@@ -81,12 +81,12 @@ impl DryContact {
         self.centre
     }
 
-    /// Γ₁ of Eq. 31; negative, −∞ at α = 0.
+    /// Γ₁ (T14); negative, −∞ at α = 0.
     pub fn gamma1(&self) -> f64 {
         -self.slope / self.k
     }
 
-    /// Γ₂ of Eq. 30, ½(1/ā² − 1).
+    /// Γ₂ (T14), ½(1/ā² − 1).
     pub fn gamma2(&self) -> f64 {
         self.gamma2
     }
@@ -101,7 +101,7 @@ impl DryContact {
         self.centre - self.half_width
     }
 
-    /// F_v, the friction force over N a₀/R (Eq. 32); 0 in the elastic limits, positive elsewhere.
+    /// F_v, the friction force over N a₀/R (T15); 0 in the elastic limits, positive elsewhere.
     pub fn friction(&self) -> f64 {
         self.friction
     }

@@ -1,4 +1,4 @@
-//! The pressure of dry sliding (Eq. 24) and its gradient.
+//! The pressure of dry sliding (Eq. 24, T13) and its gradient.
 
 use super::dry::DryContact;
 use super::gauss::integrate;
@@ -16,7 +16,7 @@ impl DryContact {
         self.pressure_on(&[x])[0]
     }
 
-    /// p at each of the ascending `x` (Eq. 24), at the cost of one exponential integrator over them.
+    /// p at each of the ascending `x` (T13), at the cost of one exponential integrator over them.
     ///
     /// With ξ = (x − b)/ā = cos θ and s = cos φ,
     ///
@@ -84,9 +84,9 @@ impl DryContact {
         self.peak().1
     }
 
-    /// dp/dx at `here`; −∞ towards the leading edge, +∞ towards the trailing edge.
+    /// dp/dx at `here`, in the contact; −∞ at the leading edge, +∞ at the trailing edge.
     ///
-    /// The derivative of Eq. 24, k(p/ā − G) with G = (sin²θ + Γ₂ − Γ₁ cos θ)/sin θ, cancels for large k. Written as
+    /// The derivative of (T13), k(p/ā − G) with G = (sin²θ + Γ₂ − Γ₁ cos θ)/sin θ, cancels for large k. Written as
     ///
     /// ```text
     /// p′ = k [ ∫_0^θ k e^{−k(cos φ − cos θ)} (G(φ) − G(θ)) sin φ dφ − G(θ) e^{−k(1 − cos θ)} ]
@@ -94,6 +94,12 @@ impl DryContact {
     ///
     /// with the difference taken by trigonometric identities, it does not.
     pub(super) fn pressure_gradient(&self, here: Position) -> f64 {
+        if here.to_leading <= 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        if here.to_trailing <= 0.0 {
+            return f64::INFINITY;
+        }
         let angle = here.angle();
         let sin = 2.0 * (here.to_leading * here.to_trailing).sqrt();
         if self.elastic {
@@ -115,7 +121,7 @@ impl DryContact {
         Position { to_leading: (self.leading_edge() - x) / width, to_trailing: (x - self.trailing_edge()) / width }
     }
 
-    /// p at `here` from p at `right`, one step of the integral of Eq. 24 from right to left.
+    /// p at `here` from p at `right`, one step of the integral (T13) from right to left.
     fn pressure_from(&self, right: Position, right_pressure: f64, here: Position) -> f64 {
         if self.elastic {
             return 2.0 * (here.to_leading * here.to_trailing).max(0.0).sqrt() / self.half_width();

@@ -38,7 +38,7 @@ pub struct LargeBeta {
     c: f64,
 }
 
-/// Places at which changes between "film" and "no film carries p′" are looked for, in ln tan(θ/2).
+/// Step in ln tan(θ/2) in which changes between "a film carries p′" and "none does" are looked for.
 const SCAN: f64 = 0.25;
 /// Where the quadrature ends at the trailing edge: what is left falls as e^{−4η/3}.
 const TRAILING_END: f64 = 15.0;
@@ -78,7 +78,7 @@ impl LargeBeta {
     /// F_h, the shear ∫ [p′u/π + 1/(3πβu)] dx over the dry contact (Eq. 20).
     ///
     /// With p′ from (T2) the integrand is (1/(πβu))(c/u − ⅔). The parts of the contact that carry a film are found first,
-    /// because the film has a square-root end there; θ-like coordinates take care of these ends and of the edges.
+    /// because u has a square-root end there; the coordinates of the quadrature take care of these ends and of the edges.
     pub fn approx_mu_h(&self) -> f64 {
         let carried = |ln_tan: f64| self.steepness(Position::at(ln_tan)) + STEEPEST;
         let start = -0.5 * (1e6 * (1.0 + self.contact.k.min(1e15))).ln();

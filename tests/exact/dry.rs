@@ -176,7 +176,7 @@ proptest! {
         prop_assert!(instantaneous * (1.0 - 1e-15) <= a && a <= 1.0);
         prop_assert!(b >= 0.0 && contact.friction() >= 0.0);
         prop_assert_eq!((contact.trailing_edge(), contact.leading_edge()), (b - a, b + a));
-        // Eq. 30 as printed; it cancels for a → 1.
+        // Γ₂ as the paper has it; it cancels for a → 1.
         let printed = 0.5 * (1.0 / (a * a) - 1.0);
         prop_assert!((contact.gamma2() - printed).abs() <= 1e-13 * (1.0 + printed));
         let load = over_dry_contact(&contact, |_| 1.0);

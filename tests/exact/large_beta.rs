@@ -28,6 +28,8 @@ fn film_is_c_at_the_peak_and_narrows_to_the_outlet() {
         if f == 0.0 {
             assert!(films.is_sorted());
         }
+        assert_eq!(film(contact.leading_edge()), 1.5 * c);
+        assert!(film(contact.trailing_edge()) < 1e-3 * c);
         assert_eq!(approximation.approx_film(contact.leading_edge() + 1e-3), None);
         assert_eq!(approximation.approx_film(contact.trailing_edge() - 1e-3), None);
     }
@@ -54,6 +56,19 @@ fn film_conserves_the_flow() {
             }
         }
         assert!(carried > 10);
+    }
+}
+
+#[test]
+fn every_corner_has_a_number() {
+    for alpha in [0.0, 1e-6, 1e-2, 1.0, 1e3, 1e6, f64::INFINITY] {
+        for f in [0.0, 1e-6, 1.0, 1e3, 1e6] {
+            for beta in [1e-2, 10.0, 1e4, 1e9] {
+                let approximation = approximation(alpha, beta, f);
+                assert!(approximation.approx_c() > 0.0 && approximation.approx_mu_v() >= 0.0);
+                assert!(approximation.approx_mu_h().is_finite(), "alpha={alpha}, beta={beta}, f={f}");
+            }
+        }
     }
 }
 

@@ -30,7 +30,8 @@ fn load(contact: &DryContact, pressure: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Eq. 24: the rate in the exponents is k = (1+f)αā, with the sign that fades towards larger s, and s runs from ξ to the
-/// leading edge. Only so does the pressure end at the trailing edge and carry the load.
+/// leading edge. Only so does the pressure end at the trailing edge and carry the load; another rate, sign or limit in the
+/// printed formula does not.
 #[test]
 fn equation_24_has_its_exponents_and_limit() {
     for (alpha, f) in CASES {
