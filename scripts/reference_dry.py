@@ -4,7 +4,7 @@
 # ///
 """Writes tests/reference/dry_contact.csv: half width, centre and friction of dry sliding at 60 digits.
 
-The formulas are those of Hunter as Eqs. 28 to 32 print them (b in units of a0), cancellation and all: with 60 digits it
+The formulas are those of Hunter as Eqs. 25 to 32 have them (b in units of a0), cancellation and all: with 60 digits it
 does no harm.
 """
 

@@ -2,9 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use proptest::prelude::*;
 use stribeck::exact::{DryContact, contact_bounds};
 use stribeck::model::{Parameters, RetardationMode, Substrate};
 
+use crate::displacement::Load;
 use crate::quadrature::over_dry_contact;
 
 /// (α, f) over decades, for laws that hold everywhere.
@@ -131,4 +133,64 @@ fn no_closed_form_for_several_modes_but_a_place_to_look() {
     assert_eq!(contact, DryContact::new(0.02, 5.0));
     let (trailing, leading, _) = contact_bounds(&single);
     assert_eq!((trailing, leading), (contact.trailing_edge(), contact.leading_edge()));
+}
+
+/// In the contact the surface is the cylinder: w′ = x, with w from the kernel (T10). And F_v = (2/π) ∫ p w′ dx.
+#[test]
+fn surface_follows_the_cylinder() {
+    for (alpha, f) in [(1.0, 1.0), (0.1, 10.0), (3.0, 30.0), (10.0, 2.0), (1e-3, 100.0)] {
+        let contact = DryContact::new(alpha, f);
+        let load = Load::of(&contact, 1500);
+        for i in -8..=8 {
+            let x = contact.centre() + contact.half_width() * f64::from(i) / 10.0;
+            let slope = load.slope(alpha, f, x);
+            assert!((slope - x).abs() < 1e-4 * contact.half_width(), "alpha={alpha}, f={f}: w'({x}) = {slope}");
+        }
+        let friction = load.friction(alpha, f);
+        assert!((friction - contact.friction()).abs() < 1e-4 * contact.half_width(), "alpha={alpha}, f={f}");
+    }
+}
+
+#[test]
+fn friction_vanishes_in_both_elastic_limits() {
+    for f in [1e-3, 1.0, 1e3] {
+        let friction = |alpha: f64| DryContact::new(alpha, f).friction();
+        let largest = (-60..=60).map(|i| friction(10_f64.powf(f64::from(i) / 10.0))).fold(0.0, f64::max);
+        assert!(largest > 0.0);
+        for far in [1e9, 1e12, 1e15] {
+            assert!(friction(1.0 / far) < 1e-6 * largest && friction(far) < 1e-6 * largest, "f={f}");
+            assert!(friction(0.1 / far) < friction(1.0 / far), "falls towards alpha = 0");
+            assert!(friction(10.0 * far) < friction(far), "falls towards alpha = inf");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    #[test]
+    fn laws_hold_everywhere(log_alpha in -6.0..6.0_f64, log_f in -6.0..6.0_f64) {
+        let (alpha, f) = (10_f64.powf(log_alpha), 10_f64.powf(log_f));
+        let contact = DryContact::new(alpha, f);
+        let (a, b) = (contact.half_width(), contact.centre());
+        let instantaneous = 1.0 / (1.0 + f).sqrt();
+        prop_assert!(instantaneous * (1.0 - 1e-15) <= a && a <= 1.0);
+        prop_assert!(b >= 0.0 && contact.friction() >= 0.0);
+        prop_assert_eq!((contact.trailing_edge(), contact.leading_edge()), (b - a, b + a));
+        // Γ₂ as the paper has it; it cancels for a → 1.
+        let printed = 0.5 * (1.0 / (a * a) - 1.0);
+        prop_assert!((contact.gamma2() - printed).abs() <= 1e-13 * (1.0 + printed));
+        let load = over_dry_contact(&contact, |_| 1.0);
+        prop_assert!((load / FRAC_PI_2 - 1.0).abs() < 1e-8, "load {load}");
+        let moment = over_dry_contact(&contact, |x| 2.0 / PI * x);
+        prop_assert!((moment - contact.friction()).abs() < 1e-8 * a, "moment {moment}, friction {}", contact.friction());
+        let x: Vec<f64> = (-300..=300).map(|i| b + a * f64::from(i) / 250.0).collect();
+        let p = contact.pressure_on(&x);
+        let peak = contact.max_pressure();
+        prop_assert!(p.iter().all(|&p| p >= 0.0 && p <= peak * (1.0 + 1e-12)));
+        prop_assert!(p[..50].iter().chain(&p[551..]).all(|&p| p == 0.0), "no pressure outside");
+        // The recursion over many points and the integral to one point are the same.
+        for i in [60, 150, 300, 451, 540] {
+            prop_assert!((contact.pressure(x[i]) - p[i]).abs() <= 1e-11 * peak);
+        }
+    }
 }
