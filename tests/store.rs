@@ -8,8 +8,10 @@ use std::path::{Path, PathBuf};
 
 use stribeck::model::{CaseId, FieldSelection, Output};
 use stribeck::store::{Ending, Holdings, Publication, Status, Store, StoreError, Warning, verify};
-use synthetic::{ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, published_bytes, row};
-use tempfile::{TempDir, tempdir};
+use synthetic::{
+    ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, published_bytes, reference, resume, row,
+};
+use tempfile::tempdir;
 
 fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
@@ -23,27 +25,6 @@ fn shards(directory: &Path) -> Vec<PathBuf> {
 
 fn log(directory: &Path, number: u32) -> PathBuf {
     directory.join(format!("log/{number:04}.jsonl"))
-}
-
-/// The published bytes of an undisturbed run.
-fn reference() -> [Vec<u8>; 2] {
-    let directory = tempdir().unwrap();
-    finished(directory.path());
-    published_bytes(directory.path())
-}
-
-/// Resumes: commits the chains of which not all is held, publishes, and tells how many were missing.
-fn resume(directory: &TempDir) -> usize {
-    let mut store = open(directory.path());
-    let mut missing = 0;
-    for chain in chains(&output()) {
-        if chain.iter().any(|entry| store.holds(entry.id).is_none()) {
-            store.commit(&chain).unwrap();
-            missing += 1;
-        }
-    }
-    publish(&mut store).unwrap();
-    missing
 }
 
 #[test]
@@ -149,7 +130,7 @@ fn what_a_killed_run_leaves_is_recovered() {
     drop(store);
     assert!(!directory.path().join("shards/.00ff.h5.stribeck-part").exists());
     assert!(!directory.path().join(".results.h5.stribeck-part").exists());
-    assert_eq!(resume(&directory), 4, "three chains never committed and the one whose record is torn");
+    assert_eq!(resume(directory.path()), 4, "three chains never committed and the one whose record is torn");
     assert!(published_bytes(directory.path()) == reference);
     assert!(verify(directory.path()).unwrap().is_sound());
 }
@@ -170,7 +151,7 @@ fn a_damaged_line_costs_its_own_cases_only() {
     drop(store);
     let report = verify(directory.path()).unwrap();
     assert_eq!((report.warnings.len(), report.unreferenced.len(), report.shards), (1, 1, 7));
-    assert_eq!(resume(&directory), 1);
+    assert_eq!(resume(directory.path()), 1);
     assert!(published_bytes(directory.path()) == reference());
     assert_eq!(verify(directory.path()).unwrap().unreferenced, Vec::<PathBuf>::new());
 }
@@ -206,7 +187,7 @@ fn damaged_shards_are_found_named_and_solved_again() {
         let store = open(directory.path());
         assert!(matches!(store.warnings(), [Warning::Shard { file, .. }] if *file == victim), "{:?}", store.warnings());
         drop(store);
-        assert_eq!(resume(&directory), 1);
+        assert_eq!(resume(directory.path()), 1);
         assert!(verify(directory.path()).unwrap().is_sound());
         assert!(published_bytes(directory.path()) == reference);
     }

@@ -19,7 +19,7 @@ pub enum StoreError {
         source: io::Error,
     },
     /// The HDF5 library refused.
-    #[error("cannot {action} {}: {}; {}", path.display(), source, hdf5_remedy(*disk_full))]
+    #[error("cannot {action} {}: {}", path.display(), hdf5_reason(source, *disk_full))]
     Hdf5 {
         /// The HDF5 file.
         path: PathBuf,
@@ -121,8 +121,12 @@ fn remedy(error: &io::Error) -> &'static str {
     }
 }
 
-fn hdf5_remedy(disk_full: bool) -> &'static str {
-    if disk_full { MAKE_SPACE } else { "check the disk, and the directory with `stribeck verify`" }
+/// HDF5 says much about a full disk (address of the buffer, offset …) that helps no one.
+fn hdf5_reason(source: &hdf5::Error, disk_full: bool) -> String {
+    if disk_full {
+        return format!("no space left on the disk; {MAKE_SPACE}");
+    }
+    format!("{source}; check the disk, and the directory with `stribeck verify`")
 }
 
 /// HDF5 has no error code for a full disk: it quotes the system's error number in the text of an inner frame.

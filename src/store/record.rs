@@ -123,6 +123,9 @@ impl Record {
 fn unframe(line: &[u8]) -> Option<(u32, &[u8])> {
     let rest = line.strip_prefix(b"{\"crc\":\"")?;
     let (checksum, rest) = rest.split_at_checked(8)?;
+    if !checksum.iter().all(u8::is_ascii_hexdigit) {
+        return None;
+    }
     let checksum = u32::from_str_radix(std::str::from_utf8(checksum).ok()?, 16).ok()?;
     let text = rest.strip_prefix(b"\",\"record\":")?.strip_suffix(b"}")?;
     Some((checksum, text))

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use hdf5::types::VarLenUnicode;
-use hdf5::{Dataset, File, Result};
+use hdf5::{Dataset, Result};
 use ndarray::{aview1, s};
 
 use super::contents::{FIELDS, places};
 use super::dimension_scales::{attach, make_scale};
-use super::hdf5_file::{DEFLATE, create, dataset, finish, set_text, text};
+use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
 use super::shard::{CaseText, case_text};
 use super::{PROGRAM, Status};
@@ -21,43 +21,49 @@ pub(super) struct Results {
     status: Dataset,
     reason: Dataset,
     fields: [Option<Dataset>; FIELDS.len()],
-    file: File,
+    file: NewFile,
 }
 
 impl Results {
     /// Lays the file out: coordinates, and every variable with its attributes and still without values.
     pub(super) fn create(path: &Path, publication: &Publication<'_>, output: &Output) -> Result<Self> {
-        let file = create(path)?;
-        set_text(&file, "Conventions", "CF-1.10")?;
-        set_text(&file, "title", publication.title)?;
-        set_text(&file, "history", &format!("{PROGRAM}: run sweep.toml"))?;
-        set_text(
-            &file,
+        let mut file = NewFile::create(path)?;
+        file.set_text("Conventions", "CF-1.10")?;
+        file.set_text("title", publication.title)?;
+        file.set_text("history", &format!("{PROGRAM}: run sweep.toml"))?;
+        file.set_text(
             "source",
             "numerical solution of the lubricated sliding of a rigid cylinder on a viscoelastic half space",
         )?;
-        set_text(&file, "sweep", publication.sweep_text)?;
-        set_text(&file, "stribeck_version", env!("CARGO_PKG_VERSION"))?;
+        file.set_text("sweep", publication.sweep_text)?;
+        file.set_text("stribeck_version", env!("CARGO_PKG_VERSION"))?;
 
         let mut grid = vec![
-            coordinate(&file, "f", "1", "strength of retardation", publication.f)?,
-            coordinate(&file, "alpha", "1", "slide time over a contact length / retardation time", publication.alpha)?,
-            coordinate(&file, "beta", "1", "inverse Hersey number", publication.beta)?,
+            coordinate(&mut file, "f", "1", "strength of retardation", publication.f)?,
+            coordinate(
+                &mut file,
+                "alpha",
+                "1",
+                "slide time over a contact length / retardation time",
+                publication.alpha,
+            )?,
+            coordinate(&mut file, "beta", "1", "inverse Hersey number", publication.beta)?,
         ];
         let shape = (publication.f.len(), publication.alpha.len(), publication.beta.len());
 
-        let case = dataset(&file).empty::<CaseText>().shape(shape).create("case")?;
+        let case = file.keep(file.dataset().empty::<CaseText>().shape(shape).create("case")?);
         describe(&case, None, "id of the case, as in summary.csv", &grid)?;
-        let status = dataset(&file).empty::<i8>().shape(shape).create("status")?;
+        let status = file.keep(file.dataset().empty::<i8>().shape(shape).create("status")?);
         describe(&status, None, "what became of the case", &grid)?;
         status.new_attr_builder().with_data(&Status::ALL.map(Status::code)).create("flag_values")?;
         set_text(&status, "flag_meanings", &Status::ALL.map(Status::name).join(" "))?;
-        let reason = dataset(&file).empty::<VarLenUnicode>().shape(shape).create("reason")?;
+        let reason = file.keep(file.dataset().empty::<VarLenUnicode>().shape(shape).create("reason")?);
         describe(&reason, None, "why the case failed; empty if it converged", &grid)?;
 
         let mut columns = Vec::with_capacity(COLUMNS.len());
         for column in &COLUMNS {
-            let variable = dataset(&file).fill_value(f64::NAN).empty::<f64>().shape(shape).create(column.name)?;
+            let variable = file.dataset().fill_value(f64::NAN).empty::<f64>().shape(shape).create(column.name)?;
+            let variable = file.keep(variable);
             describe(&variable, Some(column.units), column.long_name, &grid)?;
             set_fill(&variable)?;
             columns.push(variable);
@@ -65,10 +71,17 @@ impl Results {
 
         let mut fields = [const { None }; FIELDS.len()];
         if !output.fields.is_empty() {
-            grid.push(coordinate(&file, "x", "a0", "position along the surface; the inlet is at x > 0", &output.x)?);
+            grid.push(coordinate(
+                &mut file,
+                "x",
+                "a0",
+                "position along the surface; the inlet is at x > 0",
+                &output.x,
+            )?);
         }
         for place in places(output.fields) {
-            let field = dataset(&file)
+            let field = file
+                .dataset()
                 .chunk((1, 1, 1, output.x.len()))
                 .shuffle()
                 .deflate(DEFLATE)
@@ -76,6 +89,7 @@ impl Results {
                 .empty::<f64>()
                 .shape((shape.0, shape.1, shape.2, output.x.len()))
                 .create(FIELDS[place].name)?;
+            let field = file.keep(field);
             describe(&field, Some(FIELDS[place].units), FIELDS[place].long_name, &grid)?;
             set_fill(&field)?;
             fields[place] = Some(field);
@@ -107,15 +121,13 @@ impl Results {
 
     /// Brings everything to the file.
     pub(super) fn finish(self) -> Result<()> {
-        let Self { columns, case, status, reason, fields, file } = self;
-        drop((columns, case, status, reason, fields));
-        finish(file)
+        self.file.finish()
     }
 }
 
 /// A coordinate: a one-dimensional variable that is the scale of the dimension of its name.
-fn coordinate(file: &File, name: &str, units: &str, long_name: &str, values: &[f64]) -> Result<Dataset> {
-    let scale = dataset(file).with_data(aview1(values)).create(name)?;
+fn coordinate(file: &mut NewFile, name: &str, units: &str, long_name: &str, values: &[f64]) -> Result<Dataset> {
+    let scale = file.write(name, values)?;
     make_scale(&scale, name)?;
     set_text(&scale, "units", units)?;
     set_text(&scale, "long_name", long_name)?;

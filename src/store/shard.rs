@@ -7,7 +7,7 @@ use hdf5::{Dataset, Result};
 use ndarray::{Array2, ArrayView2, s};
 
 use super::contents::{FIELDS, field, field_mut, places, x_key};
-use super::hdf5_file::{DEFLATE, create, dataset, finish, get_text, open, set_text, text};
+use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
 use super::{CaseEntry, Contents, Status, StoreError};
 use crate::model::{COLUMNS, CaseId, Fields};
 
@@ -41,26 +41,26 @@ fn column_names() -> String {
 
 /// Writes a shard. The entries must have been checked: a converged one has each field asked for on all of `x`.
 pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], chain: &[CaseEntry]) -> Result<()> {
-    let file = create(path)?;
-    set_text(&file, "format", "stribeck shard 1")?;
-    set_text(&file, "columns", &column_names())?;
-    set_text(&file, "limits", if contents.limits { "yes" } else { "no" })?;
+    let mut file = NewFile::create(path)?;
+    file.set_text("format", "stribeck shard 1")?;
+    file.set_text("columns", &column_names())?;
+    file.set_text("limits", if contents.limits { "yes" } else { "no" })?;
 
     let ids: Vec<CaseText> = chain.iter().map(|entry| case_text(entry.id)).collect();
-    dataset(&file).with_data(&ids).create("case")?;
+    file.write("case", &ids)?;
     let statuses: Vec<i8> = chain.iter().map(|entry| entry.outcome.code()).collect();
-    dataset(&file).with_data(&statuses).create("status")?;
+    file.write("status", &statuses)?;
     let reasons = chain.iter().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
-    dataset(&file).with_data(&reasons).create("reason")?;
+    file.write("reason", &reasons)?;
     let values: Vec<f64> = chain.iter().flat_map(|entry| entry.values).collect();
-    let values = ArrayView2::from_shape((chain.len(), COLUMNS.len()), &values)?;
-    dataset(&file).with_data(values).create("values")?;
+    file.write("values", ArrayView2::from_shape((chain.len(), COLUMNS.len()), &values)?)?;
 
     if !contents.fields.is_empty() {
-        dataset(&file).with_data(x).create("x")?;
+        file.write("x", x)?;
     }
     for place in places(contents.fields) {
-        let matrix = dataset(&file)
+        let matrix = file
+            .dataset()
             .chunk((1, x.len()))
             .shuffle()
             .deflate(DEFLATE)
@@ -68,13 +68,14 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], chain: &[
             .empty::<f64>()
             .shape((chain.len(), x.len()))
             .create(FIELDS[place].name)?;
+        let matrix = file.keep(matrix);
         for (row, entry) in chain.iter().enumerate() {
             if let Some(field) = field(&entry.fields, place) {
                 matrix.write_slice(field, s![row, ..])?;
             }
         }
     }
-    finish(file)
+    file.finish()
 }
 
 /// A shard opened for reading: all but its fields are in memory.

@@ -102,3 +102,24 @@ pub fn finished(directory: &Path) -> Store {
     publish(&mut store).unwrap();
     store
 }
+
+/// The published bytes of an undisturbed run.
+pub fn reference() -> [Vec<u8>; 2] {
+    let directory = tempfile::tempdir().unwrap();
+    finished(directory.path());
+    published_bytes(directory.path())
+}
+
+/// Resumes: commits the chains of which not all is held, publishes, and tells how many were missing.
+pub fn resume(directory: &Path) -> usize {
+    let mut store = open(directory);
+    let mut missing = 0;
+    for chain in chains(&output()) {
+        if chain.iter().any(|entry| store.holds(entry.id).is_none()) {
+            store.commit(&chain).unwrap();
+            missing += 1;
+        }
+    }
+    publish(&mut store).unwrap();
+    missing
+}
