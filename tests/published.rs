@@ -86,3 +86,39 @@ fn a_sweep_file_of_any_length_is_kept_in_the_results() {
         check(&Command::new(python()).args(["-c", read]).arg(directory.path()).arg(engine).output().unwrap());
     }
 }
+
+fn surface(results: &Path, picture: &Path) -> Output {
+    let script = root().join("scripts/surface.py");
+    Command::new(python()).arg(script).arg(results).arg("-o").arg(picture).output().unwrap()
+}
+
+#[test]
+fn the_surface_script_draws_the_results() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let picture = directory.path().join("picture.png");
+    let said = check(&surface(directory.path(), &picture));
+    assert!(said.contains("alpha = inf") && said.contains("f = 0"), "what is left out is named: {said}");
+    let bytes = std::fs::read(&picture).unwrap();
+    assert!(bytes.starts_with(b"\x89PNG") && bytes.len() > 20_000);
+}
+
+#[test]
+fn the_surface_script_refuses_what_is_no_surface() {
+    let directory = tempdir().unwrap();
+    let mut store = synthetic::open(directory.path());
+    for chain in chains(&output()) {
+        store.commit(&chain).unwrap();
+    }
+    let one_row = |i_f: usize, _: usize| row(i_f, 1);
+    let publication =
+        Publication { title: "one α", sweep_text: SWEEP, f: &F, alpha: &[1.0], beta: &BETA, cases: &one_row };
+    store.publish(&publication).unwrap();
+    let picture = directory.path().join("picture.png");
+    for (results, expected) in [(directory.path(), "alpha has 1 value"), (Path::new("nowhere"), "no such file")] {
+        let run = surface(results, &picture);
+        let message = String::from_utf8_lossy(&run.stderr).into_owned();
+        assert!(!run.status.success() && message.contains(expected), "{message}");
+        assert!(!message.contains("Traceback") && !picture.exists());
+    }
+}
