@@ -6,7 +6,7 @@ mod synthetic;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stribeck::model::{CaseId, FieldSelection, Output};
+use stribeck::model::{COLUMNS, CaseId, FieldSelection, Output};
 use stribeck::store::{Ending, Holdings, Publication, Status, Store, StoreError, Warning, verify};
 use synthetic::{
     ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, published_bytes, reference, resume, row,
@@ -399,4 +399,21 @@ fn the_sweep_file_is_kept_as_it_was_run() {
     assert_eq!(fs::read_to_string(directory.path().join("sweep.toml")).unwrap(), SWEEP);
     drop(Store::open(directory.path(), "title = \"other\"\n", &output()).unwrap());
     assert_eq!(fs::read_to_string(directory.path().join("sweep.toml")).unwrap(), "title = \"other\"\n");
+}
+
+#[test]
+fn the_documentation_lists_every_column_field_and_header() {
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/output.md")).unwrap();
+    for column in &COLUMNS {
+        let shown = if column.in_summary { "yes" } else { "no" };
+        let row = format!("| `{}` | {} | {shown} |", column.name, column.units);
+        assert!(text.contains(&row), "docs/output.md has no row {row}");
+    }
+    for field in FieldSelection::ALL.names() {
+        assert!(text.contains(&format!("\n| `{field}` |")), "docs/output.md has no row for {field}");
+    }
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let summary = fs::read_to_string(directory.path().join("summary.csv")).unwrap();
+    assert!(text.contains(summary.lines().next().unwrap()));
 }

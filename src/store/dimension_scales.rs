@@ -3,6 +3,8 @@
 //! They are part of HDF5's high-level library, which the `hdf5` crate does not wrap. This file is the only one with
 //! `unsafe` code.
 
+#![allow(unsafe_code)]
+
 use std::ffi::{CString, c_char, c_uint};
 
 use hdf5::{Dataset, Result, h5check};

@@ -18,6 +18,8 @@
 //! The store knows no equations: it gets plain numbers in the order of [`crate::model::COLUMNS`]. Every file, data set
 //! and column is described in `docs/output.md`.
 
+#![deny(unsafe_code)]
+
 mod contents;
 mod dimension_scales;
 mod directory;
