@@ -21,7 +21,7 @@
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | seeds, predictor, retries along one chain | the [`continuation::CaseSolver`] trait |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
-//! | [`store`] | log, shards, published files; the only place that touches HDF5 | – |
+//! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!
 //! Equation numbers "Eq. n" are those of Wu, Jagota and Hui, *Lubricated Sliding of a Rigid Cylinder on a Viscoelastic
 //! Half Space*, Tribology Letters 70:1 (2022), doi 10.1007/s11249-021-01537-4; "(T n)" those of `docs/theory.md`.
@@ -36,4 +36,5 @@ pub mod engine;
 pub mod exact;
 pub mod model;
 pub mod relaxation;
+pub mod store;
 pub mod sweep;

@@ -1,0 +1,260 @@
+//! What a results directory holds, read from its logs.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use super::directory::{Directory, hash_file};
+use super::index::{Index, Shard, Slot};
+use super::log::{LogPlace, read_logs, read_record};
+use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
+use super::shard::ShardReader;
+use super::{CaseEntry, Contents, History, Status, StoreError, Warning};
+use crate::model::{CaseId, Output};
+
+/// How many cases a directory holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// That converged.
+    pub converged: u64,
+    /// That failed.
+    pub failed: u64,
+}
+
+/// What a results directory holds. Memory: some 25 bytes per case, nothing else grows with their number.
+#[derive(Debug)]
+pub struct Holdings {
+    pub(super) directory: Directory,
+    pub(super) output: Output,
+    pub(super) index: Index,
+    pub(super) history: History,
+    pub(super) published: Option<LastPublished>,
+    warnings: Vec<Warning>,
+}
+
+/// The newest record of published files.
+#[derive(Clone, Debug)]
+pub(super) struct LastPublished {
+    pub key: String,
+    pub files: Vec<FileRecord>,
+}
+
+/// How closely shards are compared with their records.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Inspection {
+    /// Size only.
+    Size,
+    /// Size and hash of every byte.
+    Hash,
+}
+
+/// The newest record of a shard, before the shard is looked at.
+pub(super) struct Claim {
+    pub file: FileRecord,
+    pub contents: Contents,
+    pub place: LogPlace,
+    pub cases: usize,
+}
+
+impl Holdings {
+    /// Reads a directory without locking or changing it, also while a run works there.
+    ///
+    /// `output` is what counts as done: a case whose shard lacks a field or limit it asks for is not held. Shards are
+    /// checked by size; [`super::verify()`] reads every byte.
+    ///
+    /// # Errors
+    /// [`StoreError::NotResults`] if there is no results directory, others if it cannot be read.
+    pub fn read(path: &Path, output: &Output) -> Result<Self, StoreError> {
+        let directory = Directory::new(path);
+        directory.must_exist()?;
+        Self::load(directory, output, Inspection::Size)
+    }
+
+    pub(super) fn load(directory: Directory, output: &Output, inspection: Inspection) -> Result<Self, StoreError> {
+        let wanted = Contents::of(output);
+        let LogContent { mut warnings, history, published, claims } = read_claims(&directory)?;
+        let mut index = Index::default();
+        for Claim { file, contents, place, cases } in claims {
+            let path = directory.shards().join(&file.file);
+            if let Some(what) = fault(&path, &file, inspection)? {
+                warnings.push(Warning::Shard { file: path, what, cases });
+                continue;
+            }
+            let hash = file.blake3.parse().expect("claims have well-formed hashes");
+            let name = file.file.into();
+            let shard = index.add_shard(Shard { name, hash, covers: contents.covers(&wanted), record: place });
+            for (row, case) in (0..).zip(shard_record(&directory, place)?.cases) {
+                index.add_case(case.case, Slot { shard, row, status: case.status });
+            }
+        }
+        Ok(Self { directory, output: output.clone(), index, history, published, warnings })
+    }
+
+    /// The directory.
+    pub fn path(&self) -> &Path {
+        self.directory.root()
+    }
+
+    /// What counts as done.
+    pub fn output(&self) -> &Output {
+        &self.output
+    }
+
+    /// What was found damaged and is not used. Show it to the user.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// What became of a case; `None` if it is not here with all that the output asks for.
+    pub fn holds(&self, id: CaseId) -> Option<Status> {
+        self.index.complete(id).map(|slot| slot.status)
+    }
+
+    /// How many cases are here, whatever fields they have.
+    pub fn counts(&self) -> Counts {
+        Counts { converged: self.index.count(Status::Converged), failed: self.index.count(Status::Failed) }
+    }
+
+    /// The runs so far.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Visits each failed case with its reason.
+    ///
+    /// # Errors
+    /// [`StoreError`] if a log cannot be read any more.
+    pub fn visit_failures(&self, mut visit: impl FnMut(CaseId, &str)) -> Result<(), StoreError> {
+        for (number, shard) in self.index.shards() {
+            for case in &shard_record(&self.directory, shard.record)?.cases {
+                let counts = self.index.any(case.case).is_some_and(|slot| slot.shard == number);
+                if counts && case.status == Status::Failed {
+                    visit(case.case, &case.reason);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A case as it was committed, with the fields its shard has; `None` if it is not here.
+    ///
+    /// # Errors
+    /// [`StoreError`] if its shard or its record cannot be read.
+    pub fn entry(&self, id: CaseId) -> Result<Option<CaseEntry>, StoreError> {
+        let Some(slot) = self.index.any(id) else { return Ok(None) };
+        let shard = self.open_shard(slot.shard)?;
+        let row = usize::from(slot.row);
+        let entry = CaseEntry {
+            id,
+            outcome: shard.reader.status(row),
+            reason: shard.reader.reason(row).to_owned(),
+            values: shard.reader.values(row),
+            fields: shard.reader.all_fields(row)?,
+            timing: shard.cases[row].timing(),
+        };
+        Ok(Some(entry))
+    }
+
+    pub(super) fn open_shard(&self, number: u32) -> Result<OpenShard, StoreError> {
+        let shard = self.index.shard(number);
+        let record = shard_record(&self.directory, shard.record)?;
+        let path = self.directory.shards().join(&*shard.name);
+        let reader = open_checked(&path, &record)?;
+        Ok(OpenShard { path, reader, cases: record.cases })
+    }
+}
+
+/// A shard with its record.
+pub(super) struct OpenShard {
+    pub path: PathBuf,
+    pub reader: ShardReader,
+    pub cases: Vec<CaseRecord>,
+}
+
+/// Opens a shard and compares its cases with its record.
+pub(super) fn open_checked(path: &Path, record: &ShardRecord) -> Result<ShardReader, StoreError> {
+    let damaged = |what: &str| StoreError::Damaged { path: path.to_owned(), what: what.to_owned() };
+    let contents = record.contents().ok_or_else(|| damaged("its record names an unknown field"))?;
+    let reader = ShardReader::open(path, &contents)?;
+    if !reader.ids().iter().eq(record.cases.iter().map(|case| &case.case)) {
+        return Err(damaged("its cases are not those of its record"));
+    }
+    if !record.cases.iter().enumerate().all(|(row, case)| reader.status(row) == case.status) {
+        return Err(damaged("its cases do not have the status of its record"));
+    }
+    Ok(reader)
+}
+
+pub(super) fn shard_record(directory: &Directory, place: LogPlace) -> Result<ShardRecord, StoreError> {
+    match read_record(&directory.logs(), place)? {
+        Record::Shard(record) => Ok(record),
+        _ => {
+            let what = format!("log {} holds no shard at byte {}", place.log, place.offset);
+            Err(StoreError::Damaged { path: directory.logs(), what })
+        }
+    }
+}
+
+/// What the logs of a directory say.
+pub(super) struct LogContent {
+    pub warnings: Vec<Warning>,
+    pub history: History,
+    pub published: Option<LastPublished>,
+    /// The newest claim on each shard, in the order of the log.
+    pub claims: Vec<Claim>,
+}
+
+pub(super) fn read_claims(directory: &Directory) -> Result<LogContent, StoreError> {
+    let (mut warnings, mut history, mut published) = (Vec::new(), History::default(), None);
+    let mut claims: HashMap<String, Claim> = HashMap::new();
+    let mut unknown = Vec::new();
+    read_logs(&directory.logs(), &mut warnings, |place, record| {
+        history.note(place.log, &record);
+        match record {
+            Record::Shard(record) => match claim(record, place) {
+                Ok(claim) => drop(claims.insert(claim.file.file.clone(), claim)),
+                Err(warning) => unknown.push(warning),
+            },
+            Record::Published { key, files, .. } => published = Some(LastPublished { key, files }),
+            Record::Start { .. } | Record::End { .. } => {}
+        }
+    })?;
+    for (name, cases) in unknown {
+        let what = "its record is of another version of the program".to_owned();
+        warnings.push(Warning::Shard { file: directory.shards().join(name), what, cases });
+    }
+    let mut claims: Vec<Claim> = claims.into_values().collect();
+    claims.sort_by_key(|claim| (claim.place.log, claim.place.offset));
+    Ok(LogContent { warnings, history, published, claims })
+}
+
+/// The claim of a record; name and number of cases if it is none that this version could have written.
+fn claim(record: ShardRecord, place: LogPlace) -> Result<Claim, (String, usize)> {
+    let cases = record.cases.len();
+    let stem = record.file.file.strip_suffix(".h5").unwrap_or_default();
+    let plain_name = !stem.is_empty() && stem.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let hash_is_sound = record.file.blake3.parse::<blake3::Hash>().is_ok();
+    match record.contents() {
+        Some(contents) if plain_name && hash_is_sound && u16::try_from(cases).is_ok() => {
+            Ok(Claim { file: record.file, contents, place, cases })
+        }
+        _ => Err((record.file.file, cases)),
+    }
+}
+
+/// What is wrong with a file, measured by its record; `None` if nothing is.
+pub(super) fn fault(path: &Path, record: &FileRecord, inspection: Inspection) -> Result<Option<String>, StoreError> {
+    let bytes = match path.metadata() {
+        Ok(metadata) => metadata.len(),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+            return Ok(Some("the file is missing".to_owned()));
+        }
+        Err(error) => return Err(StoreError::file(path, "read")(error)),
+    };
+    if bytes != record.bytes {
+        return Ok(Some(format!("it has {bytes} bytes, its record says {}", record.bytes)));
+    }
+    if inspection == Inspection::Hash && hash_file(path)?.1.to_hex().as_str() != record.blake3 {
+        return Ok(Some("its checksum is not the one of its record".to_owned()));
+    }
+    Ok(None)
+}

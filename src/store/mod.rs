@@ -1,0 +1,59 @@
+//! The results directory: what is done, and how it reaches the user. The only place that touches HDF5.
+//!
+//! ```text
+//! sweep.toml      the sweep file as it was run
+//! lock            held by the run that works here; the system lets go of it when the run dies
+//! log/            one file per start, a record per line with a checksum
+//! shards/         one immutable HDF5 file per chain
+//! results.h5      published: one labelled data set
+//! summary.csv     published: one row per place of the sweep
+//! timings.csv     published: what each case cost
+//! ```
+//!
+//! Log and shards are the truth; the published files are rebuilt from them. A chain is committed in this order: its
+//! shard is written under a temporary name, brought to the disk, renamed, the directory brought to the disk, and only
+//! then a record is appended to the log and brought to the disk. Whatever the moment at which a run is killed, all
+//! chains with a record are whole, and all others are solved again.
+//!
+//! The store knows no equations: it gets plain numbers in the order of [`crate::model::COLUMNS`]. Every file, data set
+//! and column is described in `docs/output.md`.
+
+#![deny(unsafe_code)]
+
+mod contents;
+mod dimension_scales;
+mod directory;
+mod entry;
+mod error;
+mod hdf5_file;
+mod history;
+mod holdings;
+mod index;
+mod log;
+mod publication;
+mod record;
+mod results;
+mod shard;
+mod tables;
+mod verify;
+mod warning;
+mod writing;
+
+pub use contents::Contents;
+pub use entry::{CaseEntry, Status, Timing};
+pub use error::StoreError;
+pub use history::{Beginning, History, Start};
+pub use holdings::{Counts, Holdings};
+pub use publication::{Publication, Published};
+pub use record::Ending;
+pub use verify::{Problem, VerifyReport, verify};
+pub use warning::Warning;
+pub use writing::Store;
+
+/// The program that writes, as it signs log and published files.
+const PROGRAM: &str = concat!("stribeck ", env!("CARGO_PKG_VERSION"));
+
+/// Seconds since 1970. A clock set before that counts as 1970: times are for people to read, nothing depends on them.
+fn clock() -> u64 {
+    std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0, |time| time.as_secs())
+}

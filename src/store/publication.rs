@@ -1,0 +1,213 @@
+//! From shards to the files of the user.
+
+use std::collections::VecDeque;
+use std::path::PathBuf;
+
+use super::contents::places;
+use super::directory::{PUBLISHED, Staged};
+use super::holdings::{Inspection, LastPublished, OpenShard, fault};
+use super::record::{FileRecord, Record};
+use super::results::Results;
+use super::tables::{Summary, Timings};
+use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
+use crate::model::{COLUMNS, CaseId};
+
+/// What is published: a grid over (f, α, β), and which case stands at each place of it.
+pub struct Publication<'a> {
+    /// Title of the sweep.
+    pub title: &'a str,
+    /// The sweep file.
+    pub sweep_text: &'a str,
+    /// Values of f, ascending.
+    pub f: &'a [f64],
+    /// Values of α, ascending; the last may be +∞.
+    pub alpha: &'a [f64],
+    /// Values of β, ascending.
+    pub beta: &'a [f64],
+    /// The cases of the row at a place in `f` and one in `alpha`: one for each β. A case may stand at many places.
+    pub cases: &'a dyn Fn(usize, usize) -> Vec<CaseId>,
+}
+
+/// What was published.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Published {
+    /// The files: results.h5, summary.csv, timings.csv.
+    pub files: [PathBuf; 3],
+    /// False if they were there already, made of the same cases.
+    pub rewritten: bool,
+    /// Places of the grid that converged.
+    pub converged: u64,
+    /// Places of the grid that failed.
+    pub failed: u64,
+}
+
+/// One place of the grid.
+pub(super) struct Place {
+    pub case: CaseId,
+    pub status: Status,
+    pub reason: String,
+    pub values: [f64; COLUMNS.len()],
+}
+
+/// Shards kept open while rows are published. A row needs few: a chain runs along β.
+const OPEN_SHARDS: usize = 8;
+
+impl Store {
+    /// Publishes the sweep: writes `results.h5`, `summary.csv` and `timings.csv` under temporary names and puts them in
+    /// place together, unless they are there already, made of the same cases.
+    ///
+    /// The bytes of the first two depend on nothing but the publication, the cases and the version of the program. Goes
+    /// through the grid row by row; memory does not depend on its size.
+    ///
+    /// # Errors
+    /// [`StoreError::Unfinished`] if places of the grid have no case (nothing is written then),
+    /// [`StoreError::Publication`] if a row does not have a case for each β, others if the disk fails.
+    pub fn publish(&mut self, publication: &Publication<'_>) -> Result<Published, StoreError> {
+        let Survey { key, converged, failed } = survey(self, publication)?;
+        let files = PUBLISHED.map(|name| self.directory.published(name));
+        if is_in_place(self, &key)? {
+            return Ok(Published { files, rewritten: false, converged, failed });
+        }
+        let staged = files.clone().map(Staged::new);
+        write(self, publication, &staged)?;
+        let mut records = Vec::new();
+        for (name, file) in PUBLISHED.iter().zip(&staged) {
+            let (bytes, hash) = file.synchronise()?;
+            records.push(FileRecord { file: (*name).to_owned(), bytes, blake3: hash.to_hex().to_string() });
+        }
+        for file in staged {
+            file.put_in_place()?;
+        }
+        self.append(&Record::Published { key: key.clone(), files: records.clone(), time: clock() })?;
+        self.holdings_mut().published = Some(LastPublished { key, files: records });
+        Ok(Published { files, rewritten: true, converged, failed })
+    }
+}
+
+/// True if the files of a publication with this key are there.
+fn is_in_place(store: &Holdings, key: &str) -> Result<bool, StoreError> {
+    let Some(last) = store.published.as_ref().filter(|last| last.key == key) else { return Ok(false) };
+    for file in &last.files {
+        if fault(&store.directory.published(&file.file), file, Inspection::Size)?.is_some() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+struct Survey {
+    /// Hash of all that the published bytes depend on.
+    key: String,
+    converged: u64,
+    failed: u64,
+}
+
+/// Looks up every place of the grid before anything is written.
+fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, StoreError> {
+    let mut hasher = blake3::Hasher::new();
+    for text in [PROGRAM, publication.title, publication.sweep_text] {
+        hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
+    }
+    let contents = Contents::of(&store.output);
+    hasher.update(contents.fields.names().join(" ").as_bytes()).update(&contents.x.to_le_bytes());
+    for axis in [publication.f, publication.alpha, publication.beta] {
+        hasher.update(&(axis.len() as u64).to_le_bytes());
+        for value in axis {
+            hasher.update(&value.to_bits().to_le_bytes());
+        }
+    }
+    let (mut converged, mut failed, mut missing) = (0, 0, 0);
+    for (i_f, i_alpha) in rows(publication) {
+        for id in row_cases(publication, i_f, i_alpha)? {
+            let Some(slot) = store.index.complete(id) else {
+                missing += 1;
+                continue;
+            };
+            hasher.update(&id.0.to_le_bytes()).update(store.index.shard(slot.shard).hash.as_bytes());
+            match slot.status {
+                Status::Converged => converged += 1,
+                Status::Failed => failed += 1,
+            }
+        }
+    }
+    if missing > 0 {
+        return Err(StoreError::Unfinished { missing, places: missing + converged + failed });
+    }
+    Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed })
+}
+
+/// The rows of the grid in plan order: f, then α.
+fn rows(publication: &Publication<'_>) -> impl Iterator<Item = (usize, usize)> {
+    let alphas = publication.alpha.len();
+    (0..publication.f.len()).flat_map(move |i_f| (0..alphas).map(move |i_alpha| (i_f, i_alpha)))
+}
+
+fn row_cases(publication: &Publication<'_>, i_f: usize, i_alpha: usize) -> Result<Vec<CaseId>, StoreError> {
+    let ids = (publication.cases)(i_f, i_alpha);
+    if ids.len() != publication.beta.len() {
+        let what =
+            format!("row ({i_f}, {i_alpha}) has {} cases for {} values of beta", ids.len(), publication.beta.len());
+        return Err(StoreError::Publication { what });
+    }
+    Ok(ids)
+}
+
+fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
+    let [results_file, summary_file, timings_file] = staged;
+    let results_error = || StoreError::hdf5(results_file.path(), "write");
+    let mut results = Results::create(results_file.path(), publication, &store.output).map_err(results_error())?;
+    let mut summary = Summary::create(summary_file.path())?;
+    let mut timings = Timings::create(timings_file.path())?;
+    let mut open = OpenShards { store, shards: VecDeque::new() };
+    for (i_f, i_alpha) in rows(publication) {
+        let mut row = Vec::with_capacity(publication.beta.len());
+        for (i_beta, id) in row_cases(publication, i_f, i_alpha)?.into_iter().enumerate() {
+            let (shard, case) = open.case(id)?;
+            let reader = &shard.reader;
+            let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
+            let place = Place { case: id, status, reason, values: reader.values(case) };
+            let parameters = [publication.f[i_f], publication.alpha[i_alpha], publication.beta[i_beta]];
+            summary.row(&place, parameters)?;
+            timings.row(&place, parameters, &shard.cases[case].timing())?;
+            for field in places(store.output.fields) {
+                if let Some(values) = reader.field(field, case)? {
+                    results.field(field, [i_f, i_alpha, i_beta], &values).map_err(results_error())?;
+                }
+            }
+            row.push(place);
+        }
+        results.row(i_f, i_alpha, &row).map_err(results_error())?;
+    }
+    results.finish().map_err(results_error())?;
+    summary.finish()?;
+    timings.finish()
+}
+
+/// The shards used last, newest at the back.
+struct OpenShards<'a> {
+    store: &'a Holdings,
+    shards: VecDeque<(u32, OpenShard)>,
+}
+
+impl OpenShards<'_> {
+    /// The shard of a case, and the case's row in it.
+    fn case(&mut self, id: CaseId) -> Result<(&OpenShard, usize), StoreError> {
+        let slot = self.store.index.complete(id).expect("the survey found every case");
+        let held = self.shards.iter().position(|(number, _)| *number == slot.shard);
+        let shard = match held.and_then(|place| self.shards.remove(place)) {
+            Some((_, shard)) => shard,
+            None => self.store.open_shard(slot.shard)?,
+        };
+        if self.shards.len() == OPEN_SHARDS {
+            self.shards.pop_front();
+        }
+        self.shards.push_back((slot.shard, shard));
+        let (_, shard) = self.shards.back().expect("just put there");
+        let row = usize::from(slot.row);
+        if shard.reader.ids().get(row) != Some(&id) {
+            let what = format!("case {id} is not in its row {row}");
+            return Err(StoreError::Damaged { path: shard.path.clone(), what });
+        }
+        Ok((shard, row))
+    }
+}

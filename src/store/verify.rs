@@ -1,0 +1,96 @@
+//! Reads every byte of a results directory and compares it with what the log says.
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+use super::directory::{Directory, files_in, is_temporary};
+use super::holdings::{Claim, Inspection, LogContent, fault, open_checked, read_claims, shard_record};
+use super::{StoreError, Warning};
+
+/// A file that is not what the log says.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}: {what}; {remedy}", file.display())]
+pub struct Problem {
+    /// The file.
+    pub file: PathBuf,
+    /// What is wrong with it.
+    pub what: String,
+    /// What to do.
+    pub remedy: &'static str,
+}
+
+/// What [`verify`] found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct VerifyReport {
+    /// Shards that the log names.
+    pub shards: u64,
+    /// Cases in them.
+    pub cases: u64,
+    /// Bytes of the shards read.
+    pub bytes: u64,
+    /// Published files that are as they were written.
+    pub published: u64,
+    /// Shards and published files that are not as they were written.
+    pub problems: Vec<Problem>,
+    /// Damaged lines of logs. They do no harm: what they recorded is solved again by the next run.
+    pub warnings: Vec<Warning>,
+    /// Files in `shards` that no record names; left by a run that was killed. They do no harm.
+    pub unreferenced: Vec<PathBuf>,
+}
+
+impl VerifyReport {
+    /// True if everything that the log names is as it was written.
+    pub fn is_sound(&self) -> bool {
+        self.problems.is_empty()
+    }
+}
+
+const SOLVE_AGAIN: &str = "run the sweep again: its cases are solved anew";
+const PUBLISH_AGAIN: &str = "delete it and run the sweep again: it is rebuilt from the shards";
+
+/// Re-reads every shard against its record (size, checksum, cases, shapes) and the published files against theirs.
+///
+/// # Errors
+/// [`StoreError`] if there is no results directory or it cannot be read. Damage is no error but a problem in the report.
+pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
+    let directory = Directory::new(path);
+    directory.must_exist()?;
+    let LogContent { warnings, published, claims, .. } = read_claims(&directory)?;
+    let mut report = VerifyReport { warnings, ..VerifyReport::default() };
+    let mut named = HashSet::new();
+    for claim in &claims {
+        let path = directory.shards().join(&claim.file.file);
+        report.shards += 1;
+        report.cases += claim.cases as u64;
+        report.bytes += claim.file.bytes;
+        if let Some(what) = shard_fault(&directory, &path, claim)? {
+            report.problems.push(Problem { file: path.clone(), what, remedy: SOLVE_AGAIN });
+        }
+        named.insert(path);
+    }
+    for path in files_in(&directory.shards())? {
+        if !named.contains(&path) && !is_temporary(&path) {
+            report.unreferenced.push(path);
+        }
+    }
+    for file in published.iter().flat_map(|last| &last.files) {
+        let path = directory.published(&file.file);
+        match fault(&path, file, Inspection::Hash)? {
+            None => report.published += 1,
+            Some(what) => report.problems.push(Problem { file: path, what, remedy: PUBLISH_AGAIN }),
+        }
+    }
+    Ok(report)
+}
+
+fn shard_fault(directory: &Directory, path: &Path, claim: &Claim) -> Result<Option<String>, StoreError> {
+    if let Some(what) = fault(path, &claim.file, Inspection::Hash)? {
+        return Ok(Some(what));
+    }
+    match open_checked(path, &shard_record(directory, claim.place)?) {
+        Ok(_) => Ok(None),
+        Err(StoreError::Damaged { what, .. }) => Ok(Some(what)),
+        Err(StoreError::Hdf5 { source, .. }) => Ok(Some(source.to_string())),
+        Err(error) => Err(error),
+    }
+}

@@ -1,0 +1,152 @@
+//! The store of a running sweep: the one process that adds to a results directory.
+
+use std::collections::HashSet;
+use std::fs::File;
+use std::ops::Deref;
+use std::path::Path;
+
+use super::contents::{field, places};
+use super::directory::{Directory, Staged, write_whole};
+use super::holdings::Inspection;
+use super::index::{Shard, Slot};
+use super::log::{Log, LogPlace};
+use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
+use super::shard::{shard_name, write_shard};
+use super::{CaseEntry, Contents, Ending, Holdings, PROGRAM, Status, StoreError, clock};
+use crate::model::Output;
+
+/// A results directory opened for writing. All that [`Holdings`] tells is here as well.
+#[derive(Debug)]
+pub struct Store {
+    holdings: Holdings,
+    /// The log of this start; made with its first record.
+    log: Option<Log>,
+    /// Held until the store is dropped.
+    _lock: File,
+}
+
+impl Deref for Store {
+    type Target = Holdings;
+
+    fn deref(&self) -> &Holdings {
+        &self.holdings
+    }
+}
+
+impl Store {
+    /// Opens a results directory, making it if it is not there, and takes it for this process.
+    ///
+    /// Removes what a killed run left half written, writes `sweep.toml`, and compares every shard with its record, byte
+    /// by byte. What is damaged is not used and listed in [`Holdings::warnings`]. `output` is what each case must have.
+    ///
+    /// # Errors
+    /// [`StoreError::Locked`] if another process works there, others if the directory cannot be read or written.
+    pub fn open(path: &Path, sweep_text: &str, output: &Output) -> Result<Self, StoreError> {
+        let directory = Directory::new(path);
+        directory.create()?;
+        let lock = directory.lock()?;
+        directory.remove_leftovers()?;
+        if !std::fs::read(directory.sweep()).is_ok_and(|held| held == sweep_text.as_bytes()) {
+            write_whole(directory.sweep(), sweep_text.as_bytes())?;
+        }
+        let holdings = Holdings::load(directory, output, Inspection::Hash)?;
+        Ok(Self { holdings, log: None, _lock: lock })
+    }
+
+    /// Records that a run begins which sets out to solve so many cases.
+    ///
+    /// # Errors
+    /// [`StoreError::File`] if the log cannot be written.
+    pub fn begin(&mut self, cases: u64, threads: u64) -> Result<(), StoreError> {
+        self.append(&Record::Start { program: PROGRAM.to_owned(), cases, threads, time: clock() }).map(drop)
+    }
+
+    /// Records how the run ended.
+    ///
+    /// # Errors
+    /// [`StoreError::File`] if the log cannot be written.
+    pub fn end(&mut self, ending: Ending) -> Result<(), StoreError> {
+        self.append(&Record::End { ending, time: clock() }).map(drop)
+    }
+
+    /// Commits a finished chain: when this returns, its cases survive whatever happens to the process or the power.
+    ///
+    /// Fields that the output does not ask for are left out.
+    ///
+    /// # Errors
+    /// [`StoreError::Entry`] for an entry that cannot be stored (nothing is written then), others if the disk fails.
+    /// After an error the chain is not committed, and the store can be used further.
+    pub fn commit(&mut self, chain: &[CaseEntry]) -> Result<(), StoreError> {
+        if chain.is_empty() {
+            return Ok(());
+        }
+        let contents = Contents::of(&self.output);
+        check(chain, &contents, &self.output.x)?;
+        let name = shard_name(chain.iter().map(|entry| entry.id), &contents);
+        let staged = Staged::new(self.directory.shards().join(&name));
+        write_shard(staged.path(), &contents, &self.output.x, chain)
+            .map_err(StoreError::hdf5(staged.path(), "write"))?;
+        let (bytes, hash) = staged.synchronise()?;
+        staged.put_in_place()?;
+
+        let file = FileRecord { file: name.clone(), bytes, blake3: hash.to_hex().to_string() };
+        let cases = chain.iter().map(CaseRecord::of).collect();
+        let place = self.append(&Record::Shard(ShardRecord::new(file, &contents, clock(), cases)))?;
+        let index = &mut self.holdings.index;
+        let shard = index.add_shard(Shard { name: name.into(), hash, covers: true, record: place });
+        for (row, entry) in (0..).zip(chain) {
+            index.add_case(entry.id, Slot { shard, row, status: entry.outcome });
+        }
+        Ok(())
+    }
+
+    pub(super) fn append(&mut self, record: &Record) -> Result<LogPlace, StoreError> {
+        // A log whose last line may be torn is given up: the next record goes to a new one.
+        let mut log = match self.log.take() {
+            Some(log) => log,
+            None => Log::create(&self.directory.logs())?,
+        };
+        let place = log.append(record)?;
+        self.log = Some(log);
+        self.holdings.history.note(place.log, record);
+        Ok(place)
+    }
+
+    pub(super) fn holdings_mut(&mut self) -> &mut Holdings {
+        &mut self.holdings
+    }
+}
+
+/// Refuses what would not come back as it was given.
+fn check(chain: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), StoreError> {
+    let mut seen = HashSet::new();
+    for entry in chain {
+        let refuse = |what: String| Err(StoreError::Entry { case: entry.id, what });
+        if chain.len() > usize::from(u16::MAX) {
+            return refuse(format!("a chain of {} cases is too long for a shard", chain.len()));
+        }
+        if !seen.insert(entry.id) {
+            return refuse("it is twice in its chain".to_owned());
+        }
+        let seconds = entry.timing.seconds;
+        if !(seconds.is_finite() && seconds >= 0.0) {
+            return refuse(format!("it took {seconds} seconds"));
+        }
+        if entry.reason.chars().any(char::is_control) {
+            return refuse(format!("its reason is not one line: {:?}", entry.reason));
+        }
+        for place in places(contents.fields) {
+            let name = super::contents::FIELDS[place].name;
+            match (field(&entry.fields, place), entry.outcome) {
+                (Some(field), Status::Converged) if field.len() == x.len() => {}
+                (Some(field), Status::Converged) => {
+                    return refuse(format!("{name} has {} values on {} points", field.len(), x.len()));
+                }
+                (None, Status::Converged) => return refuse(format!("it converged and has no {name}")),
+                (Some(_), Status::Failed) => return refuse(format!("it failed and has a {name}")),
+                (None, Status::Failed) => {}
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,85 @@
+"""Opens results.h5 as a user does and compares it with summary.csv.
+
+usage: open_results.py RESULTS_DIRECTORY ENGINE, with ENGINE one of h5netcdf, netcdf4
+"""
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+directory, engine = Path(sys.argv[1]), sys.argv[2]
+path = directory / "results.h5"
+data = xr.open_dataset(path, engine=engine)
+with open(directory / "summary.csv", newline="", encoding="utf-8") as file:
+    rows = list(csv.DictReader(file))
+summary = {name: [row[name] for row in rows] for name in rows[0]}
+
+
+def numbers(name):
+    return np.array([float(cell) if cell else np.nan for cell in summary[name]])
+
+
+# Named coordinates, on every variable.
+assert set(data.dims) == {"f", "alpha", "beta", "x"}, data.dims
+assert set(data.coords) == {"f", "alpha", "beta", "x"}, data.coords
+shape = tuple(data.sizes[name] for name in ("f", "alpha", "beta"))
+fields = ["pressure", "film_thickness", "displacement"]
+for name, variable in data.data_vars.items():
+    expected = ("f", "alpha", "beta") + (("x",) if name in fields else ())
+    assert variable.dims == expected, (name, variable.dims)
+    assert variable.attrs["long_name"], name
+    assert variable.dtype.kind in "fiOSU" and variable.dtype != np.float16, (name, variable.dtype)
+for name, coordinate in data.coords.items():
+    assert coordinate.dtype == np.float64 and coordinate.attrs["units"] and coordinate.attrs["long_name"], name
+
+# The whole summary, bit for bit, in plan order (f, then alpha, then beta).
+grid = np.array(np.meshgrid(data.f, data.alpha, data.beta, indexing="ij")).reshape(3, -1)
+for place, name in enumerate(("f", "alpha", "beta")):
+    assert np.array_equal(grid[place], numbers(name)), name
+text = {}
+for name in ("case", "reason"):
+    text[name] = [v.decode() if isinstance(v, bytes) else str(v) for v in data[name].values.ravel()]
+    assert text[name] == summary[name], (name, text[name][:3], list(summary[name][:3]))
+for name in list(summary)[6:]:
+    assert np.array_equal(data[name].values.ravel(), numbers(name), equal_nan=True), name
+    assert np.isnan(data[name].encoding["_FillValue"]) and data[name].attrs["units"], name
+for name in ("x_p_max", "centroid", "separation", "mu_h_film"):
+    assert data[name].shape == shape
+
+# Status, and what failed is NaN everywhere.
+status = data["status"]
+assert status.dtype == np.int8
+meanings = dict(zip(np.atleast_1d(status.attrs["flag_values"]).tolist(), status.attrs["flag_meanings"].split()))
+assert meanings == {0: "converged", 1: "failed"}, meanings
+assert [meanings[v] for v in status.values.ravel().tolist()] == summary["status"]
+failed = data.where(status == 1, drop=True)
+assert (status == 1).sum() == 1 and np.isnan(failed["mu_v"]).all() and np.isnan(failed["mu_h"]).all()
+for name in fields:
+    assert data[name].attrs["units"] and np.isnan(data[name].encoding["_FillValue"])
+    assert np.isnan(data[name].where(status == 1)).all()
+    assert not np.isnan(data[name].values[status.values == 0]).any()
+
+# Selecting as the documentation shows it, with an infinite alpha on the axis.
+assert np.isinf(data.alpha.values[-1])
+one = data.sel(alpha=1.0, beta=100.0, method="nearest").sel(f=100.0)
+assert float(one.alpha) == 1.0 and float(one.beta) == 100.0
+assert float(one["pressure"].sel(x=0.0, method="nearest")) == 1.0
+assert float(data.sel(alpha=1.2, method="nearest").alpha) == 1.0
+assert float(data.sel(alpha=np.inf).alpha) == np.inf
+
+# The summary as pandas reads it.
+table = pd.read_csv(directory / "summary.csv", dtype={"case": str})
+assert (table.dtypes.drop(["case", "status", "reason"]).map(lambda dtype: dtype.kind) == "f").all(), table.dtypes
+assert np.isinf(table["alpha"].max()) and table["mu_v"].isna().sum() == 1
+
+# The file speaks for itself.
+assert data.attrs["Conventions"] == "CF-1.10"
+assert data.attrs["title"] == "synthetic, β from 10"
+assert data.attrs["sweep"] == (directory / "sweep.toml").read_text(encoding="utf-8")
+assert data.attrs["history"] == f"stribeck {data.attrs['stribeck_version']}: run sweep.toml"
+assert data.attrs["source"]
+print(f"{engine}: {len(data.data_vars)} variables on {dict(data.sizes)}")

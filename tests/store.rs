@@ -1,0 +1,419 @@
+//! Laws of the results directory: what is committed comes back bit for bit, what is published does not depend on how it
+//! came about, and damage is found, named and repaired by the next run.
+
+mod synthetic;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use stribeck::model::{COLUMNS, CaseId, FieldSelection, Output};
+use stribeck::store::{Ending, Holdings, Publication, Status, Store, StoreError, Warning, verify};
+use synthetic::{
+    ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, published_bytes, reference, resume, row,
+};
+use tempfile::tempdir;
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+fn shards(directory: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<_> = fs::read_dir(directory.join("shards")).unwrap().map(|file| file.unwrap().path()).collect();
+    files.sort();
+    files
+}
+
+fn log(directory: &Path, number: u32) -> PathBuf {
+    directory.join(format!("log/{number:04}.jsonl"))
+}
+
+#[test]
+fn what_is_committed_comes_back_bit_for_bit() {
+    let directory = tempdir().unwrap();
+    let output = output();
+    let mut chain: Vec<_> = BETA.iter().map(|&beta| entry(100.0, 1.0, beta, &output)).collect();
+    chain[0].values[0] = f64::INFINITY;
+    chain[0].values[1] = -0.0;
+    chain[0].values[2] = f64::from_bits(0x7ff8_0000_dead_beef);
+    chain[1].fields.pressure.as_mut().unwrap()[3] = f64::NAN;
+    chain[1].fields.pressure.as_mut().unwrap()[4] = f64::NEG_INFINITY;
+    chain[2] = entry(100.0, 0.1, 1000.0, &output);
+    assert_eq!(chain[2].outcome, Status::Failed);
+    chain[2].reason = "a reason with ünïcode, \"quotes\", commas".into();
+    open(directory.path()).commit(&chain).unwrap();
+
+    let held = Holdings::read(directory.path(), &output).unwrap();
+    assert_eq!(held.warnings(), []);
+    for entry in &chain {
+        assert_eq!(held.holds(entry.id), Some(entry.outcome));
+        let back = held.entry(entry.id).unwrap().unwrap();
+        assert_eq!(bits(&back.values), bits(&entry.values));
+        assert_eq!((&back.reason, back.outcome, &back.timing), (&entry.reason, entry.outcome, &entry.timing));
+        for (back, field) in [
+            (&back.fields.pressure, &entry.fields.pressure),
+            (&back.fields.film_thickness, &entry.fields.film_thickness),
+            (&back.fields.displacement, &entry.fields.displacement),
+        ] {
+            assert_eq!(back.as_deref().map(bits), field.as_deref().map(bits));
+        }
+    }
+    assert_eq!(held.holds(CaseId(1)), None);
+    assert!(held.entry(CaseId(1)).unwrap().is_none());
+}
+
+#[test]
+fn published_bytes_do_not_depend_on_order_or_number_of_starts() {
+    let reference = reference();
+    for rotation in [1, 3, 6] {
+        let directory = tempdir().unwrap();
+        let mut order = chains(&output());
+        order.rotate_left(rotation);
+        order.reverse();
+        for (i, part) in order.chunks(3).enumerate() {
+            let mut store = open(directory.path());
+            store.begin(20, i as u64).unwrap();
+            for chain in part {
+                store.commit(chain).unwrap();
+            }
+            store.end(Ending::Interrupted).unwrap();
+        }
+        publish(&mut open(directory.path())).unwrap();
+        assert!(published_bytes(directory.path()) == reference, "rotation {rotation}");
+    }
+}
+
+#[test]
+fn shards_are_the_same_files_in_every_run() {
+    let [first, second] = [(); 2].map(|()| {
+        let directory = tempdir().unwrap();
+        finished(directory.path());
+        let read = |path: PathBuf| (path.file_name().unwrap().to_owned(), fs::read(path).unwrap());
+        shards(directory.path()).into_iter().map(read).collect::<Vec<_>>()
+    });
+    assert_eq!(first.len(), 8);
+    assert!(first == second);
+}
+
+#[test]
+fn a_run_again_has_nothing_to_do_and_writes_nothing() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let logs = || fs::read_dir(directory.path().join("log")).unwrap().count();
+    let before = (logs(), fs::metadata(directory.path().join("results.h5")).unwrap().modified().unwrap());
+    let mut store = open(directory.path());
+    assert!(!publish(&mut store).unwrap().rewritten);
+    assert_eq!(before, (logs(), fs::metadata(directory.path().join("results.h5")).unwrap().modified().unwrap()));
+    fs::remove_file(directory.path().join("summary.csv")).unwrap();
+    assert!(publish(&mut store).unwrap().rewritten, "a published file that was removed comes back");
+    assert!(published_bytes(directory.path()) == reference());
+}
+
+#[test]
+fn what_a_killed_run_leaves_is_recovered() {
+    let reference = reference();
+    let directory = tempdir().unwrap();
+    let mut store = open(directory.path());
+    store.begin(20, 2).unwrap();
+    for chain in &chains(&output())[..5] {
+        store.commit(chain).unwrap();
+    }
+    drop(store);
+    // Killed while writing a shard, the published files and a log line; and after renaming a shard, before its record.
+    fs::write(directory.path().join("shards/.00ff.h5.stribeck-part"), b"half").unwrap();
+    fs::write(directory.path().join(".results.h5.stribeck-part"), b"half").unwrap();
+    let text = fs::read(log(directory.path(), 1)).unwrap();
+    fs::write(log(directory.path(), 1), &text[..text.len() - 40]).unwrap();
+
+    let store = open(directory.path());
+    assert_eq!(store.warnings().len(), 1, "{:?}", store.warnings());
+    assert!(matches!(&store.warnings()[0], Warning::Record { line: 6, .. }));
+    drop(store);
+    assert!(!directory.path().join("shards/.00ff.h5.stribeck-part").exists());
+    assert!(!directory.path().join(".results.h5.stribeck-part").exists());
+    assert_eq!(resume(directory.path()), 4, "three chains never committed and the one whose record is torn");
+    assert!(published_bytes(directory.path()) == reference);
+    assert!(verify(directory.path()).unwrap().is_sound());
+}
+
+#[test]
+fn a_damaged_line_costs_its_own_cases_only() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let mut text = fs::read(log(directory.path(), 1)).unwrap();
+    let third_line = text.iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(1).unwrap().0 + 1;
+    text[third_line + 60] ^= 1;
+    fs::write(log(directory.path(), 1), &text).unwrap();
+
+    let store = open(directory.path());
+    let lost = chains(&output()).iter().flatten().filter(|entry| store.holds(entry.id).is_none()).count();
+    assert_eq!(lost, 2, "the second chain has two cases");
+    assert!(matches!(&store.warnings(), [Warning::Record { line: 3, .. }]));
+    drop(store);
+    let report = verify(directory.path()).unwrap();
+    assert_eq!((report.warnings.len(), report.unreferenced.len(), report.shards), (1, 1, 7));
+    assert_eq!(resume(directory.path()), 1);
+    assert!(published_bytes(directory.path()) == reference());
+    assert_eq!(verify(directory.path()).unwrap().unreferenced, Vec::<PathBuf>::new());
+}
+
+#[test]
+fn damaged_shards_are_found_named_and_solved_again() {
+    let truncate = |path: &Path| {
+        let bytes = fs::read(path).unwrap();
+        fs::write(path, &bytes[..bytes.len() / 2]).unwrap();
+    };
+    let flip = |path: &Path| {
+        let mut bytes = fs::read(path).unwrap();
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 0x10;
+        fs::write(path, bytes).unwrap();
+    };
+    let delete = |path: &Path| fs::remove_file(path).unwrap();
+    type Damage<'a> = (&'a str, &'a dyn Fn(&Path));
+    let damages: [Damage<'_>; 3] = [("bytes", &truncate), ("checksum", &flip), ("missing", &delete)];
+    let reference = reference();
+    for (what, damage) in damages {
+        let directory = tempdir().unwrap();
+        drop(finished(directory.path()));
+        let victim = shards(directory.path())[4].clone();
+        damage(&victim);
+
+        let report = verify(directory.path()).unwrap();
+        assert!(!report.is_sound());
+        assert_eq!(report.problems.len(), 1);
+        assert_eq!(report.problems[0].file, victim);
+        assert!(report.problems[0].what.contains(what), "{}", report.problems[0]);
+
+        let store = open(directory.path());
+        assert!(matches!(store.warnings(), [Warning::Shard { file, .. }] if *file == victim), "{:?}", store.warnings());
+        drop(store);
+        assert_eq!(resume(directory.path()), 1);
+        assert!(verify(directory.path()).unwrap().is_sound());
+        assert!(published_bytes(directory.path()) == reference);
+    }
+}
+
+#[test]
+fn a_changed_published_file_is_found() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    assert_eq!(verify(directory.path()).unwrap().published, 3);
+    let summary = directory.path().join("summary.csv");
+    let text = fs::read_to_string(&summary).unwrap();
+    fs::write(&summary, text.replacen('1', "2", 1)).unwrap();
+    let report = verify(directory.path()).unwrap();
+    assert_eq!((report.published, report.problems.len()), (2, 1));
+    assert_eq!(report.problems[0].file, summary);
+}
+
+#[test]
+fn an_unfinished_sweep_is_not_published() {
+    let directory = tempdir().unwrap();
+    let mut store = open(directory.path());
+    for chain in &chains(&output())[1..] {
+        store.commit(chain).unwrap();
+    }
+    // The first chain holds three elastic cases: they stand in all four rows of f = 0 and in the row α = ∞ of f = 100.
+    let error = publish(&mut store).unwrap_err();
+    assert!(matches!(error, StoreError::Unfinished { missing: 15, places: 40 }), "{error}");
+    assert!(!directory.path().join("results.h5").exists() && !directory.path().join("summary.csv").exists());
+    store.commit(&chains(&output())[0]).unwrap();
+    let published = publish(&mut store).unwrap();
+    assert_eq!((published.converged, published.failed), (39, 1));
+}
+
+#[test]
+fn only_shards_with_all_that_is_asked_for_count() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let id = row(0, 0)[0];
+    let held = |wanted: &Output| Holdings::read(directory.path(), wanted).unwrap().holds(id);
+    let pressure_only = FieldSelection { pressure: true, ..FieldSelection::default() };
+    assert!(held(&Output { fields: pressure_only, ..output() }).is_some(), "more than asked for is fine");
+    assert!(held(&Output { fields: FieldSelection::default(), x: [].into(), ..output() }).is_some());
+    let other_x: Vec<f64> = output().x.iter().map(|x| x + 1e-15).collect();
+    assert!(held(&Output { x: other_x.into(), ..output() }).is_none());
+
+    let directory = tempdir().unwrap();
+    let modest = Output { fields: pressure_only, limits: false, ..output() };
+    let mut store = Store::open(directory.path(), SWEEP, &modest).unwrap();
+    store.commit(&[entry(0.0, 1.0, 10.0, &modest)]).unwrap();
+    drop(store);
+    let held = |wanted: &Output| Holdings::read(directory.path(), wanted).unwrap().holds(id);
+    assert!(held(&modest).is_some());
+    assert!(held(&Output { limits: true, ..modest.clone() }).is_none());
+    assert!(held(&Output { limits: false, ..output() }).is_none());
+    // Once all is there, the fuller shard counts.
+    open(directory.path()).commit(&[entry(0.0, 1.0, 10.0, &output())]).unwrap();
+    assert!(held(&output()).is_some() && held(&modest).is_some());
+}
+
+#[test]
+fn a_second_opener_is_told_who_holds_the_directory() {
+    let directory = tempdir().unwrap();
+    let first = open(directory.path());
+    let error = Store::open(directory.path(), SWEEP, &output()).unwrap_err();
+    assert!(matches!(error, StoreError::Locked { .. }));
+    assert!(error.to_string().contains(&std::process::id().to_string()), "{error}");
+    Holdings::read(directory.path(), &output()).expect("reading needs no lock");
+    drop(first);
+    open(directory.path());
+}
+
+#[test]
+fn a_refused_chain_leaves_no_trace() {
+    let directory = tempdir().unwrap();
+    let mut store = open(directory.path());
+    let good = entry(100.0, 1.0, 10.0, &output());
+    let refused = |change: &dyn Fn(&mut stribeck::store::CaseEntry)| {
+        let mut bad = good.clone();
+        change(&mut bad);
+        bad
+    };
+    let chains = [
+        vec![good.clone(), good.clone()],
+        vec![refused(&|bad| bad.timing.seconds = f64::NAN)],
+        vec![refused(&|bad| bad.timing.seconds = -1.0)],
+        vec![refused(&|bad| bad.reason = "two\nlines".into())],
+        vec![refused(&|bad| bad.fields.pressure = None)],
+        vec![refused(&|bad| bad.fields.pressure.as_mut().unwrap().truncate(40))],
+        vec![refused(&|bad| bad.outcome = Status::Failed)],
+    ];
+    for chain in &chains {
+        assert!(matches!(store.commit(chain), Err(StoreError::Entry { .. })), "{chain:?}");
+    }
+    assert_eq!(shards(directory.path()), Vec::<PathBuf>::new());
+    store.commit(&[good]).unwrap();
+}
+
+#[test]
+fn a_disk_that_fails_is_an_error_and_the_store_goes_on() {
+    let directory = tempdir().unwrap();
+    let mut store = open(directory.path());
+    let all = chains(&output());
+    store.commit(&all[0]).unwrap();
+    let (shard_directory, away) = (directory.path().join("shards"), directory.path().join("away"));
+    fs::rename(&shard_directory, &away).unwrap();
+    let error = store.commit(&all[1]).unwrap_err();
+    assert!(error.to_string().contains("shards"), "{error}");
+    assert!(!error.is_disk_full());
+    assert_eq!(store.holds(all[1][0].id), None);
+    fs::rename(&away, &shard_directory).unwrap();
+    store.commit(&all[1]).unwrap();
+    drop(store);
+    let held = Holdings::read(directory.path(), &output()).unwrap();
+    assert_eq!((held.counts().converged, held.warnings().len()), (5, 0));
+}
+
+#[test]
+fn a_path_without_results_is_refused() {
+    let directory = tempdir().unwrap();
+    for path in [directory.path().to_owned(), directory.path().join("nowhere")] {
+        assert!(matches!(Holdings::read(&path, &output()), Err(StoreError::NotResults { .. })));
+        assert!(matches!(verify(&path), Err(StoreError::NotResults { .. })));
+    }
+    assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 0, "reading writes nothing");
+}
+
+#[test]
+fn the_history_tells_of_every_start() {
+    let directory = tempdir().unwrap();
+    let mut store = open(directory.path());
+    let all = chains(&output());
+    store.begin(20, 2).unwrap();
+    for chain in &all[..3] {
+        store.commit(chain).unwrap();
+    }
+    store.end(Ending::Interrupted).unwrap();
+    drop(store);
+    let mut store = open(directory.path());
+    store.begin(12, 1).unwrap();
+    for chain in &all[3..] {
+        store.commit(chain).unwrap();
+    }
+    let live = store.history().clone();
+    drop(store);
+
+    let held = Holdings::read(directory.path(), &output()).unwrap();
+    assert_eq!(&live, held.history(), "the running store and a reader tell the same");
+    let starts: Vec<_> = held.history().starts().map(|(_, start)| start.clone()).collect();
+    assert_eq!(starts.iter().map(|start| start.ending).collect::<Vec<_>>(), [Some(Ending::Interrupted), None]);
+    assert_eq!(starts.iter().map(|start| (start.converged, start.failed)).collect::<Vec<_>>(), [(8, 0), (11, 1)]);
+    let expected: f64 = all.iter().flatten().map(|entry| entry.timing.seconds).sum();
+    let seconds: f64 = starts.iter().map(|start| start.case_seconds).sum();
+    assert!((seconds / expected - 1.0).abs() < 1e-12);
+    let mut failures = Vec::new();
+    held.visit_failures(|id, reason| failures.push((id, reason.to_owned()))).unwrap();
+    let failed = entry(100.0, 0.1, 1000.0, &output());
+    assert_eq!(failures, [(failed.id, failed.reason)]);
+}
+
+#[test]
+fn the_summary_keeps_the_contract() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let text = fs::read_to_string(directory.path().join("summary.csv")).unwrap();
+    let header = "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
+                  error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h";
+    assert_eq!(text.lines().next(), Some(header));
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let mut places =
+        F.iter().flat_map(|f| ALPHA.iter().flat_map(move |alpha| BETA.iter().map(move |beta| (f, alpha, beta))));
+    for row in reader.records() {
+        let row = row.unwrap();
+        let (&f, &alpha, &beta) = places.next().expect("no more rows than places");
+        let expected = entry(f, if f == 0.0 { f64::INFINITY } else { alpha }, beta, &output());
+        let expected = if alpha == f64::INFINITY { entry(0.0, alpha, beta, &output()) } else { expected };
+        assert_eq!(row[0], expected.id.to_string());
+        for (cell, value) in row.iter().skip(1).take(3).zip([f, alpha, beta]) {
+            assert_eq!(cell.parse::<f64>().unwrap().to_bits(), value.to_bits());
+        }
+        assert_eq!((&row[4], &row[5]), (expected.outcome.name(), expected.reason.as_str()));
+        for (cell, value) in row.iter().skip(6).zip(expected.values) {
+            match cell {
+                "" => assert!(value.is_nan()),
+                number => assert_eq!(number.parse::<f64>().unwrap().to_bits(), value.to_bits()),
+            }
+        }
+    }
+    assert_eq!(places.next(), None);
+    let timings = fs::read_to_string(directory.path().join("timings.csv")).unwrap();
+    assert_eq!(timings.lines().next(), Some("case,f,alpha,beta,seconds,iterations,factorisations,seed,status"));
+    assert_eq!(timings.lines().count(), text.lines().count());
+    assert!(timings.lines().nth(1).unwrap().ends_with(",300,0,neighbour,converged"));
+}
+
+#[test]
+fn a_row_of_the_wrong_length_is_refused() {
+    let directory = tempdir().unwrap();
+    let mut store = finished(directory.path());
+    let short = |i_f: usize, i_alpha: usize| row(i_f, i_alpha)[1..].to_vec();
+    let publication = Publication { title: "", sweep_text: "", f: &F, alpha: &ALPHA, beta: &BETA, cases: &short };
+    assert!(matches!(store.publish(&publication), Err(StoreError::Publication { .. })));
+}
+
+#[test]
+fn the_sweep_file_is_kept_as_it_was_run() {
+    let directory = tempdir().unwrap();
+    drop(open(directory.path()));
+    assert_eq!(fs::read_to_string(directory.path().join("sweep.toml")).unwrap(), SWEEP);
+    drop(Store::open(directory.path(), "title = \"other\"\n", &output()).unwrap());
+    assert_eq!(fs::read_to_string(directory.path().join("sweep.toml")).unwrap(), "title = \"other\"\n");
+}
+
+#[test]
+fn the_documentation_lists_every_column_field_and_header() {
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/output.md")).unwrap();
+    for column in &COLUMNS {
+        let shown = if column.in_summary { "yes" } else { "no" };
+        let row = format!("| `{}` | {} | {shown} |", column.name, column.units);
+        assert!(text.contains(&row), "docs/output.md has no row {row}");
+    }
+    for field in FieldSelection::ALL.names() {
+        assert!(text.contains(&format!("\n| `{field}` |")), "docs/output.md has no row for {field}");
+    }
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let summary = fs::read_to_string(directory.path().join("summary.csv")).unwrap();
+    assert!(text.contains(summary.lines().next().unwrap()));
+}
