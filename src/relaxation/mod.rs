@@ -6,6 +6,7 @@
 
 mod anderson;
 mod convergence;
+mod cost;
 mod deformation;
 mod far_field;
 mod fields;
@@ -18,6 +19,7 @@ mod solver;
 mod state;
 mod stiffness;
 
+pub use cost::expected_seconds;
 pub use grid::Grid;
 pub use settings::{Acceleration, Domain, Settings};
 pub use solver::{RelaxationSolver, Shared};
