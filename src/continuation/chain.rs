@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::{CaseSolver, Effort, Halt, Interrupt, Interrupted, Seed, Solution, SolvedCase};
+use super::{CaseSolver, Effort, Halt, Interrupt, Interrupted, Seed, Solution, SolvedCase, Work};
 
 use crate::exact;
 use crate::model::{Failure, Limits, Output, Parameters};
@@ -62,11 +62,11 @@ struct Ladder<'a, S: CaseSolver> {
 impl<S: CaseSolver> Ladder<'_, S> {
     /// Tries one rung after the other.
     fn solve(self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
-        let mut effort = Effort::default();
+        let mut work = Work::new(self.interrupt);
         let mut reasons: Vec<String> = Vec::new();
         let mut last_seed = Seed::Elastic;
         for rung in self.rungs() {
-            let (seed, outcome) = match self.attempt(&rung, parameters, &mut effort) {
+            let (seed, outcome) = match self.attempt(&rung, parameters, &mut work) {
                 Ok((seed, state, solution)) => (seed, Ok((state, solution))),
                 Err((_, Halt::Interrupted)) => return Err(Interrupted),
                 Err((seed, Halt::Failed(failure))) => (seed, Err(failure)),
@@ -77,7 +77,7 @@ impl<S: CaseSolver> Ladder<'_, S> {
                         self.solved.remove(0);
                     }
                     self.solved.push((parameters.beta, state));
-                    return Ok(SolvedCase { outcome: Ok(solution), limits, seed, effort });
+                    return Ok(SolvedCase { outcome: Ok(solution), limits, seed, effort: work.effort });
                 }
                 Err(failure) => {
                     reasons.push(format!("from {seed}: {}", failure.reason));
@@ -86,7 +86,7 @@ impl<S: CaseSolver> Ladder<'_, S> {
             }
         }
         let failure = Failure { reason: reasons.join("; ") };
-        Ok(SolvedCase { outcome: Err(failure), limits, seed: last_seed, effort })
+        Ok(SolvedCase { outcome: Err(failure), limits, seed: last_seed, effort: work.effort })
     }
 
     fn rungs(&self) -> Vec<Rung> {
@@ -108,26 +108,24 @@ impl<S: CaseSolver> Ladder<'_, S> {
         &self,
         rung: &Rung,
         parameters: &Parameters,
-        effort: &mut Effort,
+        work: &mut Work,
     ) -> Result<(Seed, S::State, Solution), (Seed, Halt)> {
         let (seed, guess) = match *rung {
             Rung::Predictor => (Seed::Predictor, self.solver.predict(self.shared, self.solved, parameters.beta)),
             Rung::Neighbour => (Seed::Neighbour, self.solver.predict(self.shared, self.nearest(), parameters.beta)),
             Rung::Intermediate(points) => {
                 let seed = Seed::Intermediate(points);
-                let guess = self.walk(points, parameters, effort).map_err(|halt| (seed.clone(), halt))?;
+                let guess = self.walk(points, parameters, work).map_err(|halt| (seed.clone(), halt))?;
                 (seed, guess)
             }
             Rung::Start => {
-                let (guess, seed) = self
-                    .solver
-                    .start(self.shared, parameters, effort, self.interrupt)
-                    .map_err(|halt| (Seed::Elastic, halt))?;
+                let (guess, seed) =
+                    self.solver.start(self.shared, parameters, work).map_err(|halt| (Seed::Elastic, halt))?;
                 (seed, guess)
             }
         };
-        let solution = self.solver.solve(self.shared, parameters, &guess, effort, self.interrupt).and_then(|state| {
-            let evaluate = self.solver.evaluate(self.shared, parameters, &state, self.output, effort, self.interrupt);
+        let solution = self.solver.solve(self.shared, parameters, &guess, work).and_then(|state| {
+            let evaluate = self.solver.evaluate(self.shared, parameters, &state, self.output, work);
             evaluate.map(|solution| (state, solution))
         });
         match solution {
@@ -137,7 +135,7 @@ impl<S: CaseSolver> Ladder<'_, S> {
     }
 
     /// The guess at a case after solving `points` cases between it and its neighbour, evenly spaced in ln β.
-    fn walk(&self, points: usize, parameters: &Parameters, effort: &mut Effort) -> Result<S::State, Halt> {
+    fn walk(&self, points: usize, parameters: &Parameters, work: &mut Work) -> Result<S::State, Halt> {
         let mut path = self.nearest().to_vec();
         let from = path.last().expect("a walk starts at a neighbour").0;
         for step in 1..=points {
@@ -145,7 +143,7 @@ impl<S: CaseSolver> Ladder<'_, S> {
             let beta = from * (parameters.beta / from).powf(part);
             let between = Parameters { beta, ..parameters.clone() };
             let guess = self.solver.predict(self.shared, &path, beta);
-            let state = self.solver.solve(self.shared, &between, &guess, effort, self.interrupt)?;
+            let state = self.solver.solve(self.shared, &between, &guess, work)?;
             if path.len() == 2 {
                 path.remove(0);
             }

@@ -95,6 +95,22 @@ pub struct Solution {
     pub fields: Fields,
 }
 
+/// What a case has cost so far, and whether to go on with it.
+#[derive(Debug)]
+pub struct Work<'a> {
+    /// Cost so far.
+    pub effort: Effort,
+    /// Set when the user asks to stop.
+    pub interrupt: &'a Interrupt,
+}
+
+impl<'a> Work<'a> {
+    /// Nothing done yet.
+    pub fn new(interrupt: &'a Interrupt) -> Self {
+        Self { effort: Effort::default(), interrupt }
+    }
+}
+
 /// Why a solver stops without a solution.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Halt {
@@ -132,8 +148,7 @@ pub trait CaseSolver: Sync {
         &self,
         shared: &Self::Shared,
         parameters: &Parameters,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
+        work: &mut Work,
     ) -> Result<(Self::State, Seed), Halt>;
 
     /// A first guess at β from one or two solved cases, the nearest last, each with its β.
@@ -148,8 +163,7 @@ pub trait CaseSolver: Sync {
         shared: &Self::Shared,
         parameters: &Parameters,
         guess: &Self::State,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
+        work: &mut Work,
     ) -> Result<Self::State, Halt>;
 
     /// What is to be known of a solution.
@@ -162,7 +176,6 @@ pub trait CaseSolver: Sync {
         parameters: &Parameters,
         state: &Self::State,
         output: &Output,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
+        work: &mut Work,
     ) -> Result<Solution, Halt>;
 }

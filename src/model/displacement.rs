@@ -12,6 +12,8 @@ pub struct DisplacementKernel {
     log_weight: f64,
     /// (f_j/(1+f), α_j)
     retarded: Vec<(f64, f64)>,
+    /// A constant taken off K.
+    level: f64,
 }
 
 impl DisplacementKernel {
@@ -23,13 +25,29 @@ impl DisplacementKernel {
         Self {
             log_weight: if frozen { compliance } else { 1.0 },
             retarded: retarded.iter().map(|mode| (mode.strength * compliance, mode.rate)).collect(),
+            level: 0.0,
         }
+    }
+
+    /// The kernel K − level with the level such that its mean at ±`length` is zero.
+    ///
+    /// A constant in K moves the whole surface in proportion to the load, and h₀ absorbs it (T3). At small α it is
+    /// large, about ln(1/α): an iteration that holds h₀ would answer any change of load with a film of another thickness.
+    pub fn levelled(self, length: f64) -> Self {
+        let level =
+            self.level + 0.5 * (self.regular(length) + self.regular(-length)) + self.singular_weight() * length.ln();
+        Self { level, ..self }
+    }
+
+    /// The constant taken off K.
+    pub fn level(&self) -> f64 {
+        self.level
     }
 
     /// Mean of K over a cell of the given width centred at x; exact (T11), finite also around x = 0.
     pub fn cell_average(&self, x: f64, width: f64) -> f64 {
         let retarded = self.retarded.iter();
-        self.log_weight * cell_average_log(x, width)
+        self.log_weight * cell_average_log(x, width) - self.level
             + retarded.map(|&(weight, rate)| weight * cell_average_retarded_log(rate * x, rate * width)).sum::<f64>()
     }
 
@@ -39,9 +57,9 @@ impl DisplacementKernel {
         self.log_weight - self.retarded.iter().map(|(weight, _)| weight).sum::<f64>()
     }
 
-    /// The bounded part of K, K(x) − `singular_weight` ln|x| = Σ_j (f_j/(1+f)) [S(α_j x) + ln|x|].
+    /// The bounded part, K(x) − level − `singular_weight` ln|x| = Σ_j (f_j/(1+f)) [S(α_j x) + ln|x|] − level.
     pub fn regular(&self, x: f64) -> f64 {
         let retarded = self.retarded.iter();
-        retarded.map(|&(weight, rate)| weight * (retarded_log_integral(rate * x) - rate.ln())).sum()
+        retarded.map(|&(weight, rate)| weight * (retarded_log_integral(rate * x) - rate.ln())).sum::<f64>() - self.level
     }
 }

@@ -8,8 +8,10 @@ use super::stiffness::thin_film_number;
 use crate::continuation::{Halt, Interrupt};
 use crate::model::Failure;
 
-/// λ over its limit of stability κ where the film is thin; see [`Relaxation::Local`].
+/// λ over the number that limits it where the film is thin, κ of [`Relaxation::Local`].
 const THIN_FILM: f64 = 0.1;
+/// The same for a factor that is uniform, and so kept small everywhere by the thinnest place.
+const THINNEST_PLACE: f64 = 1.0;
 /// ω where the film is thick.
 const OVER_RELAXATION: f64 = 1.8;
 /// The largest uniform λ_p.
@@ -90,7 +92,7 @@ impl Convergence<'_, '_> {
                 let dx = self.iteration.shared.grid.spacing();
                 let film = self.iteration.film_min().max(0.0);
                 let number = thin_film_number(dx, self.iteration.beta, film, self.stiffness);
-                Relaxation::Uniform((reduction * THIN_FILM / number).clamp(1e-4, LARGEST_UNIFORM))
+                Relaxation::Uniform((reduction * THINNEST_PLACE / number).clamp(1e-4, LARGEST_UNIFORM))
             }
         }
     }
@@ -189,8 +191,9 @@ impl Convergence<'_, '_> {
     /// True if the film closed, or if residuals or load left the neighbourhood of the best state so far. A cylinder that
     /// floats off has small residuals of flow, but no load.
     fn ran_away(&self, size: f64, least: f64) -> bool {
-        let floats = self.iteration.load_residual().abs() > f64::max(FLOATING, 10.0 * least);
-        floats || !(size < DIVERGED * least) || !(self.iteration.film_min() > 0.0)
+        let carried = self.iteration.load_residual().abs() <= f64::max(FLOATING, 10.0 * least);
+        let near = size < DIVERGED * least && self.iteration.film_min() > 0.0;
+        !(carried && near)
     }
 
     /// The unknowns (p, h₀), the latter in units of the film so that both count.

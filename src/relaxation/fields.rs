@@ -43,7 +43,8 @@ pub fn fields(state: &Iteration, beyond: &FarField, output: &Output) -> Fields {
             fields.film_thickness = Some(film.collect());
         }
         if wanted.displacement {
-            fields.displacement = Some(displacement);
+            let level = state.level();
+            fields.displacement = Some(displacement.into_iter().map(|w| w + level).collect());
         }
     }
     fields

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::deformation::{Deformation, DeformationSpace};
 use super::far_field::FarField;
 use super::reynolds::{self, Relaxation};
+use super::stiffness::HALF_WIDTHS;
 use super::{Grid, State};
 use crate::model::{DisplacementKernel, Parameters};
 
@@ -23,6 +24,8 @@ pub struct Discretisation {
     pub ahead: FarField,
     /// The cavity behind the grid.
     pub behind: FarField,
+    /// The constant taken off the kernel; see [`DisplacementKernel::levelled`].
+    level: f64,
     /// x_i²/2.
     parabola: Vec<f64>,
 }
@@ -30,8 +33,9 @@ pub struct Discretisation {
 impl Discretisation {
     /// The kernel of (α, f) on a grid.
     pub fn new(parameters: &Parameters, grid: Grid) -> Self {
-        let kernel = DisplacementKernel::new(parameters);
+        let kernel = levelled_kernel(parameters, &grid);
         Self {
+            level: kernel.level(),
             deformation: Deformation::new(&kernel, &grid),
             ahead: FarField::ahead(&kernel, &grid),
             behind: FarField::behind(&kernel, &grid),
@@ -39,6 +43,11 @@ impl Discretisation {
             grid,
         }
     }
+}
+
+/// The kernel whose level is zero at about half a width of the contact.
+pub fn levelled_kernel(parameters: &Parameters, grid: &Grid) -> DisplacementKernel {
+    DisplacementKernel::new(parameters).levelled((grid.x_max - grid.x_min) / HALF_WIDTHS)
 }
 
 /// How far an iterate is from the solution of the discrete equations; NaN never passes.
@@ -72,9 +81,9 @@ pub struct Iteration<'a> {
     pub p: Vec<f64>,
     /// u of `p` and `separation`, after [`Iteration::update_film`].
     pub u: Vec<f64>,
-    /// w of `p`, after [`Iteration::update_film`].
+    /// w of `p` but for [`Iteration::level`], after [`Iteration::update_film`].
     pub w: Vec<f64>,
-    /// h₀.
+    /// h₀ but for [`Iteration::level`].
     pub separation: f64,
     /// Load of the film ahead of the grid.
     pub tail_load: f64,
@@ -161,11 +170,21 @@ impl<'a> Iteration<'a> {
         self.u.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// (load − π/2)/(π/2), the tail included (T4).
-    pub fn load_residual(&self) -> f64 {
+    /// What h₀ and w have in common and the iteration leaves out of both: the level of the kernel times load/π.
+    pub fn level(&self) -> f64 {
+        self.shared.level * self.load() / PI
+    }
+
+    /// ∫ p dx, the tail included.
+    fn load(&self) -> f64 {
         let last = self.p.len() - 1;
         let sum = self.p.iter().sum::<f64>() - 0.5 * self.p[last];
-        (sum * self.shared.grid.spacing() + self.tail_load) / (0.5 * PI) - 1.0
+        sum * self.shared.grid.spacing() + self.tail_load
+    }
+
+    /// (load − π/2)/(π/2) (T4).
+    pub fn load_residual(&self) -> f64 {
+        self.load() / (0.5 * PI) - 1.0
     }
 
     /// Residuals of the present state, whose film must be up to date.

@@ -26,7 +26,7 @@ pub fn quantities(state: &Iteration, cavity_shear: CavityShear) -> Quantities {
         x_p_max: peak.x,
         x_outlet: outlet.x,
         centroid,
-        separation: state.separation,
+        separation: state.separation + state.level(),
         load_residual: state.load_residual().abs(),
     }
 }

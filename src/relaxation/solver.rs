@@ -6,13 +6,13 @@ use std::sync::{Arc, Mutex, OnceLock};
 use super::convergence::{Target, converge};
 use super::far_field::FarField;
 use super::fields::fields;
-use super::iteration::{Discretisation, Iteration};
+use super::iteration::{Discretisation, Iteration, levelled_kernel};
 use super::quantities::quantities;
 use super::stiffness::{stiffness, thin_film_number};
 use super::{Domain, Grid, Settings, State};
-use crate::continuation::{CaseSolver, Effort, Halt, Interrupt, Seed, Solution};
+use crate::continuation::{CaseSolver, Halt, Seed, Solution, Work};
 use crate::exact;
-use crate::model::{DisplacementKernel, Failure, Output, Parameters, Quantities, RelativeErrors};
+use crate::model::{Failure, FieldSelection, Output, Parameters, Quantities, RelativeErrors};
 
 /// Passes after which the plain iteration is given up.
 const MOST_PASSES: u64 = 2_000_000;
@@ -25,11 +25,14 @@ const COARSEST: f64 = 20.0;
 pub struct RelaxationSolver {
     settings: Settings,
     /// Elastic solutions by the bits of their β; a thread that needs one being solved by another waits for it.
-    elastic: Mutex<HashMap<u64, Arc<OnceLock<Result<ElasticSeed, Halt>>>>>,
+    elastic: Mutex<HashMap<u64, Arc<SharedSeed>>>,
 }
 
 /// An elastic solution and the grid it lives on.
 type ElasticSeed = Arc<(Grid, State)>;
+
+/// An elastic solution that one thread solves and others wait for.
+type SharedSeed = OnceLock<Result<ElasticSeed, Halt>>;
 
 /// What the cases of one (α, f) share.
 pub struct Shared {
@@ -57,13 +60,13 @@ impl RelaxationSolver {
         Target { tolerance: self.settings.tolerance, most_passes: MOST_PASSES }
     }
 
+    /// The grid of a case: on its dry contact, or where the settings want it.
     fn grid(&self, parameters: &Parameters) -> Result<Grid, Failure> {
-        let (trailing, leading, half_width) = exact::contact_bounds(parameters);
-        let points = self.settings.points;
+        let (trailing, leading, _) = exact::contact_bounds(parameters);
         match self.settings.domain {
-            Domain::Auto => Ok(Grid { x_min: trailing - 2.0 * half_width, x_max: leading + 3.0 * half_width, points }),
+            Domain::Auto => Ok(self.automatic_grid(parameters)),
             Domain::Fixed { x_min, x_max } if x_min < trailing && leading < x_max && x_max > 0.0 => {
-                Ok(Grid { x_min, x_max, points })
+                Ok(Grid { x_min, x_max, points: self.settings.points })
             }
             Domain::Fixed { x_min, x_max } => Err(Failure {
                 reason: format!(
@@ -74,28 +77,26 @@ impl RelaxationSolver {
         }
     }
 
-    fn shared(&self, parameters: &Parameters, output: &Output) -> Result<Shared, Failure> {
-        let grid = self.grid(parameters)?;
+    fn automatic_grid(&self, parameters: &Parameters) -> Grid {
+        let (trailing, leading, half_width) = exact::contact_bounds(parameters);
+        let (x_min, x_max) = (trailing - 2.0 * half_width, leading + 3.0 * half_width);
+        Grid { x_min, x_max, points: self.settings.points }
+    }
+
+    fn shared(&self, parameters: &Parameters, grid: Grid, output: &Output) -> Shared {
         let grids = std::iter::successors(Some(grid), Grid::coarser);
         let wanted = if output.fields.is_empty() { &[][..] } else { &output.x };
         let beyond = wanted.iter().copied().filter(|&x| !grid.contains(x));
-        Ok(Shared {
+        Shared {
             levels: grids.map(|grid| Discretisation::new(parameters, grid)).collect(),
             stiffness: stiffness(parameters, grid),
-            beyond: FarField::points(&DisplacementKernel::new(parameters), &grid, beyond),
-        })
+            beyond: FarField::points(&levelled_kernel(parameters, &grid), &grid, beyond),
+        }
     }
 
     /// A better guess from a guess on the finest grid, coarse to fine. A coarse grid that does not resolve the film is
     /// left out, and one that does not converge soon only fails to help.
-    fn refine(
-        &self,
-        shared: &Shared,
-        beta: f64,
-        mut guess: State,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
-    ) -> Result<State, Halt> {
+    fn refine(&self, shared: &Shared, beta: f64, mut guess: State, work: &mut Work) -> Result<State, Halt> {
         let finest = shared.finest();
         let rough = Target { tolerance: self.settings.tolerance.max(1e-4), most_passes: ROUGH_PASSES };
         for level in shared.levels.iter().skip(1).rev() {
@@ -103,7 +104,7 @@ impl RelaxationSolver {
                 continue;
             }
             let coarse = guess.on(&finest.grid, level);
-            match self.solve_on(level, shared.stiffness, beta, &coarse, rough, effort, interrupt) {
+            match self.solve_on(level, shared.stiffness, beta, &coarse, rough, work) {
                 Ok(state) => guess = state.on(&level.grid, finest),
                 Err(Halt::Failed(_)) => {}
                 Err(Halt::Interrupted) => return Err(Halt::Interrupted),
@@ -119,12 +120,11 @@ impl RelaxationSolver {
         beta: f64,
         guess: &State,
         target: Target,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
+        work: &mut Work,
     ) -> Result<State, Halt> {
         let mut iteration = Iteration::new(level, beta, guess);
-        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, interrupt);
-        effort.iterations += iteration.passes;
+        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, work.interrupt);
+        work.effort.iterations += iteration.passes;
         result.map(|()| iteration.state())
     }
 
@@ -135,8 +135,7 @@ impl RelaxationSolver {
         parameters: &Parameters,
         state: &State,
         output: &Output,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
+        work: &mut Work,
     ) -> Result<Quantities, Halt> {
         let level = shared.levels.get(1).ok_or_else(|| {
             let points = self.settings.points;
@@ -145,34 +144,34 @@ impl RelaxationSolver {
             })
         })?;
         let guess = state.on(&shared.finest().grid, level);
-        let coarse = self
-            .solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), effort, interrupt)
-            .map_err(|halt| match halt {
-                Halt::Failed(failure) => Halt::Failed(Failure {
-                    reason: format!("no error estimate, on the second grid {}", failure.reason),
-                }),
-                Halt::Interrupted => Halt::Interrupted,
+        let coarse =
+            self.solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), work).map_err(|halt| {
+                match halt {
+                    Halt::Failed(failure) => Halt::Failed(Failure {
+                        reason: format!("no error estimate, on the second grid {}", failure.reason),
+                    }),
+                    Halt::Interrupted => Halt::Interrupted,
+                }
             })?;
         Ok(quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear))
     }
 
     /// The elastic solution at β, from Hertz pressure; solved by the first thread that asks.
-    fn elastic(&self, beta: f64, effort: &mut Effort, interrupt: &Interrupt) -> Result<ElasticSeed, Halt> {
+    fn elastic(&self, beta: f64, work: &mut Work) -> Result<ElasticSeed, Halt> {
         let entry = {
             let mut seeds = self.elastic.lock().expect("no thread panics while it holds the seeds");
             Arc::clone(seeds.entry(beta.to_bits()).or_default())
         };
         let solve = || {
             let parameters = Parameters::elastic(beta);
-            let none = Output { fields: Default::default(), ..Output::default() };
-            let shared = self.shared(&parameters, &none).map_err(Halt::Failed)?;
-            let grid = shared.finest().grid;
+            let grid = self.automatic_grid(&parameters);
+            let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
+            let shared = self.shared(&parameters, grid, &no_fields);
             let pressure = (0..grid.points).map(|i| (1.0 - grid.x(i) * grid.x(i)).max(0.0).sqrt()).collect();
             let c = 0.5 / (1.0 + beta.powf(0.6));
             let guess = State::resting(shared.finest(), pressure, c);
-            let guess = self.refine(&shared, beta, guess, effort, interrupt)?;
-            let state =
-                self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), effort, interrupt)?;
+            let guess = self.refine(&shared, beta, guess, work)?;
+            let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), work)?;
             Ok(Arc::new((grid, state)))
         };
         entry.get_or_init(solve).clone()
@@ -189,34 +188,28 @@ impl CaseSolver for RelaxationSolver {
     type State = State;
 
     fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Shared, Failure> {
-        self.shared(parameters, output)
+        Ok(self.shared(parameters, self.grid(parameters)?, output))
     }
 
     /// The elastic solution at the same β, or, where the dry contact is nearer to that of the instantaneous modulus, the
     /// one at β/(1+f) with x over √(1+f), u over 1+f and p times √(1+f).
-    fn start(
-        &self,
-        shared: &Shared,
-        parameters: &Parameters,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
-    ) -> Result<(State, Seed), Halt> {
+    fn start(&self, shared: &Shared, parameters: &Parameters, work: &mut Work) -> Result<(State, Seed), Halt> {
         if parameters.is_relaxed_elastic() {
-            let seed = self.elastic(parameters.beta, effort, interrupt)?;
-            return Ok((seed.1.clone(), Seed::Hertz));
+            let seed = self.elastic(parameters.beta, work)?;
+            return Ok((seed.1.on(&seed.0, shared.finest()), Seed::Hertz));
         }
         let stiffening = 1.0 + parameters.f;
         let (_, _, half_width) = exact::contact_bounds(parameters);
         let rescaled = half_width < stiffening.powf(-0.25);
         let scale = if rescaled { stiffening.sqrt() } else { 1.0 };
-        let seed = self.elastic(parameters.beta / (scale * scale), effort, interrupt)?;
+        let seed = self.elastic(parameters.beta / (scale * scale), work)?;
         let (grid, state) = (&seed.0, &seed.1);
         let target = shared.finest();
         let pressure = (0..target.grid.points)
             .map(|i| scale * grid.interpolate(&state.pressure, scale * target.grid.x(i)))
             .collect();
         let guess = State::resting(target, pressure, state.c / (scale * scale));
-        let guess = self.refine(shared, parameters.beta, guess, effort, interrupt)?;
+        let guess = self.refine(shared, parameters.beta, guess, work)?;
         Ok((guess, if rescaled { Seed::RescaledElastic } else { Seed::Elastic }))
     }
 
@@ -235,15 +228,8 @@ impl CaseSolver for RelaxationSolver {
         State::resting(shared.finest(), pressure, c)
     }
 
-    fn solve(
-        &self,
-        shared: &Shared,
-        parameters: &Parameters,
-        guess: &State,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
-    ) -> Result<State, Halt> {
-        self.solve_on(shared.finest(), shared.stiffness, parameters.beta, guess, self.target(), effort, interrupt)
+    fn solve(&self, shared: &Shared, parameters: &Parameters, guess: &State, work: &mut Work) -> Result<State, Halt> {
+        self.solve_on(shared.finest(), shared.stiffness, parameters.beta, guess, self.target(), work)
     }
 
     fn evaluate(
@@ -252,13 +238,12 @@ impl CaseSolver for RelaxationSolver {
         parameters: &Parameters,
         state: &State,
         output: &Output,
-        effort: &mut Effort,
-        interrupt: &Interrupt,
+        work: &mut Work,
     ) -> Result<Solution, Halt> {
         let fine = Iteration::new(shared.finest(), parameters.beta, state);
         let quantities = quantities(&fine, output.cavity_shear);
         let errors = if self.settings.estimate {
-            let coarse = self.on_second_grid(shared, parameters, state, output, effort, interrupt)?;
+            let coarse = self.on_second_grid(shared, parameters, state, output, work)?;
             let (fine, coarse_friction) = (&quantities.friction, &coarse.friction);
             // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that
             let scale = fine.viscoelastic.abs().max(1e-3 * fine.total());

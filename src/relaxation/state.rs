@@ -11,7 +11,7 @@ const THINNEST: f64 = 0.7;
 pub struct State {
     /// p at the n points of the grid.
     pub pressure: Vec<f64>,
-    /// h₀ (T3).
+    /// h₀ (T3), but for the level of the kernel times load/π.
     pub separation: f64,
     /// Load of the film ahead of the grid.
     pub tail_load: f64,
