@@ -2,7 +2,7 @@
 
 use super::Acceleration;
 use super::anderson::Anderson;
-use super::iteration::{Iteration, PASSES_PER_BALANCE};
+use super::iteration::{Iteration, PASSES_PER_BALANCE, index_of_largest};
 use super::reynolds::{self, Relaxation};
 use super::stiffness::thin_film_number;
 use crate::continuation::{Halt, Interrupt};
@@ -30,6 +30,9 @@ const DIVERGED: f64 = 1e3;
 const FLOATING: f64 = 0.3;
 /// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
 const MOST_UNRESOLVED: f64 = 0.5;
+
+/// Outlet and largest pressure lie at least so many points inside the grid.
+const NEAREST_TO_AN_END: usize = 4;
 
 /// What an iteration is to reach, and how long it may take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +69,7 @@ pub fn converge(
             }
         }
     }
-    solver.check_resolution()
+    solver.check_grid()
 }
 
 /// Which relaxation factors a plain iteration uses.
@@ -217,21 +220,28 @@ impl Convergence<'_, '_> {
         })
     }
 
-    /// A converged state is a solution only on a grid that resolves the film.
-    fn check_resolution(&self) -> Result<(), Halt> {
+    /// A converged state is a solution only on a grid that holds the film and resolves it.
+    fn check_grid(&self) -> Result<(), Halt> {
         let iteration = &self.iteration;
-        let dx = iteration.shared.grid.spacing();
-        let error = reynolds::conservation_error(&iteration.p, &iteration.u, iteration.beta, dx, iteration.c());
+        let grid = &iteration.shared.grid;
+        let fail = |reason: String| Err(Halt::Failed(Failure { reason }));
+        let outlet = iteration.p.iter().position(|&p| p > 0.0).unwrap_or(0);
+        if outlet < NEAREST_TO_AN_END || index_of_largest(&iteration.p) + NEAREST_TO_AN_END >= grid.points {
+            let (x_min, x_max) = (grid.x_min, grid.x_max);
+            return fail(format!(
+                "the film under pressure is longer than the grid, [{x_min:.3}, {x_max:.3}]; \
+                 set a wider domain = [x_min, x_max] in [solver.relaxation]"
+            ));
+        }
+        let c = iteration.c();
+        let error = reynolds::conservation_error(&iteration.p, &iteration.u, iteration.beta, grid.spacing(), c);
         if error <= MOST_UNRESOLVED && iteration.film_min() > 0.0 {
             return Ok(());
         }
-        Err(Halt::Failed(Failure {
-            reason: format!(
-                "the grid does not resolve the film: the flow at mid-points is wrong by {:.0} % of the film; \
-                 use more points",
-                100.0 * error
-            ),
-        }))
+        fail(format!(
+            "the grid does not resolve the film: the flow at mid-points is wrong by {:.0} % of it; use more points",
+            100.0 * error
+        ))
     }
 }
 

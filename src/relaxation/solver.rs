@@ -45,7 +45,8 @@ pub struct Shared {
 }
 
 impl Shared {
-    fn finest(&self) -> &Discretisation {
+    /// The grid of the solution, and what lives on it.
+    pub(super) fn finest(&self) -> &Discretisation {
         &self.levels[0]
     }
 }
