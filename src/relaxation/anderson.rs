@@ -1,5 +1,7 @@
 //! Anderson acceleration of a fixed-point map (Walker and Ni, SIAM J. Numer. Anal. 49, 1715, 2011; type II).
 
+use super::inner_product::inner_product;
+
 /// The last iterates of a map g: differences of x and of the residual g(x) − x, both of `size` numbers.
 pub struct Anderson {
     size: usize,
@@ -88,7 +90,7 @@ impl Anderson {
             vector.copy_from_slice(&self.residuals[column]);
             let length = norm(vector);
             for (k, direction) in done.iter().enumerate() {
-                let part = dot(direction, vector);
+                let part = inner_product(direction, vector);
                 self.triangle[k * depth + j] = part;
                 vector.iter_mut().zip(direction).for_each(|(v, d)| *v -= part * d);
             }
@@ -103,7 +105,7 @@ impl Anderson {
         }
         for j in (0..used).rev() {
             let diagonal = self.triangle[j * depth + j];
-            let mut right = dot(&self.orthonormal[j], residual);
+            let mut right = inner_product(&self.orthonormal[j], residual);
             for k in j + 1..used {
                 right -= self.triangle[j * depth + k] * self.weights[used - 1 - k];
             }
@@ -112,12 +114,8 @@ impl Anderson {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 fn norm(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
+    inner_product(a, a).sqrt()
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 use std::f64::consts::PI;
 
 use super::Grid;
+use super::inner_product::inner_product;
 use crate::model::{DisplacementKernel, gauss};
 
 /// Points beyond one end of the grid, with quadrature weights for the integral from there to infinity.
@@ -56,8 +57,7 @@ impl FarField {
     pub fn displacement(&self, q: usize, p: &[f64], tail_load: f64) -> f64 {
         let (inside, last) = p.split_at(p.len() - 1);
         let row = &self.influence[q * inside.len()..(q + 1) * inside.len()];
-        let sum: f64 = row.iter().zip(inside).map(|(influence, p)| influence * p).sum();
-        sum + self.end[q].displacement(last[0], tail_load)
+        inner_product(row, inside) + self.end[q].displacement(last[0], tail_load)
     }
 }
 

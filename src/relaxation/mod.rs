@@ -11,6 +11,7 @@ mod deformation;
 mod far_field;
 mod fields;
 mod grid;
+mod inner_product;
 mod iteration;
 mod quantities;
 mod reynolds;
