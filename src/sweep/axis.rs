@@ -59,7 +59,7 @@ impl Quantity {
     /// Most values of such an axis.
     fn limit(self) -> usize {
         match self {
-            Quantity::Position => 100_001,
+            Quantity::Position => 10_001,
             _ => 1_000_000,
         }
     }

@@ -97,14 +97,14 @@ fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
     let ends: Vec<Entry<'_>> = ends.take(3).collect();
     let [left, right] = ends.as_slice() else { return Err(entry.fault(what, "not two numbers", help)) };
     let (x_min, x_max) = (left.number()?, right.number()?);
-    let help = "the contact lies within -1 and 1 (in units of a0), and the film needs room on both sides of it, as in \
-                [-3.0, 4.0]";
-    if !(-FARTHEST..-1.0).contains(&x_min) {
-        let what = format!("x_min of the domain must be below -1 and at least {:?}", -FARTHEST);
+    let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on both \
+                sides of it, as in [-3.0, 4.0]";
+    if !(x_min < 0.0 && x_min >= -FARTHEST) {
+        let what = format!("x_min of the domain must be below 0 and at least {:?}", -FARTHEST);
         return Err(left.fault(what, "not left of the contact", help));
     }
-    if !(x_max > 1.0 && x_max <= FARTHEST) {
-        let what = format!("x_max of the domain must be above 1 and at most {FARTHEST:?}");
+    if !(x_max > 0.0 && x_max <= FARTHEST) {
+        let what = format!("x_max of the domain must be above 0 and at most {FARTHEST:?}");
         return Err(right.fault(what, "not right of the contact", help));
     }
     Ok(Domain::Fixed { x_min, x_max })

@@ -134,11 +134,11 @@ fn bad_files() -> Vec<Row> {
         (with_axes("[solver.relaxation]\nestimate = 1\n"), "6:12", "true or false", "without quotes"),
         (with_axes("[solver.relaxation]\ndomain = \"wide\"\n"), "6:10", "\"auto\" or [x_min, x_max]", "[-3.0, 4.0]"),
         (with_axes("[solver.relaxation]\ndomain = [-3.0]\n"), "6:10", "\"auto\" or [x_min, x_max]", "both ends"),
-        (with_axes("[solver.relaxation]\ndomain = [-0.5, 4.0]\n"), "6:11", "below -1", "on both sides"),
+        (with_axes("[solver.relaxation]\ndomain = [0.5, 4.0]\n"), "6:11", "below 0", "on both sides"),
         (
             with_axes("[solver.relaxation]\ndomain = [-3.0, inf]\n"),
             "6:17",
-            "above 1 and at most 100.0",
+            "above 0 and at most 100.0",
             "on both sides",
         ),
         // Output.
@@ -150,7 +150,7 @@ fn bad_files() -> Vec<Row> {
         ),
         (with_axes("[output]\nfields = [\"pressure\", \"pressure\"]\n"), "6:23", "only once", "remove one"),
         (with_axes("[output]\nx = { from = 3.0, to = -3.0, points = 601 }\n"), "6:24", "must be above", "swap"),
-        (with_axes("[output]\nx = { from = -3.0, to = 3.0, points = 100002 }\n"), "6:39", "to 100001", "whole number"),
+        (with_axes("[output]\nx = { from = -3.0, to = 3.0, points = 10002 }\n"), "6:39", "to 10001", "whole number"),
         (with_axes("[output]\nx = [0.0, inf]\n"), "6:11", "must be finite", "a0"),
         (with_axes("[output]\ncavity_shear = \"ful\"\n"), "6:16", "\"full\", \"streamers\" or \"none\"", "\"full\"?"),
         ("title = \"two\\nlines\"\n".to_owned() + AXES, "1:9", "one line", "file's name"),
