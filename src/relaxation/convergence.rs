@@ -20,6 +20,8 @@ const LARGEST_UNIFORM: f64 = 0.5;
 const ROUNDS_PER_LOOK: usize = 20;
 /// Rounds after which acceleration is given up: a small part of what the plain iteration may need.
 const MOST_ACCELERATED_ROUNDS: usize = 6_000;
+/// Passes after which the iteration that acceleration falls back on is given up.
+const MOST_LOCAL_PASSES: u64 = 400_000;
 /// How often acceleration may run away before it is given up.
 const MOST_RESTARTS: i32 = 6;
 /// Rounds that Anderson acceleration looks back.
@@ -65,6 +67,7 @@ pub fn converge(
             let start = solver.iteration.state();
             if !solver.accelerated()? {
                 solver.iteration.restore(&start);
+                solver.target.most_passes = solver.target.most_passes.min(MOST_LOCAL_PASSES);
                 solver.plain(Rule::Local)?;
             }
         }

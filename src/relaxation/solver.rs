@@ -1,7 +1,8 @@
 //! The relaxation method as a [`CaseSolver`].
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::f64::consts::PI;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::convergence::{Target, converge};
 use super::far_field::FarField;
@@ -31,8 +32,8 @@ pub struct RelaxationSolver {
 /// An elastic solution and the grid it lives on.
 type ElasticSeed = Arc<(Grid, State)>;
 
-/// An elastic solution that one thread solves and others wait for.
-type SharedSeed = OnceLock<Result<ElasticSeed, Halt>>;
+/// An elastic solution, or why there is none, once the first thread that asked has solved it; the others wait.
+type SharedSeed = Mutex<Option<Result<ElasticSeed, Failure>>>;
 
 /// What the cases of one (α, f) share.
 pub struct Shared {
@@ -159,24 +160,42 @@ impl RelaxationSolver {
 
     /// The elastic solution at β, from Hertz pressure; solved by the first thread that asks.
     fn elastic(&self, beta: f64, work: &mut Work) -> Result<ElasticSeed, Halt> {
-        let entry = {
-            let mut seeds = self.elastic.lock().expect("no thread panics while it holds the seeds");
+        let seed = {
+            // what a thread that panicked left behind is either whole or not there
+            let mut seeds = self.elastic.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(seeds.entry(beta.to_bits()).or_default())
         };
-        let solve = || {
-            let parameters = Parameters::elastic(beta);
-            let grid = self.automatic_grid(&parameters);
-            let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
-            let shared = self.shared(&parameters, grid, &no_fields);
-            let pressure = (0..grid.points).map(|i| (1.0 - grid.x(i) * grid.x(i)).max(0.0).sqrt()).collect();
-            let c = 0.5 / (1.0 + beta.powf(0.6));
-            let guess = State::resting(shared.finest(), pressure, c);
-            let guess = self.refine(&shared, beta, guess, work)?;
-            let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), work)?;
-            Ok(Arc::new((grid, state)))
+        let mut seed = seed.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = &*seed {
+            return known.clone().map_err(Halt::Failed);
+        }
+        let result = match self.solve_elastic(beta, work) {
+            Ok(solved) => Ok(Arc::new(solved)),
+            Err(Halt::Failed(Failure { reason })) => {
+                Err(Failure { reason: format!("no elastic solution at beta = {beta} to start from: {reason}") })
+            }
+            Err(Halt::Interrupted) => return Err(Halt::Interrupted),
         };
-        entry.get_or_init(solve).clone()
+        seed.insert(result).clone().map_err(Halt::Failed)
     }
+
+    fn solve_elastic(&self, beta: f64, work: &mut Work) -> Result<(Grid, State), Halt> {
+        let parameters = Parameters::elastic(beta);
+        let grid = self.automatic_grid(&parameters);
+        let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
+        let shared = self.shared(&parameters, grid, &no_fields);
+        let pressure = (0..grid.points).map(|i| (1.0 - grid.x(i) * grid.x(i)).max(0.0).sqrt()).collect();
+        let guess = State::resting(shared.finest(), pressure, elastic_film(beta));
+        let guess = self.refine(&shared, beta, guess, work)?;
+        let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), work)?;
+        Ok((grid, state))
+    }
+}
+
+/// A guess at c of an elastic film for any β: a mean of its limits, 0.4458 β^{−3/5} for large β and 1/(πβ) for small.
+fn elastic_film(beta: f64) -> f64 {
+    let (thin, thick) = (0.4458 * beta.powf(-0.6), (PI * beta).recip());
+    thin * thick / (thin + thick)
 }
 
 /// Richardson's estimate of the relative error of a second-order value, from the grids of Δx and 2Δx.
