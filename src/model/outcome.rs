@@ -137,10 +137,11 @@ impl Limits {
 
     /// The row of a case that failed: the limits are known, all else is NaN.
     pub fn failed_row(&self) -> [f64; COLUMNS.len()] {
-        let mut row = [f64::NAN; COLUMNS.len()];
-        row[13] = self.dry_mu_v;
-        row[14] = self.approx_mu_h;
-        row
+        COLUMNS.map(|column| match column.name {
+            "dry_mu_v" => self.dry_mu_v,
+            "approx_mu_h" => self.approx_mu_h,
+            _ => f64::NAN,
+        })
     }
 }
 
@@ -169,5 +170,59 @@ impl Quantities {
             self.separation,
             friction.hydrodynamic_film,
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each number stands under its name: the rows of converged and failed cases agree on where the limits are.
+    #[test]
+    fn the_row_is_in_the_order_of_the_columns() {
+        let friction = Friction { viscoelastic: 1.0, hydrodynamic_film: 2.0, hydrodynamic_cavity: 3.0, drag: 4.0 };
+        let quantities = Quantities {
+            friction,
+            c: 5.0,
+            film_min: 6.0,
+            p_max: 7.0,
+            x_p_max: 8.0,
+            x_outlet: 9.0,
+            centroid: 10.0,
+            separation: 11.0,
+            load_residual: 12.0,
+        };
+        let errors = RelativeErrors { mu_v: 13.0, mu_h: 14.0, c: 15.0 };
+        let limits = Limits { dry_mu_v: 16.0, approx_mu_h: 17.0 };
+        let row = quantities.row(&errors, &limits);
+        let value = |name| row[COLUMNS.iter().position(|column| column.name == name).expect(name)];
+        let expected = [
+            ("mu_v", 1.0),
+            ("mu_h", 5.0),
+            ("mu_tot", 6.0),
+            ("mu_drag", 4.0),
+            ("mu_h_cavity", 3.0),
+            ("mu_h_film", 2.0),
+            ("c", 5.0),
+            ("film_min", 6.0),
+            ("p_max", 7.0),
+            ("x_p_max", 8.0),
+            ("x_outlet", 9.0),
+            ("centroid", 10.0),
+            ("separation", 11.0),
+            ("load_residual", 12.0),
+            ("error_mu_v", 13.0),
+            ("error_mu_h", 14.0),
+            ("error_c", 15.0),
+            ("dry_mu_v", 16.0),
+            ("approx_mu_h", 17.0),
+        ];
+        assert_eq!(expected.len(), COLUMNS.len());
+        for (name, number) in expected {
+            assert_eq!(value(name), number, "{name}");
+        }
+        for (column, (failed, converged)) in COLUMNS.iter().zip(limits.failed_row().iter().zip(row)) {
+            assert!(failed.is_nan() || *failed == converged, "{}", column.name);
+        }
     }
 }
