@@ -64,7 +64,7 @@ impl CliError {
                 // A second hook is refused; this one is set once, on the way out.
                 let _ = miette::set_hook(Box::new(|_| {
                     // `file:line:column` has to stay whole, for people and editors that look for it
-                    Box::new(MietteHandlerOpts::new().break_words(false).build())
+                    Box::new(MietteHandlerOpts::new().break_words(false).without_cause_chain().build())
                 }));
                 format!("{:?}", miette::Report::new(error))
             }

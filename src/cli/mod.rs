@@ -6,16 +6,23 @@
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `workload` | which chains of a plan are left to be solved |
 //! | `entry` | from a solved case to what the store keeps |
+//! | `expectation` | what a run is expected to cost |
 //! | `failures` | failed cases, listed and by region |
-//! | `error`, `console`, `shell`, `wording` | errors with their exit codes; output; quoted commands; times and sizes in words |
+//! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
 
 mod console;
 mod destination;
 mod entry;
 mod error;
+mod expectation;
 mod failures;
+mod plan;
 mod run;
 mod shell;
+mod solve;
+mod status;
+mod threads;
+mod verify;
 mod wording;
 mod workload;
 
@@ -53,6 +60,14 @@ Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4
 enum Command {
     /// Run a sweep, or resume it: solve what is missing, then publish
     Run(run::Arguments),
+    /// Say what `run` would do: cases, reuse, expected time and bytes; writes nothing
+    Plan(plan::Arguments),
+    /// Count the cases of a running or a stopped sweep, with its rate and its failures
+    Status(status::Arguments),
+    /// Solve one case and print it
+    Solve(solve::Arguments),
+    /// Read every stored result again and compare it with its record
+    Verify(verify::Arguments),
 }
 
 /// How a command ended that did what it was asked to.
@@ -83,6 +98,10 @@ impl Exit {
 pub fn execute(cli: &Cli) -> ExitCode {
     let ending = match &cli.command {
         Command::Run(arguments) => run::execute(arguments),
+        Command::Plan(arguments) => plan::execute(arguments),
+        Command::Status(arguments) => status::execute(arguments),
+        Command::Solve(arguments) => solve::execute(arguments),
+        Command::Verify(arguments) => verify::execute(arguments),
     };
     match ending {
         Ok(exit) => exit.code().into(),

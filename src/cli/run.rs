@@ -12,7 +12,7 @@ use super::destination::{destination, had_other_sweep};
 use super::entry::{case_entry, panicked};
 use super::wording::{count, duration, rate};
 use super::workload::Workload;
-use super::{CliError, Exit, console, failures, shell};
+use super::{CliError, Exit, console, failures, shell, threads};
 use crate::continuation::{Interrupt, solve_chain};
 use crate::engine::{Engine, Progress, ProgressStyle, Report, Signals};
 use crate::relaxation::RelaxationSolver;
@@ -39,17 +39,11 @@ pub struct Arguments {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Solver threads [default: all cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
     threads: Option<NonZeroUsize>,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
-}
-
-/// As many threads as asked for, else one for each core.
-pub fn threads(asked: Option<NonZeroUsize>) -> NonZeroUsize {
-    // Where the system does not tell its cores there is at least the one that runs this.
-    asked.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN))
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
@@ -57,7 +51,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = Sweep::read(&arguments.sweep)?;
     let plan = Plan::new(&sweep);
     let directory = destination(arguments.output.as_deref(), &sweep)?;
-    let engine = Engine::new(threads(arguments.threads))?;
+    let engine = Engine::new(threads::number(arguments.threads))?;
     let interrupt = Arc::new(Interrupt::new());
     let signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
@@ -102,7 +96,7 @@ fn solve(
     arguments: &Arguments,
     store: &mut Store,
 ) -> Result<Report, CliError> {
-    store.begin(workload.new, threads(arguments.threads).get() as u64)?;
+    store.begin(workload.new, threads::number(arguments.threads).get() as u64)?;
     let solver = match sweep.solver.method {
         Method::Relaxation => RelaxationSolver::new(sweep.solver.relaxation),
     };
