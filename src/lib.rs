@@ -31,6 +31,7 @@
 #[cfg(not(any(feature = "static-hdf5", feature = "system-hdf5")))]
 compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default) or `system-hdf5`");
 
+pub mod cli;
 pub mod continuation;
 pub mod engine;
 pub mod exact;

@@ -1,5 +1,7 @@
 //! Settings of the relaxation solver.
 
+use std::ops::RangeInclusive;
+
 /// Where the uniform grid lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Domain {
@@ -38,6 +40,13 @@ pub struct Settings {
     pub acceleration: Acceleration,
     /// Whether Richardson's error estimate from the grid of half as many intervals is wanted.
     pub estimate: bool,
+}
+
+impl Settings {
+    /// Grid points that make sense: enough for a film, few enough for a computer.
+    pub const POINTS: RangeInclusive<usize> = 51..=20_001;
+    /// Tolerances that double precision can meet and that deserve the name.
+    pub const TOLERANCE: RangeInclusive<f64> = 1e-12..=1e-2;
 }
 
 impl Default for Settings {

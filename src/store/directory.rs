@@ -1,13 +1,21 @@
 //! The layout of a results directory, its lock, and writing a file whole or not at all.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{Read, Seek, Write};
+use std::io::{ErrorKind, Read, Seek, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::StoreError;
 
 /// Ends the name of a file that is being written. What a killed run leaves under such a name is removed by the next.
 const TEMPORARY: &str = ".stribeck-part";
+
+/// The file whose lock its owner holds.
+const LOCK: &str = "lock";
+
+/// Whoever looks whether a run is at work holds the lock for a moment: that is not to stop a run that starts just then.
+const LOCK_ATTEMPTS: u32 = 5;
+const LOCK_PAUSE: Duration = Duration::from_millis(20);
 
 /// The published files, in the order in which they are put in place.
 pub(super) const PUBLISHED: [&str; 3] = ["results.h5", "summary.csv", "timings.csv"];
@@ -70,23 +78,41 @@ impl Directory {
     /// The system lets go of the lock when its owner dies, so there is nothing to clean up by hand. The text in the
     /// file only says who to ask; it means nothing without the lock.
     pub(super) fn lock(&self) -> Result<File, StoreError> {
-        let path = self.root.join("lock");
+        let path = self.root.join(LOCK);
         let open = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
         let mut file = open.map_err(StoreError::file(&path, "open"))?;
-        match file.try_lock() {
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => {
-                let mut owner = String::new();
-                let known = file.read_to_string(&mut owner).is_ok() && !owner.trim().is_empty();
-                let owner = if known { owner.trim().to_owned() } else { "process unknown".to_owned() };
-                return Err(StoreError::Locked { path: self.root.clone(), owner });
+        let mut attempts = LOCK_ATTEMPTS;
+        loop {
+            attempts -= 1;
+            match file.try_lock() {
+                Ok(()) => break,
+                Err(TryLockError::WouldBlock) if attempts > 0 => std::thread::sleep(LOCK_PAUSE),
+                Err(TryLockError::WouldBlock) => {
+                    return Err(StoreError::Locked { path: self.root.clone(), owner: owner_in(&mut file) });
+                }
+                Err(TryLockError::Error(source)) => return Err(StoreError::file(&path, "lock")(source)),
             }
-            Err(TryLockError::Error(source)) => return Err(StoreError::file(&path, "lock")(source)),
         }
         let owner = format!("process {}\n", std::process::id());
         let written = file.set_len(0).and_then(|()| file.rewind()).and_then(|()| file.write_all(owner.as_bytes()));
         written.map_err(StoreError::file(&path, "write"))?;
         Ok(file)
+    }
+
+    /// Who works in the directory; `None` if no one does.
+    pub(super) fn owner(&self) -> Result<Option<String>, StoreError> {
+        let path = self.root.join(LOCK);
+        let mut file = match File::open(&path) {
+            Ok(file) => file,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(StoreError::file(&path, "open")(error)),
+        };
+        // Shared, so that those who look do not see each other, and gone again with `file`.
+        match file.try_lock_shared() {
+            Ok(()) => Ok(None),
+            Err(TryLockError::WouldBlock) => Ok(Some(owner_in(&mut file))),
+            Err(TryLockError::Error(source)) => Err(StoreError::file(&path, "lock")(source)),
+        }
     }
 
     /// Removes what killed runs left half written. Only the owner of the lock may call this.
@@ -100,6 +126,13 @@ impl Directory {
         }
         Ok(())
     }
+}
+
+/// Who a lock file names.
+fn owner_in(file: &mut File) -> String {
+    let mut owner = String::new();
+    let known = file.read_to_string(&mut owner).is_ok() && !owner.trim().is_empty();
+    if known { owner.trim().to_owned() } else { "process unknown".to_owned() }
 }
 
 /// True for a file that a run is writing, or left half written.

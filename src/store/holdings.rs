@@ -109,6 +109,14 @@ impl Holdings {
         self.index.complete(id).map(|slot| slot.status)
     }
 
+    /// Who works in the directory, as in `process 4711`; `None` if no one does.
+    ///
+    /// # Errors
+    /// [`StoreError::File`] if the lock cannot be looked at.
+    pub fn owner(&self) -> Result<Option<String>, StoreError> {
+        self.directory.owner()
+    }
+
     /// How many cases are here, whatever fields they have.
     pub fn counts(&self) -> Counts {
         Counts { converged: self.index.count(Status::Converged), failed: self.index.count(Status::Failed) }

@@ -55,7 +55,7 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
         tolerance: match section.get("tolerance") {
             Some(entry) => {
                 let tolerance = entry.number()?;
-                if !(1e-12..=1e-2).contains(&tolerance) {
+                if !Settings::TOLERANCE.contains(&tolerance) {
                     let what = "`solver.relaxation.tolerance` must be from 1e-12 to 1e-2";
                     let help = "it is the residual at which a case counts as converged; 1e-8 is a good value";
                     return Err(entry.fault(what, "out of range", help));
@@ -73,7 +73,7 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
 }
 
 fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
-    let points = entry.whole(51..=20_001)?;
+    let points = entry.whole(Settings::POINTS)?;
     if points % 2 == 1 {
         return Ok(points);
     }

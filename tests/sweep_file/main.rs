@@ -1,34 +1,18 @@
 //! Sweep files: what is taken, what is refused, and how the refusal reads.
 
+#[path = "../bad_sweeps/mod.rs"]
+mod bad_sweeps;
 mod refused;
 mod round_trip;
 
 use std::fs;
 use std::path::Path;
 
+use bad_sweeps::{AXES, with_axes, with_beta, with_f};
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use stribeck::model::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain, Settings};
 use stribeck::sweep::{Axes, Method, Plan, SolverSettings, Sweep, SweepError};
-
-/// Axes that are valid, in four lines; the rows below put something wrong after or instead of them.
-const AXES: &str = "[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = [10.0]\n";
-
-fn with_axes(rest: &str) -> String {
-    format!("{AXES}{rest}")
-}
-
-fn with_alpha(alpha: &str) -> String {
-    format!("[axes]\nf = [100.0]\nalpha = {alpha}\nbeta = [10.0]\n")
-}
-
-fn with_beta(beta: &str) -> String {
-    format!("[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = {beta}\n")
-}
-
-fn with_f(f: &str) -> String {
-    format!("[axes]\nf = {f}\nalpha = [1.0]\nbeta = [10.0]\n")
-}
 
 fn drawn(error: &SweepError) -> String {
     let mut drawing = String::new();

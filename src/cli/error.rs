@@ -1,0 +1,74 @@
+//! What ends a command, with its exit code.
+
+use std::io;
+use std::path::PathBuf;
+
+use miette::MietteHandlerOpts;
+
+use crate::engine::ThreadsError;
+use crate::store::StoreError;
+use crate::sweep::SweepError;
+
+/// Why a command could not do what it was asked to.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// The sweep file is not valid.
+    #[error(transparent)]
+    Sweep(#[from] SweepError),
+    /// More threads than the system gives.
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
+    /// A results directory cannot be read or written.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// A results directory that is none and cannot become one.
+    #[error("{} is a file, and results need a directory; choose another place with -o", path.display())]
+    NotADirectory {
+        /// The path.
+        path: PathBuf,
+    },
+    /// A run that the disk ended.
+    #[error("{source}\n{progress}")]
+    Stopped {
+        /// What happened.
+        source: StoreError,
+        /// How far the run was, and how to resume it.
+        progress: String,
+    },
+    /// The operating system refused something that is no file of ours.
+    #[error("cannot {action}: {source}")]
+    System {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl CliError {
+    /// The exit code: 2 for bad input, 4 for the disk and the system.
+    pub fn code(&self) -> u8 {
+        match self {
+            CliError::Sweep(_) | CliError::Threads(_) => 2,
+            CliError::Store(_)
+            | CliError::NotADirectory { .. }
+            | CliError::Stopped { .. }
+            | CliError::System { .. } => 4,
+        }
+    }
+
+    /// The text for the user; a sweep file is shown with the place of the error.
+    pub fn report(self) -> String {
+        match self {
+            CliError::Sweep(error) => {
+                // A second hook is refused; this one is set once, on the way out.
+                let _ = miette::set_hook(Box::new(|_| {
+                    // `file:line:column` has to stay whole, for people and editors that look for it
+                    Box::new(MietteHandlerOpts::new().break_words(false).without_cause_chain().build())
+                }));
+                format!("{:?}", miette::Report::new(error))
+            }
+            error => format!("error: {error}"),
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! What a run is expected to cost.
+
+use crate::relaxation;
+use crate::store::Holdings;
+use crate::sweep::{Method, Plan, Sweep};
+
+use super::workload::Workload;
+
+/// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
+const PRESSURE_VALUE: f64 = 5.0;
+const FIELD_VALUE: f64 = 7.0;
+/// Bytes beside the values for a field of a case: index of chunks and the like.
+const FIELD: f64 = 350.0;
+/// Bytes of a shard without fields.
+const SHARD: f64 = 8_200.0;
+/// Bytes of a case in the log.
+const LOGGED_CASE: f64 = 180.0;
+/// Bytes of `results.h5` for a place of the sweep, without fields, and of its frame.
+const PLACE: f64 = 200.0;
+const FRAME: f64 = 25_000.0;
+/// Bytes of a place in the two tables.
+const TABLE_ROW: f64 = 400.0;
+
+/// Bytes that a finished sweep takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// Log and shards, for the cases given.
+    pub stored: u64,
+    /// The published files.
+    pub published: u64,
+}
+
+impl Size {
+    /// The size of `cases` stored cases in `chains` shards, and of the whole sweep published.
+    pub fn of(sweep: &Sweep, plan: &Plan, cases: u64, chains: u64) -> Self {
+        let output = &sweep.output;
+        let of_field = |name| if name == "pressure" { PRESSURE_VALUE } else { FIELD_VALUE };
+        let values = |name| FIELD + of_field(name) * output.x.len() as f64;
+        let fields: f64 = output.fields.names().into_iter().map(values).sum();
+        let stored = cases as f64 * (LOGGED_CASE + fields) + chains as f64 * SHARD;
+        let published = FRAME + plan.cases() as f64 * (PLACE + TABLE_ROW + fields);
+        Self { stored: stored as u64, published: published as u64 }
+    }
+}
+
+/// Seconds that a thread needs for a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CaseSeconds {
+    /// The mean of the cases solved so far, from the log.
+    Logged(f64),
+    /// An estimate from the speed of this machine.
+    Estimated(f64),
+}
+
+impl CaseSeconds {
+    /// From the log if cases of this sweep were solved there, else from the settings.
+    pub fn expected(sweep: &Sweep, workload: &Workload, held: Option<&Holdings>) -> Self {
+        let logged = held.filter(|_| workload.reused() > 0).and_then(mean_seconds);
+        logged.map(Self::Logged).unwrap_or_else(|| {
+            Self::Estimated(match sweep.solver.method {
+                Method::Relaxation => relaxation::expected_seconds(&sweep.solver.relaxation),
+            })
+        })
+    }
+
+    /// The seconds.
+    pub fn seconds(self) -> f64 {
+        match self {
+            Self::Logged(seconds) | Self::Estimated(seconds) => seconds,
+        }
+    }
+}
+
+fn mean_seconds(held: &Holdings) -> Option<f64> {
+    let starts = held.history().starts().map(|(_, start)| start);
+    let (cases, seconds) = starts.fold((0, 0.0), |(cases, seconds), start| {
+        (cases + start.converged + start.failed, seconds + start.case_seconds)
+    });
+    (cases > 0).then(|| seconds / cases as f64)
+}

@@ -1,0 +1,114 @@
+//! The commands of the program, one file for each.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `run`, `plan`, `status`, `solve`, `verify` | the commands |
+//! | `destination` | the results directory of a sweep, and what it was used for before |
+//! | `workload` | which chains of a plan are left to be solved |
+//! | `entry` | from a solved case to what the store keeps |
+//! | `expectation` | what a run is expected to cost |
+//! | `failures` | failed cases, listed and by region |
+//! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
+
+mod console;
+mod destination;
+mod entry;
+mod error;
+mod expectation;
+mod failures;
+mod plan;
+mod run;
+mod shell;
+mod solve;
+mod status;
+mod threads;
+mod verify;
+mod wording;
+mod workload;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use error::CliError;
+
+/// The command line.
+#[derive(Clone, Debug, Parser)]
+#[command(
+    name = "stribeck",
+    version,
+    about = "Generalized Stribeck surfaces: friction of a lubricated cylinder sliding on a viscoelastic half space",
+    after_help = EXAMPLES,
+    arg_required_else_help = true,
+    max_term_width = 100
+)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  stribeck plan sweeps/quick.toml                       what a sweep will cost
+  stribeck run sweeps/quick.toml                        run it, or resume it; results in results/quick
+  stribeck solve --alpha 1 --beta 100 --f 10            a single case
+
+Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4 the disk or a file;
+130 interrupted, the same command resumes.";
+
+#[derive(Clone, Debug, Subcommand)]
+enum Command {
+    /// Run a sweep, or resume it: solve what is missing, then publish
+    Run(run::Arguments),
+    /// Say what `run` would do: cases, reuse, expected time and bytes; writes nothing
+    Plan(plan::Arguments),
+    /// Count the cases of a running or a stopped sweep, with its rate and its failures
+    Status(status::Arguments),
+    /// Solve one case and print it
+    Solve(solve::Arguments),
+    /// Read every stored result again and compare it with its record
+    Verify(verify::Arguments),
+}
+
+/// How a command ended that did what it was asked to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Exit {
+    /// All is well.
+    Success,
+    /// Done, but some cases failed.
+    CasesFailed,
+    /// Damage was found.
+    Damaged,
+    /// Stopped by a signal.
+    Interrupted,
+}
+
+impl Exit {
+    fn code(self) -> u8 {
+        match self {
+            Exit::Success => 0,
+            Exit::CasesFailed => 3,
+            Exit::Damaged => 4,
+            Exit::Interrupted => 130,
+        }
+    }
+}
+
+/// Does what the command line says and reports errors on stderr.
+pub fn execute(cli: &Cli) -> ExitCode {
+    let ending = match &cli.command {
+        Command::Run(arguments) => run::execute(arguments),
+        Command::Plan(arguments) => plan::execute(arguments),
+        Command::Status(arguments) => status::execute(arguments),
+        Command::Solve(arguments) => solve::execute(arguments),
+        Command::Verify(arguments) => verify::execute(arguments),
+    };
+    match ending {
+        Ok(exit) => exit.code().into(),
+        Err(error) => {
+            let code = error.code();
+            console::tell(&error.report());
+            code.into()
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! `stribeck plan`: what `run` would do, without doing it.
+
+use std::fmt::Write;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::destination::{destination, had_other_sweep};
+use super::expectation::{CaseSeconds, Size};
+use super::wording::{bytes, count, duration};
+use super::workload::Workload;
+use super::{CliError, Exit, console, threads};
+use crate::store::{Holdings, StoreError};
+use crate::sweep::{Plan, Sweep};
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck plan sweeps/surface.toml
+  stribeck plan sweeps/surface.toml -o /scratch/surface --threads 32
+
+Nothing is solved and nothing is written. Cases that the results directory has already are told apart
+from new ones, so this also shows what an extended or half finished sweep has left to do.")]
+pub struct Arguments {
+    /// The sweep file (TOML); docs/sweep-file.md has its keys
+    sweep: PathBuf,
+    /// Results directory [default: results/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Solver threads that the time is told for [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
+    threads: Option<NonZeroUsize>,
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let sweep = Sweep::read(&arguments.sweep)?;
+    let plan = Plan::new(&sweep);
+    let directory = destination(arguments.output.as_deref(), &sweep)?;
+    let held = match Holdings::read(&directory, &sweep.output) {
+        Ok(held) => Some(held),
+        Err(StoreError::NotResults { .. }) => None,
+        Err(error) => return Err(error.into()),
+    };
+    for warning in held.iter().flat_map(Holdings::warnings) {
+        console::tell(&format!("warning: {warning}"));
+    }
+    let workload = Workload::survey(&plan, |id| held.as_ref().and_then(|held| held.holds(id)));
+
+    let axes = &sweep.axes;
+    let (f, alpha, beta) = (axes.f.len(), axes.alpha.len(), axes.beta.len());
+    let state = match &held {
+        None => "no results yet",
+        Some(_) if had_other_sweep(&directory, &sweep) => "last run with another sweep file",
+        Some(_) => "has results",
+    };
+    let mut text = String::new();
+    let mut line = |name: &str, words: String| {
+        writeln!(text, "{name:<10} {words}").expect("writing to memory does not fail");
+    };
+    line("sweep", format!("{} ({})", sweep.title, arguments.sweep.display()));
+    line("directory", format!("{} ({state})", directory.display()));
+    line("cases", format!("{} = {f} f x {alpha} alpha x {beta} beta", plan.cases()));
+    let chains = count(plan.chain_count() as u64, "chain");
+    line("problems", format!("{} distinct, in {chains}; elastic ones are solved once for all alpha", plan.problems()));
+    let (reused, new, failed) = (workload.converged, workload.new, workload.failed);
+    line("state", format!("{reused} reused, {new} new, {failed} failed before"));
+    if workload.new == 0 {
+        line("to do", "nothing to solve".to_owned());
+        console::print(&text)?;
+        return Ok(Exit::Success);
+    }
+    let pending = workload.pending.len() as u64;
+    let seeding = match workload.pending_cases - workload.new {
+        0 => String::new(),
+        others => format!("; {others} of the reused cases are solved again to seed the new ones"),
+    };
+    line("to do", format!("{} in {}{seeding}", count(new, "case"), count(pending, "chain")));
+    line("time", expected_time(&sweep, &workload, held.as_ref(), arguments));
+    let size = Size::of(&sweep, &plan, workload.new, pending);
+    line("disk", format!("about {} to store, {} published", bytes(size.stored), bytes(size.published)));
+    console::print(&text)?;
+    Ok(Exit::Success)
+}
+
+fn expected_time(sweep: &Sweep, workload: &Workload, held: Option<&Holdings>, arguments: &Arguments) -> String {
+    let threads = threads::number(arguments.threads).get();
+    let per_case = CaseSeconds::expected(sweep, workload, held);
+    let busy = threads.min(workload.pending.len());
+    let seconds = per_case.seconds() * workload.pending_cases as f64 / busy as f64;
+    let source = match per_case {
+        CaseSeconds::Logged(_) => "the mean of what the log has",
+        CaseSeconds::Estimated(_) => "guessed from the speed of this machine",
+    };
+    format!(
+        "about {} on {}; {} per case, {source}",
+        duration(seconds),
+        count(threads as u64, "thread"),
+        duration(per_case.seconds())
+    )
+}

@@ -1,0 +1,192 @@
+//! `stribeck run`: plans, resumes what is there, solves, publishes.
+
+use std::fmt::Write;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use clap::Args;
+
+use super::destination::{destination, had_other_sweep};
+use super::entry::{case_entry, panicked};
+use super::wording::{count, duration, rate};
+use super::workload::Workload;
+use super::{CliError, Exit, console, failures, shell, threads};
+use crate::continuation::{Interrupt, solve_chain};
+use crate::engine::{Engine, Progress, ProgressStyle, Report, Signals};
+use crate::relaxation::RelaxationSolver;
+use crate::store::{Ending, Publication, Published, Store, StoreError};
+use crate::sweep::{Method, Plan, Sweep};
+
+/// Failed cases that are listed at the end of a run.
+const LISTED_FAILURES: usize = 5;
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck run sweeps/quick.toml                        results in results/quick
+  stribeck run sweeps/quick.toml -o /scratch/quick --threads 8
+  stribeck run my.toml --quiet 2> run.log               messages only, no progress
+
+Run the same command again to resume a sweep that was interrupted; if nothing is left to do it says so.
+Values can be added to the axes of a sweep: what is solved is used again. Ctrl-C stores what is finished
+and ends the run with exit code 130; a second Ctrl-C ends it at once, which loses no stored case either.")]
+pub struct Arguments {
+    /// The sweep file (TOML); docs/sweep-file.md has its keys
+    sweep: PathBuf,
+    /// Results directory [default: results/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Solver threads [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
+    threads: Option<NonZeroUsize>,
+    /// Show no progress
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let start = Instant::now();
+    let sweep = Sweep::read(&arguments.sweep)?;
+    let plan = Plan::new(&sweep);
+    let directory = destination(arguments.output.as_deref(), &sweep)?;
+    let engine = Engine::new(threads::number(arguments.threads))?;
+    let interrupt = Arc::new(Interrupt::new());
+    let signals = Signals::watch(&interrupt)
+        .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
+
+    let other_sweep = had_other_sweep(&directory, &sweep);
+    let mut store = Store::open(&directory, &sweep.text, &sweep.output)?;
+    for warning in store.warnings() {
+        console::tell(&format!("warning: {warning}"));
+    }
+    let workload = Workload::survey(&plan, |id| store.holds(id));
+    if other_sweep {
+        console::tell(&about_other_sweep(&directory, &workload));
+    }
+    if !workload.pending.is_empty() {
+        let report = match solve(&sweep, &plan, &workload, &engine, &interrupt, arguments, &mut store) {
+            Err(CliError::Store(source)) => {
+                let progress = how_to_resume(&plan, &store, &directory);
+                return Err(CliError::Stopped { source, progress });
+            }
+            report => report?,
+        };
+        if report.interrupted {
+            store.end(Ending::Interrupted)?;
+            let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
+            console::tell(&format!("interrupted{signal}: {}", how_to_resume(&plan, &store, &directory)));
+            return Ok(Exit::Interrupted);
+        }
+        store.end(Ending::Completed)?;
+    }
+    let published = publish(&sweep, &plan, &mut store)?;
+    console::print(&summary(&plan, &store, &workload, &published, &directory, start.elapsed().as_secs_f64())?)?;
+    Ok(if published.failed == 0 { Exit::Success } else { Exit::CasesFailed })
+}
+
+/// Solves the pending chains and commits them as they finish.
+fn solve(
+    sweep: &Sweep,
+    plan: &Plan,
+    workload: &Workload,
+    engine: &Engine,
+    interrupt: &Interrupt,
+    arguments: &Arguments,
+    store: &mut Store,
+) -> Result<Report, CliError> {
+    store.begin(workload.new, threads::number(arguments.threads).get() as u64)?;
+    let solver = match sweep.solver.method {
+        Method::Relaxation => RelaxationSolver::new(sweep.solver.relaxation),
+    };
+    let output = &sweep.output;
+    let cases = |&index: &u32| plan.parameters(&plan.chain(index as usize));
+    let progress = Progress::start(workload.new, ProgressStyle::detect(arguments.quiet))
+        .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
+    let report = engine.run(
+        &workload.pending,
+        interrupt,
+        |index, interrupt| solve_chain(&solver, &cases(index), output, interrupt),
+        |index, message| panicked(&cases(index), output, message),
+        |&index, solved| -> Result<(), StoreError> {
+            // Cases that are held seeded the others; they keep the bytes they have.
+            let ids = plan.ids(&plan.chain(index as usize));
+            let (ids, solved): (Vec<_>, Vec<_>) =
+                ids.into_iter().zip(solved).filter(|(id, _)| store.holds(*id).is_none()).unzip();
+            progress.count(&solved);
+            let entries: Vec<_> = ids.into_iter().zip(solved).map(|(id, case)| case_entry(id, case)).collect();
+            store.commit(&entries)
+        },
+    )?;
+    Ok(report)
+}
+
+fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
+    let row = |i_f, i_alpha| (0..sweep.axes.beta.len()).map(|i_beta| plan.case_at(i_f, i_alpha, i_beta)).collect();
+    store.publish(&Publication {
+        title: &sweep.title,
+        sweep_text: &sweep.text,
+        f: &sweep.axes.f,
+        alpha: &sweep.axes.alpha,
+        beta: &sweep.axes.beta,
+        cases: &row,
+    })
+}
+
+fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
+    let (reused, new) = (workload.reused(), workload.new);
+    format!(
+        "note: {} was last run with another sweep file. Of the {} of this one {reused} are there and used again, {new} \
+         are new. Cases that only the other one has stay stored, but are not published.",
+        directory.display(),
+        count(reused + new, "case"),
+    )
+}
+
+fn how_to_resume(plan: &Plan, store: &Store, directory: &Path) -> String {
+    let left = Workload::survey(plan, |id| store.holds(id));
+    format!(
+        "{} saved in {}, {} left; resume with\n    {}",
+        count(left.reused(), "case"),
+        directory.display(),
+        left.new,
+        shell::own_command()
+    )
+}
+
+fn summary(
+    plan: &Plan,
+    store: &Store,
+    workload: &Workload,
+    published: &Published,
+    directory: &Path,
+    seconds: f64,
+) -> Result<String, CliError> {
+    let cases = count(published.converged + published.failed, "case");
+    let mut text = format!("{cases}: {} converged, {} failed\n", published.converged, published.failed);
+    let written = "writing to memory does not fail";
+    match workload.new {
+        0 if published.rewritten => text += "nothing to solve; published again\n",
+        0 => text += "nothing to do: all of it is solved and published\n",
+        new => {
+            let reused = match workload.reused() {
+                0 => String::new(),
+                reused => format!(" ({reused} more were there already)"),
+            };
+            let (cases, rate) = (count(new, "case"), rate(new as f64 / seconds));
+            writeln!(text, "solved {cases}{reused} in {}, {rate}", duration(seconds)).expect(written);
+        }
+    }
+    writeln!(text, "results in {}: results.h5, summary.csv, timings.csv", directory.display()).expect(written);
+    if published.failed > 0 {
+        let list = failures::first(plan, store, LISTED_FAILURES)?;
+        writeln!(text, "failed cases, the first {}:", list.len()).expect(written);
+        for (parameters, reason) in list {
+            writeln!(text, "  {}: {reason}", failures::place(&parameters)).expect(written);
+        }
+        let summary = directory.join("summary.csv");
+        writeln!(text, "all of them: {}, columns `status` and `reason`", summary.display()).expect(written);
+    }
+    Ok(text)
+}

@@ -1,0 +1,176 @@
+//! Bad sweep files: each row says what is wrong, where, and what the error has to say. Tests of the library and of the
+//! program share them.
+
+#![allow(dead_code)]
+
+/// Axes that are valid, in four lines; the rows of the table put something wrong after or instead of them.
+pub const AXES: &str = "[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = [10.0]\n";
+
+pub fn with_axes(rest: &str) -> String {
+    format!("{AXES}{rest}")
+}
+
+pub fn with_alpha(alpha: &str) -> String {
+    format!("[axes]\nf = [100.0]\nalpha = {alpha}\nbeta = [10.0]\n")
+}
+
+pub fn with_beta(beta: &str) -> String {
+    format!("[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = {beta}\n")
+}
+
+pub fn with_f(f: &str) -> String {
+    format!("[axes]\nf = {f}\nalpha = [1.0]\nbeta = [10.0]\n")
+}
+
+/// (text, place `line:column`, words of the message, words of the remedy)
+pub type Row = (String, &'static str, &'static str, &'static str);
+
+/// One row for each mistake.
+pub fn bad_files() -> Vec<Row> {
+    vec![
+        // No TOML.
+        ("[axes\nf = [1.0]".into(), "1:5", "unclosed table, expected `]`", "headers [section]"),
+        (with_axes("[solver]\nmethod = relaxation\n"), "6:10", "quoted", "double quotes"),
+        (
+            with_axes("[solver]\nmethod = \"relaxation\"\nmethod = \"relaxation\"\n"),
+            "7:1",
+            "duplicate key",
+            "only once",
+        ),
+        ("[axes]\nf = [1.0".into(), "2:8", "unclosed array", "brackets"),
+        // Keys.
+        (String::new(), "1:1", "needs `axes`", "[axes]"),
+        ("title = \"empty\"\n".into(), "1:1", "needs `axes`", "[axes]"),
+        ("title = \"t\"\n[axes]\nf = [1.0]\nalpha = [1.0]\n".into(), "2:1", "[axes] needs `beta`", "beta = ["),
+        (with_axes("[solvr]\n"), "5:2", "`solvr` is not a key of the top level", "did you mean `solver`?"),
+        ("[axes]\nf = [1.0]\nalhpa = [1.0]\n".into(), "3:1", "`alhpa` is not a key of [axes]", "`alpha`?"),
+        ("alpha = [1.0]\n".into(), "1:1", "top level, which has `title`, `axes`", "key of [axes]: move it there"),
+        (with_axes("[solver]\npoints = 401\n"), "6:1", "`points`", "[solver.relaxation]: move it there"),
+        (with_axes("[solver.relaxation]\nTolerance = 1e-8\n"), "6:1", "`Tolerance`", "did you mean `tolerance`?"),
+        (with_axes("[output]\nqwertyuiop = 1\n"), "6:1", "`qwertyuiop`", "remove the key, or write one of `fields`"),
+        (with_alpha("{ from = 1.0, to = 2.0, points = 3, step = 1 }"), "3:45", "`step`", "one of `from`"),
+        // Types.
+        ("axes = 3\n".into(), "1:8", "`axes` must be a table, found `3`", "`f`, `alpha`, `beta`"),
+        (with_f("100.0"), "2:5", "list or a range", "write [100.0]"),
+        (with_f("\"100\""), "2:5", "list or a range", "[10.0, 100.0]"),
+        (with_beta("[\"10\"]"), "4:9", "must be a number, found `\"10\"`", "without quotes"),
+        (with_beta("[1979-05-27]"), "4:9", "must be a number", "plain number"),
+        (with_axes("[output]\nlimits = \"yes\"\n"), "6:10", "must be true or false", "without quotes"),
+        (with_axes("[output]\nfields = \"pressure\"\n"), "6:10", "must be a list", "[\"pressure\""),
+        ("title = 5\n[axes]\nf = [1]\nalpha = [1]\nbeta = [1]\n".into(), "1:9", "must be a text", "double quotes"),
+        (with_axes("[substrate]\nmodes = 2\n"), "6:9", "must be a list", "share = 0.7"),
+        (with_axes("[substrate]\nmodes = [1.0]\n"), "6:10", "must be a table", "`share`, `time`"),
+        // Lists.
+        (with_alpha("[]"), "3:9", "at least one value", "[100.0]"),
+        (with_alpha("[10.0, 1.0]"), "3:16", "must ascend, found `1.0`", "sort the list"),
+        (with_alpha("[1, 1.0]"), "3:13", "only once, found `1.0`", "remove one"),
+        (with_alpha("[inf, inf]"), "3:15", "only once", "remove one"),
+        (with_alpha("[-1.0]"), "3:10", "at least 0, or inf, found `-1.0`", "positive"),
+        (with_alpha("[-inf]"), "3:10", "at least 0, or inf", "positive"),
+        (with_alpha("[1.0, nan]"), "3:15", "at least 0, or inf, found `nan`", "positive"),
+        (with_beta("[0.0]"), "4:9", "finite and above 0, found `0.0`", "beta is positive"),
+        (with_beta("[10.0, inf]"), "4:15", "finite and above 0", "large beta"),
+        (with_beta("[1e400]"), "4:9", "double precision, found `1e400`", "at most 1.79"),
+        (with_f("[-1]"), "2:6", "finite and at least 0, found `-1`", "elastic"),
+        (with_f("[inf]"), "2:6", "finite and at least 0", "elastic"),
+        // Ranges.
+        (with_alpha("{ from = 1.0, to = 2.0 }"), "3:9", "[axes.alpha] needs `points`", "points = 41"),
+        (with_alpha("{ from = 1.0, to = 2.0, points = 1 }"), "3:42", "from 2 to", "whole number"),
+        (with_alpha("{ from = 1.0, to = 2.0, points = 2.5 }"), "3:42", "whole number", "decimal point"),
+        (with_alpha("{ from = 1.0, to = 2.0, points = 100000000000 }"), "3:42", "to 1000000, found", "whole number"),
+        (with_alpha("{ from = 2.0, to = 1.0, points = 3 }"), "3:28", "above `axes.alpha.from` = 2.0", "swap"),
+        (with_alpha("{ from = 1.0, to = 1.0, points = 3 }"), "3:28", "above `axes.alpha.from`", "single value"),
+        (
+            with_alpha("{ from = 0.0, to = 1.0, points = 3, scale = \"log\" }"),
+            "3:18",
+            "above 0 on a log",
+            "begin above 0",
+        ),
+        (with_alpha("{ from = 1.0, to = inf, points = 3 }"), "3:28", "must be finite", "end of a list"),
+        (with_alpha("{ from = -1.0, to = 1.0, points = 3 }"), "3:18", "at least 0", "positive"),
+        (
+            with_alpha("{ from = 1.0, to = 2.0, points = 3, scale = \"lin\" }"),
+            "3:53",
+            "\"linear\" or \"log\"",
+            "\"linear\"?",
+        ),
+        (
+            with_beta("{ from = 1.0, to = 1.0000000000000002, points = 9 }"),
+            "4:8",
+            "9 points of `axes.beta` are not distinct",
+            "fewer points",
+        ),
+        (
+            "[axes]\nf = { from = 1, to = 2, points = 1001 }\nalpha = { from = 1, to = 2, points = 1000 }\n\
+             beta = { from = 1, to = 2, points = 1000 }\n"
+                .into(),
+            "1:1",
+            "at most 1000000000 cases, this one has 1001 f x 1000 alpha x 1000 beta",
+            "fewer points",
+        ),
+        // Substrate.
+        (with_axes("[substrate]\nmodes = []\n"), "6:9", "at least one retardation mode", "leave [substrate] out"),
+        (
+            with_axes("[substrate]\nmodes = [{ share = 0.5, time = 1.0 }, { share = 0.4, time = 2.0 }]\n"),
+            "6:9",
+            "add up to 1, not 0.9",
+            "scale the shares",
+        ),
+        (
+            with_axes("[substrate]\nmodes = [{ share = 0.0, time = 1.0 }]\n"),
+            "6:20",
+            "above 0 and at most 1",
+            "leave out",
+        ),
+        (
+            with_axes("[substrate]\nmodes = [{ share = 1.0, time = 0.0 }]\n"),
+            "6:32",
+            "finite and above 0",
+            "as in 100.0",
+        ),
+        (with_axes("[substrate]\nmodes = [{ share = 1.0 }]\n"), "6:10", "needs `time`", "time = 1.0"),
+        // Solver.
+        (with_axes("[solver]\nmethod = \"collocation\"\n"), "6:10", "not in this version", "method = \"relaxation\""),
+        (
+            with_axes("[solver]\nmethod = \"newton\"\n"),
+            "6:10",
+            "\"relaxation\" or \"collocation\"",
+            "write \"relaxation\"",
+        ),
+        (with_axes("[solver]\ntolerance = 1.0\n"), "6:13", "above 0 and below 1", "1e-5"),
+        (with_axes("[solver]\ntolerance = nan\n"), "6:13", "above 0 and below 1", "1e-5"),
+        (with_axes("[solver.relaxation]\npoints = 800\n"), "6:10", "an odd number", "halves the grid"),
+        (with_axes("[solver.relaxation]\npoints = 49\n"), "6:10", "from 51 to 20001, found `49`", "whole number"),
+        (with_axes("[solver.relaxation]\npoints = 401.0\n"), "6:10", "whole number", "decimal point"),
+        (with_axes("[solver.relaxation]\ntolerance = 1e-13\n"), "6:13", "from 1e-12 to 1e-2", "1e-8"),
+        (
+            with_axes("[solver.relaxation]\nacceleration = \"andersen\"\n"),
+            "6:16",
+            "\"anderson\" or \"none\"",
+            "\"anderson\"?",
+        ),
+        (with_axes("[solver.relaxation]\nestimate = 1\n"), "6:12", "true or false", "without quotes"),
+        (with_axes("[solver.relaxation]\ndomain = \"wide\"\n"), "6:10", "\"auto\" or [x_min, x_max]", "[-3.0, 4.0]"),
+        (with_axes("[solver.relaxation]\ndomain = [-3.0]\n"), "6:10", "\"auto\" or [x_min, x_max]", "both ends"),
+        (with_axes("[solver.relaxation]\ndomain = [0.5, 4.0]\n"), "6:11", "below 0", "on both sides"),
+        (
+            with_axes("[solver.relaxation]\ndomain = [-3.0, inf]\n"),
+            "6:17",
+            "above 0 and at most 100.0",
+            "on both sides",
+        ),
+        // Output.
+        (
+            with_axes("[output]\nfields = [\"presure\"]\n"),
+            "6:11",
+            "\"film_thickness\" or \"displacement\"",
+            "\"pressure\"?",
+        ),
+        (with_axes("[output]\nfields = [\"pressure\", \"pressure\"]\n"), "6:23", "only once", "remove one"),
+        (with_axes("[output]\nx = { from = 3.0, to = -3.0, points = 601 }\n"), "6:24", "must be above", "swap"),
+        (with_axes("[output]\nx = { from = -3.0, to = 3.0, points = 10002 }\n"), "6:39", "to 10001", "whole number"),
+        (with_axes("[output]\nx = [0.0, inf]\n"), "6:11", "must be finite", "a0"),
+        (with_axes("[output]\ncavity_shear = \"ful\"\n"), "6:16", "\"full\", \"streamers\" or \"none\"", "\"full\"?"),
+        ("title = \"two\\nlines\"\n".to_owned() + AXES, "1:9", "one line", "file's name"),
+    ]
+}

@@ -1,0 +1,414 @@
+//! The program from outside: help, exit codes, messages, and what each command says and leaves alone.
+
+mod bad_sweeps;
+mod program;
+
+use std::fs;
+use std::process::Stdio;
+
+use program::{code, err, out, paths, say, stribeck};
+use stribeck::continuation::{Interrupt, solve_chain};
+use stribeck::model::{COLUMNS, Parameters};
+use stribeck::relaxation::{RelaxationSolver, Settings};
+use tempfile::{TempDir, tempdir};
+
+/// Three rows, the elastic one at two places; three cases of one of them fail, as the domain does not hold the contact.
+const SMALL: &str = r#"
+[axes]
+f = [0.0, 10.0]
+alpha = [1.0, 100.0]
+beta = [10.0, 20.0, 40.0]
+[solver.relaxation]
+points = 101
+[output]
+fields = ["pressure"]
+x = { from = -2.0, to = 2.0, points = 41 }
+"#;
+
+/// The words of a message, however it is broken into lines and framed.
+fn words(message: &str) -> String {
+    message
+        .split(|c: char| c.is_whitespace() || "│×╰─▶".contains(c))
+        .filter(|word| !word.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// A directory with a sweep file in it.
+fn with_sweep(text: &str) -> TempDir {
+    let directory = tempdir().expect("a temporary directory");
+    fs::write(directory.path().join("small.toml"), text).expect("written");
+    directory
+}
+
+/// A directory with a finished sweep in `results/small`.
+fn finished() -> TempDir {
+    let directory = with_sweep(SMALL);
+    let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
+    assert_eq!(code(&run), 0, "{}", err(&run));
+    assert_eq!(err(&run), "", "--quiet is quiet");
+    directory
+}
+
+#[test]
+fn every_help_text_has_an_example() {
+    let directory = tempdir().expect("a temporary directory");
+    for command in ["run", "plan", "status", "solve", "verify"] {
+        let help = say(directory.path(), &[command, "--help"]);
+        assert_eq!(code(&help), 0);
+        assert!(out(&help).contains(&format!("\n  stribeck {command} ")), "{}", out(&help));
+        assert_eq!(out(&say(directory.path(), &["help", command])), out(&help));
+    }
+    let help = out(&say(directory.path(), &["--help"]));
+    for line in ["  stribeck run sweeps/quick.toml", "Exit codes: 0 all cases converged", "130 interrupted"] {
+        assert!(help.contains(line), "{help}");
+    }
+}
+
+#[test]
+fn examples_in_help_texts_are_valid_command_lines() {
+    let directory = with_sweep(SMALL);
+    let mut examples = 0;
+    for command in [&["--help"][..], &["run", "--help"], &["plan", "--help"], &["solve", "--help"]] {
+        let help = out(&say(directory.path(), command));
+        for line in help.lines().filter_map(|line| line.strip_prefix("  stribeck ")) {
+            let words = line.split("  ").next().unwrap_or_default().split_whitespace();
+            let words: Vec<&str> = words.take_while(|word| !["|", "2>", "&&"].contains(word)).collect();
+            // A sweep file that is not there is told apart from a line that is not understood.
+            if words[0] != "solve" {
+                let output = say(directory.path(), &words);
+                assert!(err(&output).contains("cannot read the sweep file"), "{line}\n{}", err(&output));
+            }
+            examples += 1;
+        }
+    }
+    assert!(examples >= 10);
+}
+
+#[test]
+fn bad_sweep_files_end_with_2_place_and_remedy_and_write_nothing() {
+    let directory = tempdir().expect("a temporary directory");
+    let table = bad_sweeps::bad_files();
+    assert!(table.len() >= 25);
+    for (text, place, message, remedy) in table {
+        fs::write(directory.path().join("bad.toml"), &text).expect("written");
+        for command in ["run", "plan"] {
+            let output = say(directory.path(), &[command, "bad.toml", "-o", "out"]);
+            let said = words(&err(&output));
+            assert_eq!(code(&output), 2, "{text}\n{said}");
+            assert!(said.contains(&format!("bad.toml:{place}: ")), "{text}\n{said}");
+            assert!(said.contains(&words(message)) && said.contains(&words(remedy)), "{text}\n{said}");
+            assert_eq!(out(&output), "");
+        }
+        assert_eq!(paths(directory.path()), [directory.path().join("bad.toml").display().to_string()], "{text}");
+    }
+}
+
+#[test]
+fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
+    let directory = with_sweep(SMALL);
+    let case = |more: &'static str| [vec!["solve", "--f", "10"], more.split(' ').collect()].concat();
+    let rows = [
+        (vec![], "Usage"),
+        (vec!["explain"], "unrecognized subcommand"),
+        (vec!["run"], "<SWEEP>"),
+        (vec!["run", "absent.toml"], "check the path"),
+        (vec!["run", "small.toml", "--threads", "0"], "from 1 to 1024"),
+        (vec!["run", "small.toml", "--threads", "100000"], "from 1 to 1024"),
+        (vec!["plan", "small.toml", "--threads", "two"], "from 1 to 1024"),
+        (case("--alpha -1 --beta 10"), "at least 0, or inf"),
+        (case("--alpha nan --beta 10"), "at least 0, or inf"),
+        (case("--alpha 1 --beta 0"), "finite number above 0"),
+        (case("--alpha 1 --beta inf"), "finite number above 0"),
+        (case("--alpha 1 --beta ten"), "finite number above 0"),
+        (case("--alpha 1 --beta 10 --points 800"), "odd whole number"),
+        (case("--alpha 1 --beta 10 --points 49"), "odd whole number from 51"),
+        (case("--alpha 1 --beta 10 --tolerance 0"), "1e-12 to 1e-2"),
+        (case("--alpha 1 --beta 10 --tolerance nan"), "1e-12 to 1e-2"),
+        (case("--alpha 1 --beta 10 --method collocation"), "not in this version; use relaxation"),
+        (case("--alpha 1 --beta 10 --method newton"), "relaxation"),
+        (case("--alpha 1 --beta 10 --acceleration fast"), "anderson or none"),
+        (case("--alpha 1 --beta 10 --estimate maybe"), "true, false"),
+        (vec!["solve", "--alpha", "1", "--beta", "10", "--f", "inf"], "at least 0; 0 is an elastic"),
+        (vec!["solve", "--alpha", "1", "--beta", "10"], "--f <F>"),
+    ];
+    for (arguments, remedy) in rows {
+        let output = say(directory.path(), &arguments);
+        assert_eq!(code(&output), 2, "{arguments:?}\n{}", err(&output));
+        assert!(err(&output).contains(remedy), "{arguments:?}\n{}", err(&output));
+    }
+    assert_eq!(paths(directory.path()).len(), 1, "nothing is written");
+}
+
+#[test]
+fn what_is_wrong_with_a_directory_ends_with_4_and_says_what_to_do() {
+    let directory = with_sweep(SMALL);
+    fs::write(directory.path().join("file"), "").expect("written");
+    let rows = [
+        (vec!["run", "small.toml", "-o", "file"], "choose another place with -o"),
+        (vec!["plan", "small.toml", "-o", "file"], "choose another place with -o"),
+        (vec!["run", "small.toml", "-o", "/proc/results"], "check"),
+        (vec!["run", "small.toml", "-o", "file/below"], "check"),
+        (vec!["status", "absent"], "give the directory that `stribeck run` wrote"),
+        (vec!["status", "file"], "give the directory that `stribeck run` wrote"),
+        (vec!["verify", "."], "give the directory that `stribeck run` wrote"),
+    ];
+    for (arguments, remedy) in rows {
+        let output = say(directory.path(), &arguments);
+        assert_eq!(code(&output), 4, "{arguments:?}\n{}", err(&output));
+        assert!(err(&output).starts_with("error: ") && err(&output).contains(remedy), "{}", err(&output));
+    }
+}
+
+#[test]
+fn a_finished_sweep_from_plan_to_verify() {
+    let directory = with_sweep(SMALL);
+    let here = directory.path();
+    let before = paths(here);
+    let plan = say(here, &["plan", "small.toml", "--threads", "2"]);
+    assert_eq!(code(&plan), 0, "{}", err(&plan));
+    assert!(out(&plan).contains("12 = 2 f x 2 alpha x 3 beta"), "{}", out(&plan));
+    assert!(out(&plan).contains("9 distinct, in 3 chains"), "{}", out(&plan));
+    assert!(out(&plan).contains("0 reused, 9 new, 0 failed before"), "{}", out(&plan));
+    assert_eq!(paths(here), before, "plan writes nothing");
+
+    let run = say(here, &["run", "small.toml"]);
+    assert_eq!(code(&run), 0, "{}", err(&run));
+    assert!(out(&run).starts_with("12 cases: 12 converged, 0 failed\nsolved 9 cases in "), "{}", out(&run));
+    assert!(out(&run).contains("results in results/small: results.h5, summary.csv, timings.csv"), "{}", out(&run));
+    assert!(err(&run).contains("9 of 9 cases"), "progress ends with a line: {}", err(&run));
+    let summary = fs::read_to_string(here.join("results/small/summary.csv")).expect("published");
+    assert_eq!(summary.lines().count(), 13);
+
+    let after = paths(here);
+    let plan = say(here, &["plan", "small.toml"]);
+    assert!(out(&plan).contains("9 reused, 0 new, 0 failed before"), "{}", out(&plan));
+    let status = say(here, &["status", "results/small"]);
+    assert_eq!(code(&status), 0, "{}", err(&status));
+    for line in [
+        "planned    9 cases, at 12 places",
+        "converged  9\n",
+        "failed     0\n",
+        "to do      0\n",
+        "all cases are solved",
+        "9 of 9 cases in",
+        ", completed\n",
+    ] {
+        assert!(out(&status).contains(line), "{line}\n{}", out(&status));
+    }
+    let verify = say(here, &["verify", "results/small"]);
+    assert_eq!(code(&verify), 0, "{}", out(&verify));
+    assert!(out(&verify).starts_with("read 3 shards with 9 cases, "), "{}", out(&verify));
+    assert!(out(&verify).ends_with("3 published files as it was written\nsound\n"), "{}", out(&verify));
+    assert_eq!(paths(here), after, "plan, status and verify write nothing");
+}
+
+#[test]
+fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
+    let directory = finished();
+    let results = directory.path().join("results/small");
+    let published = fs::read(results.join("results.h5")).expect("published");
+    for name in paths(&results).into_iter().filter(|name| name.ends_with(".h5")) {
+        let whole = fs::read(&name).expect("read");
+        let mut bytes = whole.clone();
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 1;
+        fs::write(&name, &bytes).expect("written");
+        let verify = say(directory.path(), &["verify", "results/small"]);
+        assert_eq!(code(&verify), 4, "{}", out(&verify));
+        assert!(
+            out(&verify).contains(&format!("{}: its checksum", name.rsplit_once("results/small/").expect("below").1)),
+            "{}",
+            out(&verify)
+        );
+        assert!(
+            out(&verify).contains("run the sweep again") && out(&verify).contains("1 problem found"),
+            "{}",
+            out(&verify)
+        );
+        if name.contains("shards") {
+            let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
+            assert_eq!(code(&run), 0, "{}", err(&run));
+            assert!(err(&run).contains("warning: ") && err(&run).contains("its 3 cases are not used"), "{}", err(&run));
+        } else {
+            fs::remove_file(&name).expect("removed, as the remedy says");
+            let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
+            assert!(out(&run).contains("nothing to solve; published again"), "{}", out(&run));
+        }
+        assert!(fs::read(&name).expect("read") == whole, "{name} is as it was");
+        assert_eq!(code(&say(directory.path(), &["verify", "results/small"])), 0);
+    }
+    assert!(fs::read(results.join("results.h5")).expect("published") == published);
+}
+
+#[test]
+fn cases_that_fail_end_with_3_and_are_told() {
+    let text =
+        SMALL.replace("points = 101", "points = 101\ndomain = [-3.0, 1.05]").replace("[0.0, 10.0]", "[0.0, 1e-3]");
+    let text = text.replace("beta = [10.0, 20.0, 40.0]", "beta = [10.0, 3e9]");
+    let directory = with_sweep(&text);
+    let here = directory.path();
+    let run = say(here, &["run", "small.toml", "--quiet"]);
+    assert_eq!(code(&run), 3, "{}\n{}", out(&run), err(&run));
+    assert!(out(&run).contains("f = 0, beta = 3000000000: "), "{}", out(&run));
+    assert!(out(&run).contains("results/small/summary.csv, columns `status` and `reason`"), "{}", out(&run));
+    let summary = fs::read_to_string(here.join("results/small/summary.csv")).expect("published");
+    let failed = summary.lines().filter(|row| row.contains(",failed,")).count();
+    assert!(failed > 0 && out(&run).contains(&format!(" {failed} failed\n")), "{}", out(&run));
+
+    let again = say(here, &["run", "small.toml", "--quiet"]);
+    assert_eq!(code(&again), 3, "nothing to do, and still not all converged");
+    assert!(out(&again).contains("nothing to do"), "{}", out(&again));
+    let plan = out(&say(here, &["plan", "small.toml"]));
+    assert!(plan.contains("0 new") && !plan.contains("0 failed before"), "{plan}");
+    let status = out(&say(here, &["status", "results/small"]));
+    assert!(status.contains("failures by region") && status.contains("beta 1e9 to 1e10: "), "{status}");
+}
+
+#[test]
+fn another_sweep_in_the_same_directory_is_told() {
+    let directory = finished();
+    fs::write(directory.path().join("other.toml"), SMALL.replace("40.0]", "40.0, 80.0]")).expect("written");
+    let plan = out(&say(directory.path(), &["plan", "other.toml", "-o", "results/small"]));
+    assert!(plan.contains("last run with another sweep file") && plan.contains("9 reused, 3 new"), "{plan}");
+    let run = say(directory.path(), &["run", "other.toml", "-o", "results/small", "--quiet"]);
+    assert_eq!(code(&run), 0, "{}", err(&run));
+    assert!(err(&run).contains("Of the 12 cases of this one 9 are there and used again, 3 are new"), "{}", err(&run));
+    let again = say(directory.path(), &["run", "other.toml", "-o", "results/small", "--quiet"]);
+    assert_eq!(err(&again), "");
+}
+
+#[test]
+fn what_is_expected_is_about_what_comes() {
+    let text = SMALL
+        .replace("points = 41", "points = 301")
+        .replace("[10.0, 20.0, 40.0]", "{ from = 10.0, to = 100.0, points = 30 }");
+    let directory = with_sweep(&text);
+    let plan = out(&say(directory.path(), &["plan", "small.toml"]));
+    let line = plan.lines().find(|line| line.starts_with("disk ")).expect("plan tells bytes");
+    let sizes: Vec<f64> = line
+        .split_once("about ")
+        .expect("sizes")
+        .1
+        .split(", ")
+        .map(|part| {
+            let mut words = part.split(' ');
+            let number: f64 = words.next().and_then(|word| word.parse().ok()).expect("a number");
+            number
+                * match words.next() {
+                    Some("kB") => 1e3,
+                    Some("MB") => 1e6,
+                    unit => panic!("{unit:?} in {line}"),
+                }
+        })
+        .collect();
+    assert_eq!(code(&say(directory.path(), &["run", "small.toml", "--quiet"])), 0);
+    let results = directory.path().join("results/small");
+    let size = |place: &str| -> f64 {
+        let path = results.join(place);
+        let files = if path.is_dir() { paths(&path) } else { vec![path.display().to_string()] };
+        files.iter().map(|file| fs::metadata(file).expect("there").len() as f64).sum()
+    };
+    let stored = size("shards") + size("log");
+    let published = size("results.h5") + size("summary.csv") + size("timings.csv");
+    for (expected, real) in [(sizes[0], stored), (sizes[1], published)] {
+        assert!((expected / real).ln().abs() < 0.25, "expected {expected}, came {real}; {line}");
+    }
+}
+
+#[test]
+fn one_case_is_what_the_library_solves() {
+    let directory = tempdir().expect("a temporary directory");
+    let arguments = "solve --alpha 2 --beta 50 --f 10 --points 201 --json";
+    let solve = say(directory.path(), &arguments.split(' ').collect::<Vec<_>>());
+    assert_eq!(code(&solve), 0, "{}", err(&solve));
+    let object: serde_json::Value = serde_json::from_str(&out(&solve)).expect("JSON");
+
+    let settings = Settings { points: 201, estimate: true, ..Settings::default() };
+    let parameters = [Parameters::new(2.0, 50.0, 10.0)];
+    let output = stribeck::model::Output::default();
+    let solved = solve_chain(&RelaxationSolver::new(settings), &parameters, &output, &Interrupt::new());
+    let case = solved.expect("not interrupted").remove(0);
+    let solution = case.outcome.expect("converged");
+    let row = solution.quantities.row(&solution.errors, &case.limits);
+    for (column, value) in COLUMNS.iter().zip(row).filter(|(column, _)| column.in_summary) {
+        assert_eq!(object[column.name].as_f64().map(f64::to_bits), Some(value.to_bits()), "{}", column.name);
+    }
+    assert_eq!(object["seed"], case.seed.to_string());
+    assert_eq!(object["iterations"], case.effort.iterations);
+    assert!(object["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0));
+    assert_eq!((&object["status"], &object["reason"]), (&"converged".into(), &serde_json::Value::Null));
+    let keys: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
+    let mut header: Vec<&str> =
+        "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
+         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,iterations,seconds"
+            .split(',')
+            .collect();
+    header.sort_unstable();
+    assert_eq!(keys, header);
+}
+
+#[test]
+fn one_case_as_a_table_has_the_same_numbers_and_no_estimate_is_null() {
+    let directory = tempdir().expect("a temporary directory");
+    let case = ["solve", "--alpha", "inf", "--beta", "50", "--f", "10", "--points", "201"];
+    let table = out(&say(directory.path(), &case));
+    let json = out(&say(directory.path(), &[&case[..], &["--json", "--estimate", "false"]].concat()));
+    let object: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(object["alpha"], "inf");
+    assert!(object["error_c"].is_null());
+    for (symbol, limit) in [("mu_h", Some("approx_mu_h")), ("c", None), ("p_max", None)] {
+        let row = table.lines().find(|line| line.starts_with(&format!("{symbol} "))).expect("a row");
+        let shown = |name: &str| format!("{:.6e}", object[name].as_f64().expect("a number"));
+        assert!(row.contains(&shown(symbol)), "{table}");
+        assert!(limit.is_none_or(|limit| row.contains(&shown(limit))), "{table}");
+    }
+    for word in ["seed hertz", " passes, ", "201 points", "elastic: depends on beta alone", "estimated relative error"]
+    {
+        assert!(table.contains(word), "{word}: {table}");
+    }
+}
+
+#[test]
+fn a_case_that_fails_ends_with_3_and_has_its_reason() {
+    let directory = tempdir().expect("a temporary directory");
+    let case = ["solve", "--alpha", "1", "--beta", "3e9", "--f", "10", "--points", "51"];
+    let table = say(directory.path(), &case);
+    assert_eq!(code(&table), 3, "{}", out(&table));
+    assert!(out(&table).starts_with("f = 10, alpha = 1, beta = 3000000000: failed\n"), "{}", out(&table));
+    let json = say(directory.path(), &[&case[..], &["--json"]].concat());
+    assert_eq!(code(&json), 3);
+    let object: serde_json::Value = serde_json::from_str(&out(&json)).expect("JSON");
+    assert_eq!(object["status"], "failed");
+    assert!(object["mu_v"].is_null() && object["dry_mu_v"].is_number());
+    assert!(object["reason"].as_str().is_some_and(|reason| out(&table).contains(reason)));
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_error() {
+    let directory = finished();
+    for arguments in [
+        vec!["status", "results/small"],
+        vec!["verify", "results/small"],
+        vec!["run", "small.toml"],
+        vec!["plan", "small.toml"],
+    ] {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let command = stribeck(directory.path()).args(&arguments).stdout(Stdio::from(writer)).output();
+        let output = command.expect("the program starts");
+        assert_eq!(code(&output), 0, "{arguments:?}: {}", err(&output));
+        assert_eq!(err(&output), "", "{arguments:?}");
+    }
+}
+
+#[test]
+fn status_without_its_sweep_file_counts_what_is_stored() {
+    let directory = finished();
+    let sweep = directory.path().join("results/small/sweep.toml");
+    fs::remove_file(&sweep).expect("removed");
+    let status = say(directory.path(), &["status", "results/small"]);
+    assert_eq!(code(&status), 0, "{}", err(&status));
+    assert!(out(&status).contains("9 converged, 0 failed"), "{}", out(&status));
+    assert!(err(&status).contains("how many cases were planned is not known"), "{}", err(&status));
+}
