@@ -384,6 +384,34 @@ fn a_case_that_fails_ends_with_3_and_has_its_reason() {
     assert!(object["reason"].as_str().is_some_and(|reason| out(&table).contains(reason)));
 }
 
+#[cfg(unix)]
+#[test]
+fn a_disk_that_takes_no_more_ends_with_4_and_the_command_that_resumes() {
+    let text = SMALL.replace("points = 41", "points = 6001");
+    let directory = with_sweep(&text);
+    // At most 50 kB a file: enough for the log, too little for a shard.
+    let limited = std::process::Command::new("sh")
+        .args(["-c", "trap '' XFSZ; ulimit -f 100; exec \"$0\" run small.toml --quiet"])
+        .arg(env!("CARGO_BIN_EXE_stribeck"))
+        .current_dir(directory.path())
+        .output()
+        .expect("sh runs");
+    assert_eq!(code(&limited), 4, "{}", err(&limited));
+    assert!(err(&limited).starts_with("error: cannot write results/small/shards/"), "{}", err(&limited));
+    assert!(err(&limited).contains("0 cases saved in results/small, 9 left; resume with\n    "), "{}", err(&limited));
+    let resume = err(&limited).lines().next_back().expect("a line").trim().to_owned();
+    let shell = std::process::Command::new("sh").args(["-c", &resume]).current_dir(directory.path()).output();
+    assert_eq!(code(&shell.expect("sh runs")), 0, "{resume}");
+}
+
+#[test]
+fn a_sweep_of_a_billion_cases_is_planned_at_once() {
+    let axis = "{ from = 1.0, to = 2.0, points = 1000 }";
+    let directory = with_sweep(&format!("[axes]\nf = {axis}\nalpha = {axis}\nbeta = {axis}\n"));
+    let plan = say(directory.path(), &["plan", "small.toml"]);
+    assert!(out(&plan).contains("0 reused, 1000000000 new, 0 failed before"), "{}", out(&plan));
+}
+
 #[test]
 fn a_reader_that_goes_away_is_no_error() {
     let directory = finished();

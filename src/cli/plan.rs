@@ -45,7 +45,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     for warning in held.iter().flat_map(Holdings::warnings) {
         console::tell(&format!("warning: {warning}"));
     }
-    let workload = Workload::survey(&plan, |id| held.as_ref().and_then(|held| held.holds(id)));
+    let workload = Workload::survey(&plan, held.as_ref());
 
     let axes = &sweep.axes;
     let (f, alpha, beta) = (axes.f.len(), axes.alpha.len(), axes.beta.len());

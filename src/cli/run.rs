@@ -61,7 +61,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     for warning in store.warnings() {
         console::tell(&format!("warning: {warning}"));
     }
-    let workload = Workload::survey(&plan, |id| store.holds(id));
+    let workload = Workload::survey(&plan, Some(&store));
     if other_sweep {
         console::tell(&about_other_sweep(&directory, &workload));
     }
@@ -145,14 +145,13 @@ fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
 }
 
 fn how_to_resume(plan: &Plan, store: &Store, directory: &Path) -> String {
-    let left = Workload::survey(plan, |id| store.holds(id));
-    format!(
-        "{} saved in {}, {} left; resume with\n    {}",
-        count(left.reused(), "case"),
-        directory.display(),
-        left.new,
-        shell::own_command()
-    )
+    let left = Workload::survey(plan, Some(store));
+    let (saved, place, command) = (count(left.reused(), "case"), directory.display(), shell::own_command());
+    let earlier = match directory.join("results.h5").exists() {
+        true => "; what is published there is of an earlier state",
+        false => "",
+    };
+    format!("{saved} saved in {place}, {} left{earlier}; resume with\n    {command}", left.new)
 }
 
 fn summary(

@@ -50,7 +50,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     match sweep {
         Ok(sweep) => {
             let plan = Plan::new(&sweep);
-            let workload = Workload::survey(&plan, |id| held.holds(id));
+            let workload = Workload::survey(&plan, Some(&held));
             text += &of_sweep(arguments, &sweep, &plan, &workload, &held, owner.as_deref());
             text += &starts(&held, owner.is_some());
             text += &failed_regions(&failures::regions(&plan, &held)?);

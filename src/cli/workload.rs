@@ -1,7 +1,6 @@
 //! What of a plan is left to do.
 
-use crate::model::CaseId;
-use crate::store::Status;
+use crate::store::{Counts, Holdings, Status};
 use crate::sweep::Plan;
 
 /// What of a plan is done, and what is left. Counts are of distinct cases.
@@ -20,13 +19,15 @@ pub struct Workload {
 }
 
 impl Workload {
-    /// Asks for each case of the plan what became of it.
-    pub fn survey(plan: &Plan, held: impl Fn(CaseId) -> Option<Status>) -> Self {
+    /// Asks for each case of the plan what became of it. Where nothing is held there is nothing to ask, which makes the
+    /// plan of a billion cases quick.
+    pub fn survey(plan: &Plan, held: Option<&Holdings>) -> Self {
+        let Some(held) = held.filter(|held| held.counts() != Counts::default()) else { return Self::all(plan) };
         let mut workload = Self::default();
         for (index, chain) in (0..).zip(plan.chains()) {
             let before = workload.new;
             for id in plan.ids(&chain) {
-                match held(id) {
+                match held.holds(id) {
                     None => workload.new += 1,
                     Some(Status::Converged) => workload.converged += 1,
                     Some(Status::Failed) => workload.failed += 1,
@@ -38,6 +39,13 @@ impl Workload {
             }
         }
         workload
+    }
+
+    /// All of the plan.
+    fn all(plan: &Plan) -> Self {
+        let chains = u32::try_from(plan.chain_count()).expect("a sweep has at most 10^9 cases");
+        let cases = plan.problems() as u64;
+        Self { pending: (0..chains).collect(), pending_cases: cases, new: cases, ..Self::default() }
     }
 
     /// Cases that are held.

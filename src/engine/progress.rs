@@ -81,6 +81,8 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if let Display::Bar(bar) = &self.display {
             bar.abandon(); // Leaves the bar on the screen as it is, also where the run was cut short.
+            // What comes next begins a line of its own. A stderr that takes no line feed has no reader.
+            let _ = writeln!(io::stderr());
         }
     }
 }
