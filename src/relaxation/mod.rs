@@ -1,8 +1,8 @@
 //! The paper's solver (Sec. 3, Eqs. 37–44): Gauss–Seidel relaxation of Reynolds' equation on a uniform grid.
 //!
-//! [`reynolds`] holds the discrete equation and the pass, [`deformation`] the displacement, [`far_field`] what lies beyond
-//! the grid, [`iteration`] one round of passes and the load balance, [`convergence`] when to stop and what to do when it
-//! does not converge, [`quantities`] and [`fields`] what comes out.
+//! `reynolds.rs` holds the discrete equation and the pass, `deformation.rs` the displacement, `far_field.rs` what lies
+//! beyond the grid, `iteration.rs` one round of passes and the load balance, `convergence.rs` when to stop and what to do
+//! when it does not converge, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out.
 
 mod anderson;
 mod convergence;

@@ -211,24 +211,26 @@ impl CaseSolver for RelaxationSolver {
         Ok(self.shared(parameters, self.grid(parameters)?, output))
     }
 
-    /// The elastic solution at the same β, or, where the dry contact is nearer to that of the instantaneous modulus, the
-    /// one at β/(1+f) with x over √(1+f), u over 1+f and p times √(1+f).
+    /// The elastic solution at the same β or, where the dry contact is nearer to that of the instantaneous modulus, at
+    /// β/(1+f); moved onto the dry contact of the case (centre b, half width ā), which carries it away from x = 0 where α
+    /// is about 1/√(1+f): x = b + āξ, p over ā, u times ā², as for an elastic case of compliance ā².
     fn start(&self, shared: &Shared, parameters: &Parameters, work: &mut Work) -> Result<(State, Seed), Halt> {
         if parameters.is_relaxed_elastic() {
             let seed = self.elastic(parameters.beta, work)?;
             return Ok((seed.1.on(&seed.0, shared.finest()), Seed::Hertz));
         }
-        let stiffening = 1.0 + parameters.f;
-        let (_, _, half_width) = exact::contact_bounds(parameters);
-        let rescaled = half_width < stiffening.powf(-0.25);
-        let scale = if rescaled { stiffening.sqrt() } else { 1.0 };
-        let seed = self.elastic(parameters.beta / (scale * scale), work)?;
+        let (trailing, leading, half_width) = exact::contact_bounds(parameters);
+        let (centre, compliance) = (0.5 * (trailing + leading), half_width * half_width);
+        let instantaneous = parameters.instantaneous_compliance();
+        let rescaled = compliance < instantaneous.sqrt();
+        let seed_beta = parameters.beta * if rescaled { instantaneous } else { 1.0 };
+        let seed = self.elastic(seed_beta, work)?;
         let (grid, state) = (&seed.0, &seed.1);
         let target = shared.finest();
-        let pressure = (0..target.grid.points)
-            .map(|i| scale * grid.interpolate(&state.pressure, scale * target.grid.x(i)))
-            .collect();
-        let guess = State::resting(target, pressure, state.c / (scale * scale));
+        let moved = |i| grid.interpolate(&state.pressure, (target.grid.x(i) - centre) / half_width) / half_width;
+        let pressure = (0..target.grid.points).map(moved).collect();
+        let film = compliance * elastic_film(compliance * parameters.beta) / elastic_film(seed_beta);
+        let guess = State::resting(target, pressure, film * state.c);
         let guess = self.refine(shared, parameters.beta, guess, work)?;
         Ok((guess, if rescaled { Seed::RescaledElastic } else { Seed::Elastic }))
     }

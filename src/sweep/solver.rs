@@ -99,7 +99,7 @@ fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
     let (x_min, x_max) = (left.number()?, right.number()?);
     let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on both \
                 sides of it, as in [-3.0, 4.0]";
-    if !(x_min < 0.0 && x_min >= -FARTHEST) {
+    if !(-FARTHEST..0.0).contains(&x_min) {
         let what = format!("x_min of the domain must be below 0 and at least {:?}", -FARTHEST);
         return Err(left.fault(what, "not left of the contact", help));
     }
