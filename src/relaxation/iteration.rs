@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::deformation::{Deformation, DeformationSpace};
 use super::far_field::FarField;
+use super::parabola::{parabola, vertex};
 use super::reynolds::{self, Relaxation};
 use super::stiffness::HALF_WIDTHS;
 use super::{Grid, State};
@@ -160,9 +161,12 @@ impl<'a> Iteration<'a> {
         self.separation += LOAD_GAIN * self.c() * self.load_residual();
     }
 
-    /// The film at the largest pressure: c, where the pressure is near its solution.
+    /// The film at the largest pressure: c, where the pressure is near its solution. A continuous function of the state:
+    /// taken at the nearest point it would jump, and the iteration with it.
     pub fn c(&self) -> f64 {
-        self.u[index_of_largest(&self.p)]
+        let i = index_of_largest(&self.p).clamp(1, self.p.len() - 2);
+        let t = vertex(&self.p[i - 1..=i + 1]);
+        parabola(&self.u[i - 1..=i + 1], t)
     }
 
     /// Smallest film thickness on the grid.

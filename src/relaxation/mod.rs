@@ -13,6 +13,7 @@ mod fields;
 mod grid;
 mod inner_product;
 mod iteration;
+mod parabola;
 mod quantities;
 mod reynolds;
 mod settings;

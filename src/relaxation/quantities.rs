@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::iteration::{Iteration, index_of_largest};
+use super::parabola::{parabola, vertex};
 use crate::model::{CavityShear, Friction, Quantities};
 
 /// All numbers of a converged state. Second order in Δx where the film is resolved; what lies beyond the grid is
@@ -56,18 +57,6 @@ fn film_min(state: &Iteration) -> f64 {
     let u = &state.u;
     let i = (0..u.len()).fold(0, |best, i| if u[i] < u[best] { i } else { best }).clamp(1, u.len() - 2);
     parabola(&u[i - 1..=i + 1], vertex(&u[i - 1..=i + 1]))
-}
-
-/// Place of the extremum of the parabola through three values, in steps from the middle one, at most half a step.
-fn vertex(values: &[f64]) -> f64 {
-    let curvature = values[0] - 2.0 * values[1] + values[2];
-    let t = 0.5 * (values[0] - values[2]) / curvature;
-    if t.is_finite() { t.clamp(-0.5, 0.5) } else { 0.0 }
-}
-
-/// The parabola through three values, `t` steps from the middle one.
-fn parabola(values: &[f64], t: f64) -> f64 {
-    values[1] + 0.5 * t * (values[2] - values[0]) + 0.5 * t * t * (values[0] - 2.0 * values[1] + values[2])
 }
 
 /// The outlet, beside the first point under pressure: u = c there (T2 with T5).
