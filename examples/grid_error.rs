@@ -1,7 +1,7 @@
 //! Errors of the relaxation solver against `tests/reference/single_mode.csv` on several grids, as a Markdown table.
 //!
 //! ```text
-//! cargo run --release --example grid_error -- [--points 401,801,1601] [--min-alpha 1] [--max-beta 1e4] [--plain]
+//! cargo run --release --example grid_error -- [--points 401,801,1601] [--min-alpha 1] [--max-beta 1e3] [--plain]
 //! ```
 //!
 //! The orders are log₂ of the ratio of two errors on grids of Δx and Δx/2. A case that fails stands in the table as such,
@@ -33,7 +33,7 @@ struct Options {
 impl Options {
     fn parse() -> Result<Self, Box<dyn Error>> {
         let acceleration = Acceleration::Anderson;
-        let mut options = Self { points: vec![401, 801, 1601], min_alpha: 1.0, max_beta: 1e4, acceleration };
+        let mut options = Self { points: vec![401, 801, 1601], min_alpha: 1.0, max_beta: 1e3, acceleration };
         let mut arguments = std::env::args().skip(1);
         while let Some(name) = arguments.next() {
             if name == "--plain" {
