@@ -125,7 +125,7 @@ mod tests {
         let end = 4.0;
         for power in [3, 5] {
             for x in [-30.0, -2.0, -1.0, 0.0, 0.4, 1.1, 1.3, 3.0, 3.99, 4.0, 4.01, 9.0, 60.0] {
-                let integrand = |t: f64| t.powi(power - 2) * (x - end / t).abs().ln();
+                let integrand = |t: f64| t.powi(power - 2) * (x - end / t).abs().max(f64::MIN_POSITIVE).ln();
                 let shrinking = |from: f64, to: f64| -> f64 {
                     let panel = |i| {
                         let width = (to - from) * 0.5_f64.powi(i + 1);

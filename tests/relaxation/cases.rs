@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use rayon::prelude::*;
 use stribeck::continuation::{Interrupt, Solution, SolvedCase, solve_chain};
 use stribeck::exact::contact_bounds;
+use stribeck::model::gauss::unit_interval;
 use stribeck::model::{FieldSelection, Output, Parameters, Quantities};
 use stribeck::relaxation::{RelaxationSolver, Settings};
 
@@ -123,22 +124,52 @@ pub fn reference() -> Vec<Reference> {
 /// A reference case as the solver has it on one grid.
 pub struct Solved {
     pub reference: Reference,
-    /// The grid, where the fields are.
+    /// The grid.
     pub x: Vec<f64>,
+    /// Fields on the grid, then at [`ahead`] of it.
     pub solution: Solution,
+}
+
+/// The film ahead of the grid: position, quadrature weight of an integral to infinity, film thickness and p′ by (T2).
+pub struct Ahead {
+    pub x: f64,
+    pub weight: f64,
+    pub film: f64,
+    pub gradient: f64,
+}
+
+/// Where the film ahead of a grid is looked at, ascending, with the weights of an integral from its end to infinity.
+fn ahead(end: f64) -> Vec<(f64, f64)> {
+    let mut nodes: Vec<(f64, f64)> = unit_interval().map(|(t, weight)| (end / t, weight * end / (t * t))).collect();
+    nodes.reverse();
+    nodes
 }
 
 impl Solved {
     pub fn pressure(&self) -> &[f64] {
-        self.solution.fields.pressure.as_ref().unwrap()
+        &self.solution.fields.pressure.as_ref().unwrap()[..self.x.len()]
     }
 
     pub fn film(&self) -> &[f64] {
-        self.solution.fields.film_thickness.as_ref().unwrap()
+        &self.solution.fields.film_thickness.as_ref().unwrap()[..self.x.len()]
     }
 
     pub fn displacement(&self) -> &[f64] {
-        self.solution.fields.displacement.as_ref().unwrap()
+        &self.solution.fields.displacement.as_ref().unwrap()[..self.x.len()]
+    }
+
+    /// The end of the grid.
+    pub fn end(&self) -> f64 {
+        self.x[self.x.len() - 1]
+    }
+
+    pub fn ahead(&self) -> Vec<Ahead> {
+        let film = &self.solution.fields.film_thickness.as_ref().unwrap()[self.x.len()..];
+        let (beta, c) = (self.reference.parameters.beta, self.quantities().c);
+        let nodes = ahead(self.end()).into_iter().zip(film);
+        nodes
+            .map(|((x, weight), &film)| Ahead { x, weight, film, gradient: -(film - c) / (beta * film.powi(3)) })
+            .collect()
     }
 
     pub fn quantities(&self) -> &Quantities {
@@ -171,7 +202,8 @@ pub fn solve_reference(points: usize, wanted: impl Fn(&Parameters) -> bool) -> V
     let solve = |chain: &[Reference]| {
         let x = grid(&chain[0].parameters, points);
         let cases: Vec<Parameters> = chain.iter().map(|row| row.parameters.clone()).collect();
-        let solved = solutions(settings(points), &cases, &fields_at(x.clone()));
+        let wanted = x.iter().copied().chain(ahead(x[points - 1]).iter().map(|node| node.0)).collect();
+        let solved = solutions(settings(points), &cases, &fields_at(wanted));
         let pairs = chain.iter().cloned().zip(solved);
         pairs.map(|(reference, solution)| Solved { reference, x: x.clone(), solution }).collect::<Vec<_>>()
     };

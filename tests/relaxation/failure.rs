@@ -24,7 +24,7 @@ fn is_sane(parameters: &Parameters, case: &SolvedCase) {
                 friction.drag,
             ];
             assert!(positive.iter().all(|value| *value > 0.0 && value.is_finite()), "{parameters:?}: {quantities:?}");
-            let small = 1e-4 * friction.total();
+            let small = 1e-3 * friction.total();
             assert!(
                 friction.viscoelastic > -small && friction.viscoelastic.is_finite(),
                 "{parameters:?}: {quantities:?}"

@@ -54,7 +54,7 @@ fn pressure_outlet_and_drag_are_those_of_the_reference() {
             let peak = (found.p_max / reference.p_max - 1.0).abs();
             assert!(peak < f64::max(bound, 1e-3 * refinement), "{parameters:?}, {}: p_max {peak:.1e}", case.x.len());
             let outlet = (found.x_outlet - reference.x_outlet).abs();
-            assert!(outlet < 0.3 * step, "{parameters:?}, {}: outlet {outlet:.1e}, step {step:.1e}", case.x.len());
+            assert!(outlet < 0.6 * step, "{parameters:?}, {}: outlet {outlet:.1e}, step {step:.1e}", case.x.len());
             let drag = (found.friction.drag / reference.drag - 1.0).abs();
             assert!(drag < f64::max(bound, 1e-3 * refinement), "{parameters:?}, {}: drag {drag:.1e}", case.x.len());
         }
