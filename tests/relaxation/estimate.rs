@@ -1,5 +1,6 @@
 //! Richardson's estimate against the true error.
 
+use stribeck::model::Parameters;
 use stribeck::relaxation::Settings;
 
 use crate::cases::{chain, no_fields, outcomes, reference, settings, solutions};
@@ -36,7 +37,7 @@ fn the_estimate_is_the_error_within_a_factor_of_three() {
 /// No estimate unless asked for, and none where there is no second grid.
 #[test]
 fn an_estimate_needs_a_second_grid() {
-    let case = [stribeck::model::Parameters::new(1.0, 10.0, 1.0)];
+    let case = [Parameters::new(1.0, 10.0, 1.0)];
     let without = solutions(settings(201), &case, &no_fields()).remove(0);
     assert!(without.errors.c.is_nan() && without.errors.mu_v.is_nan() && without.errors.mu_h.is_nan());
     let too_few = Settings { estimate: true, ..settings(151) };

@@ -59,7 +59,7 @@ fn a_domain_that_does_not_hold_the_contact_is_a_failure_that_says_so() {
     }
 }
 
-/// A fixed domain that suits the first case of a row of cases does not change what becomes of another one.
+/// What fails in the middle of a chain does not take the others along.
 #[test]
 fn a_failure_does_not_stop_the_chain() {
     let cases = [1e2, 1e9, 2e2].map(Parameters::elastic);

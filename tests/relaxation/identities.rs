@@ -2,7 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use stribeck::model::{Parameters, RetardationMode, Substrate};
+use stribeck::continuation::Solution;
+use stribeck::model::{Limits, Parameters, RetardationMode, Substrate};
+
+use stribeck::relaxation::{Domain, Settings};
 
 use crate::cases::{
     AT_401, AT_801, Ahead, Solved, chain, fields_at, grid, no_fields, on_grid, relative, settings, solutions, uniform,
@@ -127,9 +130,7 @@ fn a_mode_split_in_two_changes_nothing() {
         for shares in [[0.5, 0.5], [0.3, 0.7]] {
             let two = with_modes(alpha, beta, f, &[(shares[0], 1.0), (shares[1], 1.0)]);
             let two = on_grid(401, &two).1;
-            let row = |solution: &stribeck::continuation::Solution| {
-                solution.quantities.row(&solution.errors, &stribeck::model::Limits::UNKNOWN)
-            };
+            let row = |solution: &Solution| solution.quantities.row(&solution.errors, &Limits::UNKNOWN);
             for (one, two) in row(&one)[..9].iter().zip(&row(&two)[..9]) {
                 assert!((one - two).abs() <= 1e-7 * one.abs(), "{one} and {two}");
             }
@@ -141,8 +142,8 @@ fn a_mode_split_in_two_changes_nothing() {
 #[test]
 fn a_mode_without_a_share_does_not_count() {
     // the automatic domain would follow the second mode
-    let domain = stribeck::relaxation::Domain::Fixed { x_min: -3.0, x_max: 4.0 };
-    let fixed = stribeck::relaxation::Settings { domain, ..settings(401) };
+    let domain = Domain::Fixed { x_min: -3.0, x_max: 4.0 };
+    let fixed = Settings { domain, ..settings(401) };
     let one = solutions(fixed, &chain(1.0, 1.0, &[10.0]), &no_fields()).remove(0).quantities;
     let mut last = f64::INFINITY;
     for share in [1e-1, 1e-3, 1e-6] {

@@ -1,9 +1,10 @@
 //! Limits with known answers.
 
+use stribeck::continuation::Solution;
 use stribeck::exact::{DryContact, HertzContact};
 use stribeck::model::{Parameters, Quantities};
 
-use crate::cases::{AT_401, AT_801, chain, fields_at, no_fields, relative, settings, solutions, uniform};
+use crate::cases::{AT_401, AT_801, Solved, chain, fields_at, no_fields, relative, settings, solutions, uniform};
 
 fn assert_same(found: &Quantities, expected: &Quantities, tolerance: f64, what: &str) {
     let pairs = [
@@ -106,8 +107,7 @@ fn an_elastic_substrate_has_no_friction() {
 fn friction_approaches_dry_sliding_from_below() {
     for (alpha, f) in [(1.0, 1.0), (1.0, 10.0), (1.0, 100.0), (10.0, 10.0), (10.0, 100.0), (100.0, 100.0)] {
         let dry = DryContact::new(alpha, f).friction();
-        let of_case =
-            |case: &&crate::cases::Solved| (case.reference.parameters.alpha, case.reference.parameters.f) == (alpha, f);
+        let of_case = |case: &&Solved| (case.reference.parameters.alpha, case.reference.parameters.f) == (alpha, f);
         let found: Vec<f64> =
             AT_801.iter().filter(of_case).map(|case| case.quantities().friction.viscoelastic).collect();
         assert_eq!(found.len(), 3);
@@ -142,7 +142,7 @@ fn pressure_approaches_that_of_dry_contact() {
     let creeping = solutions(settings(801), &chain(1.0, 1.0, &[10.0, 1000.0]), &fields_at(middle.clone()));
     let dry_elastic: Vec<f64> = x.iter().map(|&x| hertz.pressure(x)).collect();
     for (solved, dry) in [(elastic, dry_elastic), (creeping, contact.pressure_on(&middle))] {
-        let distance = |case: &stribeck::continuation::Solution| {
+        let distance = |case: &Solution| {
             let pairs = case.fields.pressure.as_ref().unwrap().iter().zip(&dry);
             pairs.map(|(p, dry)| (p - dry).abs()).fold(0.0, f64::max)
         };

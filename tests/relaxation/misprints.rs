@@ -40,15 +40,14 @@ fn equation_44_must_lower_the_cylinder_too() {
     const BETA: f64 = 0.1;
     let film = RigidFilm::new(BETA);
     let load = |separation: f64| film.separation() / (2.0 * BETA * film.c() * separation);
-    let follow = |start: f64, residual: fn(f64) -> f64| {
+    let follow = |start: f64, residual: &dyn Fn(f64) -> f64| {
         let gain = 0.1 * film.separation();
         (0..2000).fold(start, |separation, _| separation + gain * residual(load(separation) / FRAC_PI_2 - 1.0))
     };
-    let (signed, printed): (fn(f64) -> f64, fn(f64) -> f64) = (|residual| residual, f64::abs);
     for start in [0.5, 2.0].map(|factor| factor * film.separation()) {
-        assert!(relative(follow(start, signed), film.separation()) < 1e-9, "from {start}");
+        assert!(relative(follow(start, &|signed| signed), film.separation()) < 1e-9, "from {start}");
     }
-    let lifted = follow(2.0 * film.separation(), printed);
+    let lifted = follow(2.0 * film.separation(), &f64::abs);
     assert!(lifted > 3.0 * film.separation(), "{lifted}");
 }
 

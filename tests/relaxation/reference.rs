@@ -1,5 +1,7 @@
 //! Errors against solutions of another method, and their order.
 
+use stribeck::model::Parameters;
+
 use crate::cases::{AT_401, AT_801, Solved, solve_reference};
 
 /// F_v, F_h, c, u_min, the four whose errors `docs/relaxation.md` shows; relative, F_v of an elastic substrate over F_tot.
@@ -79,13 +81,13 @@ fn twice_the_points_leave_a_third_of_the_error_at_most() {
 #[test]
 #[ignore = "slow: 1601 points"]
 fn the_order_is_two_where_the_film_is_resolved() {
-    let wanted = |case: &stribeck::model::Parameters| {
+    let wanted = |case: &Parameters| {
         matches!((case.f, case.alpha), (0.0, _) | (10.0, 1.0) | (100.0, 10.0) | (1.0, 1.0)) && case.beta <= 1000.0
     };
     let grids = [401, 801, 1601].map(|points| solve_reference(points, wanted));
     let mut orders: [Vec<f64>; 4] = Default::default();
-    for i in 0..grids[0].len() {
-        for (coarse, fine) in [(&grids[0][i], &grids[1][i]), (&grids[1][i], &grids[2][i])] {
+    for pair in grids.windows(2) {
+        for (coarse, fine) in pair[0].iter().zip(&pair[1]) {
             for (quantity, (coarse, fine)) in errors(coarse).into_iter().zip(errors(fine)).enumerate() {
                 if fine > 1e-6 {
                     orders[quantity].push((coarse / fine).log2());
