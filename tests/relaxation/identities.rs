@@ -3,8 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use stribeck::continuation::Solution;
-use stribeck::model::{Limits, Parameters, RetardationMode, Substrate};
-
+use stribeck::model::{DisplacementKernel, Limits, Parameters, RetardationMode, Substrate};
 use stribeck::relaxation::{Domain, Settings};
 
 use crate::cases::{
@@ -129,6 +128,11 @@ fn a_mode_split_in_two_changes_nothing() {
         let one = on_grid(401, &Parameters::new(alpha, beta, f)).1;
         for shares in [[0.5, 0.5], [0.3, 0.7]] {
             let two = with_modes(alpha, beta, f, &[(shares[0], 1.0), (shares[1], 1.0)]);
+            for x in [-3.0, -0.1, 0.0, 0.01, 2.0] {
+                let average = |parameters| DisplacementKernel::new(parameters).cell_average(x, 0.02);
+                assert!((average(&two) - average(&Parameters::new(alpha, beta, f))).abs() < 1e-13);
+            }
+            // what is left is where the iteration stops
             let two = on_grid(401, &two).1;
             let row = |solution: &Solution| solution.quantities.row(&solution.errors, &Limits::UNKNOWN);
             for (one, two) in row(&one)[..9].iter().zip(&row(&two)[..9]) {
