@@ -41,6 +41,19 @@ fn the_domain_does_not_matter() {
     }
 }
 
+/// Nor for a film much thicker than the contact is wide, on a domain ten times as long.
+#[test]
+fn a_thick_film_does_not_feel_the_domain() {
+    for beta in [0.03, 0.1, 0.3] {
+        let parameters = Parameters::elastic(beta);
+        let long = Settings { domain: Domain::Fixed { x_min: -30.0, x_max: 40.0 }, ..settings(801) };
+        let (auto, long) = (quantities(settings(801), &parameters), quantities(long, &parameters));
+        let (c, drag) = (relative(auto.c, long.c), relative(auto.friction.drag, long.friction.drag));
+        println!("β = {beta}: c {c:.1e}, drag {drag:.1e}, x_outlet {:.2}", auto.x_outlet);
+        assert!(c < 5e-4 && drag < 5e-4, "β = {beta}: c {c:.1e}, drag {drag:.1e}");
+    }
+}
+
 /// A case alone, at the end of a chain, and at the end of a finer one.
 #[test]
 fn the_seed_does_not_matter() {
