@@ -138,4 +138,33 @@ mod tests {
             assert!((x - exact).abs() < 1e-8 * exact, "{x} instead of {exact}");
         }
     }
+
+    proptest::proptest! {
+        /// Whatever the contraction, the mixed iterate is never farther from the fixed point than plain iteration gets in as
+        /// many steps, and stays there: the same map, its fixed point as start.
+        #[test]
+        fn a_contraction_ends_at_its_fixed_point(
+            rates in proptest::collection::vec(-0.95..0.95_f64, 8),
+            shifts in proptest::collection::vec(-1.0..1.0_f64, 8),
+        ) {
+            let mut anderson = Anderson::new(8, 5);
+            let map = |x: &[f64]| -> Vec<f64> {
+                (0..8).map(|i| shifts[i] + rates[i] * x[i]).collect()
+            };
+            let distance = |x: &[f64]| -> f64 {
+                (0..8).map(|i| (x[i] - shifts[i] / (1.0 - rates[i])).abs()).fold(0.0, f64::max)
+            };
+            let mut x = vec![0.0; 8];
+            for _ in 0..60 {
+                let mut image = map(&x);
+                anderson.mix(&x, &mut image);
+                x = image;
+            }
+            proptest::prop_assert!(distance(&x) < 1e-6, "{x:?}");
+            let before = x.clone();
+            let mut image = map(&x);
+            anderson.mix(&before, &mut image);
+            proptest::prop_assert!(distance(&image) < 1e-5, "{image:?}");
+        }
+    }
 }

@@ -87,3 +87,85 @@ impl Deformation {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Parameters, gauss};
+
+    const END: f64 = 4.0;
+
+    /// (1 − x²)² and the load of a film ahead.
+    fn smooth(grid: &Grid) -> (Vec<f64>, f64) {
+        let bump = |x: f64| (1.0 - x * x).max(0.0).powi(2);
+        let mut p: Vec<f64> = (0..grid.points).map(|i| bump(grid.x(i))).collect();
+        p[grid.points - 1] = 0.01;
+        (p, 0.02)
+    }
+
+    #[test]
+    fn the_transform_is_the_sum_over_the_cells() {
+        for (alpha, f) in [(1.0, 0.0), (0.0, 3.0), (1e-3, 10.0), (1.0, 1.0), (50.0, 100.0), (1e6, 1e3)] {
+            for points in [64, 201] {
+                let kernel = DisplacementKernel::new(&Parameters::new(alpha, 1.0, f));
+                let grid = Grid { x_min: -3.0, x_max: END, points };
+                let deformation = Deformation::new(&kernel, &grid);
+                let (p, tail_load) = smooth(&grid);
+                let mut w = vec![0.0; points];
+                deformation.displace(&p, tail_load, &mut w, &mut deformation.space());
+                let (dx, last) = (grid.spacing(), points - 1);
+                for (i, w) in w.iter().enumerate() {
+                    let cells = (0..last).map(|k| p[k] * kernel.cell_average(grid.x(i) - grid.x(k), dx));
+                    let end = EndColumn::new(&kernel, &grid, grid.x(i)).displacement(p[last], tail_load);
+                    let sum = dx / PI * cells.sum::<f64>() + end;
+                    assert!((w - sum).abs() < 1e-12 * (1.0 + sum.abs()), "α {alpha}, f {f}, point {i}: {w} and {sum}");
+                }
+            }
+        }
+    }
+
+    /// e(x) = (1/π) ∫ (1 − s²)² ln|x − s| ds (T7), by panels that shrink towards s = x.
+    fn elastic(x: f64) -> f64 {
+        let integrand = |s: f64| (1.0 - s * s).powi(2) * (x - s).abs().ln();
+        let from = |singular: f64, end: f64| -> f64 {
+            let panel = |i| {
+                let far = (end - singular) * 0.5_f64.powi(i);
+                0.5 * far * gauss::mean(singular + 0.5 * far, singular + far, integrand)
+            };
+            (0..36).map(panel).sum()
+        };
+        let singular = x.clamp(-1.0, 1.0);
+        (from(singular, 1.0) - from(singular, -1.0)) / PI
+    }
+
+    /// v(x) = ∫_0^∞ e^{−ξ} e(x + ξ/α) dξ (T8), by panels of half a unit.
+    fn retarded(alpha: f64, x: f64) -> f64 {
+        let panel = |i: i32| {
+            let start = 0.5 * f64::from(i);
+            0.5 * gauss::mean(start, start + 0.5, |xi| (-xi).exp() * elastic(x + xi / alpha))
+        };
+        (0..80).map(panel).sum()
+    }
+
+    /// Kernel (T10) and filter (T8) are two ways to the same displacement (T9). Cells of constant pressure are of second
+    /// order: a quarter of the error on half the cells.
+    #[test]
+    fn kernel_and_filter_agree_for_a_smooth_pressure() {
+        for (alpha, f) in [(0.3, 1.0), (2.0, 10.0), (20.0, 3.0)] {
+            let kernel = DisplacementKernel::new(&Parameters::new(alpha, 1.0, f));
+            let places = [0, 2, 5, 8, 11, 13, 16].map(|k| -2.0 + 0.25 * f64::from(k));
+            let exact = places.map(|x| (elastic(x) + f * retarded(alpha, x)) / (1.0 + f));
+            let errors = [141, 281].map(|points| {
+                let grid = Grid { x_min: -3.0, x_max: END, points };
+                let deformation = Deformation::new(&kernel, &grid);
+                let mut p = smooth(&grid).0;
+                p[points - 1] = 0.0;
+                let mut w = vec![0.0; points];
+                deformation.displace(&p, 0.0, &mut w, &mut deformation.space());
+                let pairs = places.iter().zip(exact);
+                pairs.map(|(&x, exact)| (grid.cubic(&w, x) - exact).abs()).fold(0.0, f64::max)
+            });
+            assert!(errors[0] < 1e-3 && errors[1] < 0.3 * errors[0], "α {alpha}, f {f}: {errors:?}");
+        }
+    }
+}

@@ -58,3 +58,31 @@ impl Grid {
             .sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Both interpolations hit the points; the linear one is exact for lines, the cubic one for cubics, up to the ends.
+        #[test]
+        fn interpolation_is_exact_for_its_polynomials(
+            coefficients in prop::array::uniform4(-2.0..2.0),
+            points in 5_usize..60,
+            place in 0.0..=1.0,
+        ) {
+            let grid = Grid { x_min: -1.5, x_max: 2.0, points };
+            let x = grid.x_min + place * (grid.x_max - grid.x_min);
+            let [a, b, c, d] = coefficients;
+            let cubic = |x: f64| a + x * (b + x * (c + x * d));
+            let line = |x: f64| a + b * x;
+            let on_grid = |function: &dyn Fn(f64) -> f64| (0..points).map(|i| function(grid.x(i))).collect::<Vec<_>>();
+            prop_assert!((grid.cubic(&on_grid(&cubic), x) - cubic(x)).abs() < 1e-11);
+            prop_assert!((grid.interpolate(&on_grid(&line), x) - line(x)).abs() < 1e-12);
+            let i = (place * (points - 1) as f64) as usize;
+            prop_assert!((grid.interpolate(&on_grid(&cubic), grid.x(i)) - cubic(grid.x(i))).abs() < 1e-11);
+            prop_assert_eq!(grid.interpolate(&on_grid(&line), grid.x_max + 1e-3), 0.0);
+        }
+    }
+}

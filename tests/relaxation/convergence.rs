@@ -1,0 +1,50 @@
+//! The range in which every case must converge with default settings.
+
+use rayon::prelude::*;
+use stribeck::model::Limits;
+
+use crate::cases::{chain, fields_at, grid, settings, solutions, uniform};
+
+/// β from 10 to 1000, evenly in ln β.
+fn betas(count: usize) -> Vec<f64> {
+    uniform(1.0, 3.0, count).into_iter().map(|exponent| 10_f64.powf(exponent)).collect()
+}
+
+/// f = 0, 10, 100; α = 1, 10, 100, 1000, without the same problem twice.
+fn the_box_is_solved(points: usize, count: usize) {
+    let betas = betas(count);
+    let viscoelastic = [10.0, 100.0].into_iter().flat_map(|f| [1.0, 10.0, 100.0, 1000.0].map(|alpha| (alpha, f)));
+    let pairs: Vec<(f64, f64)> = std::iter::once((1.0, 0.0)).chain(viscoelastic).collect();
+    pairs.into_par_iter().with_max_len(1).for_each(|(alpha, f)| {
+        let cases = chain(alpha, f, &betas);
+        let output = fields_at(grid(&cases[0], points));
+        for (case, solution) in cases.iter().zip(solutions(settings(points), &cases, &output)) {
+            let (quantities, fields) = (&solution.quantities, &solution.fields);
+            assert!(fields.film_thickness.as_ref().unwrap().iter().all(|&u| u > 0.0), "{case:?}: film");
+            assert!(fields.pressure.as_ref().unwrap().iter().all(|&p| p >= 0.0), "{case:?}: pressure");
+            assert!(fields.displacement.as_ref().unwrap().iter().all(|w| w.is_finite()), "{case:?}: displacement");
+            assert!(quantities.load_residual <= 1e-8, "{case:?}: load {:.1e}", quantities.load_residual);
+            assert!(quantities.film_min > 0.0 && quantities.film_min < quantities.c, "{case:?}: {quantities:?}");
+            let row = solution.quantities.row(&solution.errors, &Limits::UNKNOWN);
+            assert!(row[..9].iter().all(|value| value.is_finite()), "{case:?}: {quantities:?}");
+        }
+    });
+}
+
+#[test]
+fn everything_in_the_box_converges_with_401_points() {
+    the_box_is_solved(401, 7);
+}
+
+#[test]
+#[ignore = "slow: 801 points"]
+fn everything_in_the_box_converges_with_801_points() {
+    the_box_is_solved(801, 5);
+}
+
+/// Finer steps in β.
+#[test]
+#[ignore = "slow: 81 cases"]
+fn finer_steps_converge_too() {
+    the_box_is_solved(401, 9);
+}

@@ -1,0 +1,46 @@
+//! Richardson's estimate against the true error.
+
+use stribeck::model::Parameters;
+use stribeck::relaxation::Settings;
+
+use crate::cases::{chain, no_fields, outcomes, reference, settings, solutions};
+
+/// Within a factor of three where the film is resolved. F_v of the elastic cases is zero: there is nothing to compare.
+#[test]
+fn the_estimate_is_the_error_within_a_factor_of_three() {
+    for (alpha, f) in [(f64::INFINITY, 0.0), (1.0, 1.0), (1.0, 10.0), (10.0, 100.0)] {
+        let betas = [100.0, 1000.0];
+        let rows = reference().into_iter().filter(|row| {
+            (row.parameters.alpha, row.parameters.f) == (alpha, f) && betas.contains(&row.parameters.beta)
+        });
+        let with_estimate = Settings { estimate: true, ..settings(801) };
+        for (row, solution) in rows.zip(solutions(with_estimate, &chain(alpha, f, &betas), &no_fields())) {
+            let (found, errors, case) = (solution.quantities, solution.errors, &row.parameters);
+            let mut compared = vec![
+                ("mu_h", errors.mu_h, found.friction.hydrodynamic(), row.hydrodynamic()),
+                ("c", errors.c, found.c, row.c),
+            ];
+            if row.viscoelastic > 0.0 {
+                compared.push(("mu_v", errors.mu_v, found.friction.viscoelastic, row.viscoelastic));
+            } else {
+                assert!(errors.mu_v < 1e-3, "{case:?}: estimate {:.1e} of an F_v that is zero", errors.mu_v);
+            }
+            for (name, estimate, value, exact) in compared {
+                let error = (value / exact - 1.0).abs();
+                let within = error / 3.0 < estimate && estimate < 3.0 * error;
+                assert!(within, "{case:?}: {name}: {estimate:.1e} for {error:.1e}");
+            }
+        }
+    }
+}
+
+/// No estimate unless asked for, and none where there is no second grid.
+#[test]
+fn an_estimate_needs_a_second_grid() {
+    let case = [Parameters::new(1.0, 10.0, 1.0)];
+    let without = solutions(settings(201), &case, &no_fields()).remove(0);
+    assert!(without.errors.c.is_nan() && without.errors.mu_v.is_nan() && without.errors.mu_h.is_nan());
+    let too_few = Settings { estimate: true, ..settings(151) };
+    let reason = outcomes(too_few, &case, &no_fields()).remove(0).outcome.unwrap_err().reason;
+    assert!(reason.contains("no error estimate") && reason.contains("201"), "{reason}");
+}

@@ -1,0 +1,12 @@
+//! Laws of the relaxation solver: what it must give whatever it does inside.
+
+mod cases;
+mod convergence;
+mod effort;
+mod estimate;
+mod failure;
+mod identities;
+mod invariance;
+mod limits;
+mod misprints;
+mod reference;
