@@ -34,8 +34,9 @@ impl DisplacementKernel {
     /// A constant in K moves the whole surface in proportion to the load, and h₀ absorbs it (T3). At small α it is
     /// large, about ln(1/α): an iteration that holds h₀ would answer any change of load with a film of another thickness.
     pub fn levelled(self, length: f64) -> Self {
-        let level =
-            self.level + 0.5 * (self.regular(length) + self.regular(-length)) + self.singular_weight() * length.ln();
+        let mean =
+            |&(weight, rate): &(f64, f64)| 0.5 * weight * (retarded_mode(rate, length) + retarded_mode(rate, -length));
+        let level = self.singular_weight() * length.ln() + self.retarded.iter().map(mean).sum::<f64>();
         Self { level, ..self }
     }
 
@@ -51,15 +52,19 @@ impl DisplacementKernel {
             + retarded.map(|&(weight, rate)| weight * cell_average_retarded_log(rate * x, rate * width)).sum::<f64>()
     }
 
-    /// K split as `log_weight` ln|x| + K_regular(x), with K_regular bounded at x = 0: the weight of the logarithm, which
-    /// is the instantaneous compliance wherever there is retardation.
+    /// The weight of ln|x| in K where x → 0: the instantaneous compliance over the relaxed one. What is left of K is bounded.
     pub fn singular_weight(&self) -> f64 {
         self.log_weight - self.retarded.iter().map(|(weight, _)| weight).sum::<f64>()
     }
 
-    /// The bounded part, K(x) − level − `singular_weight` ln|x| = Σ_j (f_j/(1+f)) [S(α_j x) + ln|x|] − level.
-    pub fn regular(&self, x: f64) -> f64 {
-        let retarded = self.retarded.iter();
-        retarded.map(|&(weight, rate)| weight * (retarded_log_integral(rate * x) - rate.ln())).sum::<f64>() - self.level
+    /// The retarded modes, (f_j/(1+f), α_j) each, with K(x) = `singular_weight` ln|x| + Σ_j (f_j/(1+f)) I(α_j, x) − level and
+    /// the bounded I of [`retarded_mode`].
+    pub fn retarded(&self) -> &[(f64, f64)] {
+        &self.retarded
     }
+}
+
+/// I(α, x) = S(αx) + ln|x|, bounded at x = 0; its derivative is α S(αx) (T11).
+pub fn retarded_mode(rate: f64, x: f64) -> f64 {
+    retarded_log_integral(rate * x) - rate.ln()
 }

@@ -9,7 +9,7 @@ mod outcome;
 mod output;
 mod parameters;
 
-pub use displacement::DisplacementKernel;
+pub use displacement::{DisplacementKernel, retarded_mode};
 pub use identity::{CaseId, NotACaseId};
 pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
 pub use output::{CavityShear, FieldSelection, Output};

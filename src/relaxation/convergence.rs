@@ -31,7 +31,7 @@ const DIVERGED: f64 = 1e3;
 /// A relative error of the load beyond this is taken for divergence too.
 const FLOATING: f64 = 0.3;
 /// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
-const MOST_UNRESOLVED: f64 = 0.5;
+const MOST_UNRESOLVED: f64 = 0.1;
 
 /// Outlet and largest pressure lie at least so many points inside the grid.
 const NEAREST_TO_AN_END: usize = 4;

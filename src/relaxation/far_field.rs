@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use super::Grid;
 use super::inner_product::inner_product;
-use crate::model::{DisplacementKernel, gauss};
+use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
 /// Points beyond one end of the grid, with quadrature weights for the integral from there to infinity.
 pub struct FarField {
@@ -92,11 +92,26 @@ impl EndColumn {
     }
 }
 
-/// ∫_X^∞ (X/s)^k K(x − s) ds: the logarithm in closed form, the bounded part of K by quadrature in t = X/s.
+/// ∫_X^∞ (X/s)^k K(x − s) ds.
 fn tail(kernel: &DisplacementKernel, x: f64, end: f64, power: i32) -> f64 {
-    let nodes = gauss::unit_interval();
-    let regular: f64 = nodes.map(|(t, weight)| weight * t.powi(power - 2) * kernel.regular(x - end / t)).sum();
-    kernel.singular_weight() * log_tail(x, end, power) + end * regular
+    let retarded = kernel.retarded().iter();
+    let modes: f64 = retarded.map(|&(weight, rate)| weight * retarded_tail(rate, x, end, power, 0)).sum();
+    kernel.singular_weight() * log_tail(x, end, power) + modes - kernel.level() * end / f64::from(power - 1)
+}
+
+/// J_k = ∫_X^∞ (X/s)^k I(x − s) ds with the bounded I of [`retarded_mode`].
+///
+/// I varies on the scale 1/α. Where that is not small against X, quadrature in t = X/s does. Where it is, I is nearly the
+/// logarithm, and integration by parts gives J_k = ∫ (X/s)^k ln|x − s| ds + [I(x − X) − (k/X) J_{k+1}]/α; three times
+/// over, an error of the quadrature counts no more.
+fn retarded_tail(rate: f64, x: f64, end: f64, power: i32, depth: usize) -> f64 {
+    const SMOOTH: f64 = 8.0;
+    if depth == 3 || rate * end < SMOOTH {
+        let value = |t: f64| t.powi(power - 2) * retarded_mode(rate, x - end / t);
+        return end * gauss::mean(0.0, 1.0, value);
+    }
+    let next = retarded_tail(rate, x, end, power + 1, depth + 1);
+    log_tail(x, end, power) + (retarded_mode(rate, x - end) - f64::from(power) / end * next) / rate
 }
 
 /// ∫_X^∞ (X/s)^k ln|x − s| ds = X/(k−1) (ln|X − x| + j_{k−1}), where j_m = X^m ∫_X^∞ s^{−m}/(s − x) ds follows from
