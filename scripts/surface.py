@@ -98,6 +98,9 @@ def draw_panel(axes, figure, panel, failed, symbol):
             lines.set_path_effects(halo)
             for label in axes.clabel(lines, fontsize=8, fmt=lambda level: f"{level:g}", inline_spacing=3):
                 label.set_path_effects([withStroke(linewidth=2.2, foreground="0.2")])
+                # steep labels all read upwards
+                angle = (label.get_rotation() + 90) % 180 - 90
+                label.set_rotation(angle + 180 if angle < -60 else angle)
         bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=24)
         bar.ax.set_title(rf"${symbol}\,R/a_0$", fontsize=11, loc="left")
         if isinstance(scale, Normalize) and not isinstance(scale, LogNorm):
