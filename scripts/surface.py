@@ -100,7 +100,7 @@ def draw_panel(axes, figure, panel, failed, symbol):
                 label.set_path_effects([withStroke(linewidth=2.2, foreground="0.2")])
                 # steep labels all read upwards
                 angle = (label.get_rotation() + 90) % 180 - 90
-                label.set_rotation(angle + 180 if angle < -60 else angle)
+                label.set_rotation(angle + 180 if angle < -75 else angle)
         bar = figure.colorbar(mesh, ax=axes, pad=0.02, aspect=24)
         bar.ax.set_title(rf"${symbol}\,R/a_0$", fontsize=11, loc="left")
         if isinstance(scale, Normalize) and not isinstance(scale, LogNorm):
