@@ -64,14 +64,14 @@ impl<S: CaseSolver> Ladder<'_, S> {
     fn solve(self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
         let mut work = Work::new(self.interrupt);
         let mut reasons: Vec<String> = Vec::new();
-        let mut last_seed = Seed::Elastic;
+        let mut seed = Seed::Elastic;
         for rung in self.rungs() {
-            let (seed, outcome) = match self.attempt(&rung, parameters, &mut work) {
-                Ok((seed, state, solution)) => (seed, Ok((state, solution))),
-                Err((_, Halt::Interrupted)) => return Err(Interrupted),
-                Err((seed, Halt::Failed(failure))) => (seed, Err(failure)),
-            };
-            match outcome {
+            seed = rung.seed();
+            let attempt = self.guess(&rung, parameters, &mut work).and_then(|(guess, from)| {
+                seed = from;
+                self.solution(parameters, &guess, &mut work)
+            });
+            match attempt {
                 Ok((state, solution)) => {
                     if self.solved.len() == 2 {
                         self.solved.remove(0);
@@ -79,14 +79,12 @@ impl<S: CaseSolver> Ladder<'_, S> {
                     self.solved.push((parameters.beta, state));
                     return Ok(SolvedCase { outcome: Ok(solution), limits, seed, effort: work.effort });
                 }
-                Err(failure) => {
-                    reasons.push(format!("from {seed}: {}", failure.reason));
-                    last_seed = seed;
-                }
+                Err(Halt::Failed(failure)) => reasons.push(format!("from {seed}: {}", failure.reason)),
+                Err(Halt::Interrupted) => return Err(Interrupted),
             }
         }
         let failure = Failure { reason: reasons.join("; ") };
-        Ok(SolvedCase { outcome: Err(failure), limits, seed: last_seed, effort: work.effort })
+        Ok(SolvedCase { outcome: Err(failure), limits, seed, effort: work.effort })
     }
 
     fn rungs(&self) -> Vec<Rung> {
@@ -102,36 +100,27 @@ impl<S: CaseSolver> Ladder<'_, S> {
         rungs
     }
 
-    /// One seed and the solution from it.
-    #[allow(clippy::type_complexity)]
-    fn attempt(
-        &self,
-        rung: &Rung,
-        parameters: &Parameters,
-        work: &mut Work,
-    ) -> Result<(Seed, S::State, Solution), (Seed, Halt)> {
-        let (seed, guess) = match *rung {
-            Rung::Predictor => (Seed::Predictor, self.solver.predict(self.shared, self.solved, parameters.beta)),
-            Rung::Neighbour => (Seed::Neighbour, self.solver.predict(self.shared, self.nearest(), parameters.beta)),
-            Rung::Intermediate(points) => {
-                let seed = Seed::Intermediate(points);
-                let guess = self.walk(points, parameters, work).map_err(|halt| (seed.clone(), halt))?;
-                (seed, guess)
-            }
-            Rung::Start => {
-                let (guess, seed) =
-                    self.solver.start(self.shared, parameters, work).map_err(|halt| (Seed::Elastic, halt))?;
-                (seed, guess)
-            }
+    /// The first guess of a rung, and where it came from.
+    fn guess(&self, rung: &Rung, parameters: &Parameters, work: &mut Work) -> Result<(S::State, Seed), Halt> {
+        let guess = match *rung {
+            Rung::Predictor => self.solver.predict(self.shared, self.solved, parameters.beta),
+            Rung::Neighbour => self.solver.predict(self.shared, self.nearest(), parameters.beta),
+            Rung::Intermediate(points) => self.walk(points, parameters, work)?,
+            Rung::Start => return self.solver.start(self.shared, parameters, work),
         };
-        let solution = self.solver.solve(self.shared, parameters, &guess, work).and_then(|state| {
-            let evaluate = self.solver.evaluate(self.shared, parameters, &state, self.output, work);
-            evaluate.map(|solution| (state, solution))
-        });
-        match solution {
-            Ok((state, solution)) => Ok((seed, state, solution)),
-            Err(halt) => Err((seed, halt)),
-        }
+        Ok((guess, rung.seed()))
+    }
+
+    /// The solution near a guess, and what is to be known of it.
+    fn solution(
+        &self,
+        parameters: &Parameters,
+        guess: &S::State,
+        work: &mut Work,
+    ) -> Result<(S::State, Solution), Halt> {
+        let state = self.solver.solve(self.shared, parameters, guess, work)?;
+        let solution = self.solver.evaluate(self.shared, parameters, &state, self.output, work)?;
+        Ok((state, solution))
     }
 
     /// The guess at a case after solving `points` cases between it and its neighbour, evenly spaced in ln β.
@@ -163,4 +152,16 @@ enum Rung {
     Neighbour,
     Intermediate(usize),
     Start,
+}
+
+impl Rung {
+    /// The seed of a case that climbed so far; the solver's own start may name another.
+    fn seed(&self) -> Seed {
+        match *self {
+            Rung::Predictor => Seed::Predictor,
+            Rung::Neighbour => Seed::Neighbour,
+            Rung::Intermediate(points) => Seed::Intermediate(points),
+            Rung::Start => Seed::Elastic,
+        }
+    }
 }
