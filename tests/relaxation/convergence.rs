@@ -12,11 +12,14 @@ fn betas(count: usize) -> Vec<f64> {
 
 /// f = 0, 10, 100; α = 1, 10, 100, 1000, without the same problem twice.
 fn the_box_is_solved(points: usize, count: usize) {
-    let betas = betas(count);
     let viscoelastic = [10.0, 100.0].into_iter().flat_map(|f| [1.0, 10.0, 100.0, 1000.0].map(|alpha| (alpha, f)));
-    let pairs: Vec<(f64, f64)> = std::iter::once((1.0, 0.0)).chain(viscoelastic).collect();
+    are_solved(std::iter::once((1.0, 0.0)).chain(viscoelastic).collect(), points, &betas(count));
+}
+
+/// Every (α, f) at every β.
+fn are_solved(pairs: Vec<(f64, f64)>, points: usize, betas: &[f64]) {
     pairs.into_par_iter().with_max_len(1).for_each(|(alpha, f)| {
-        let cases = chain(alpha, f, &betas);
+        let cases = chain(alpha, f, betas);
         let output = fields_at(grid(&cases[0], points));
         for (case, solution) in cases.iter().zip(solutions(settings(points), &cases, &output)) {
             let (quantities, fields) = (&solution.quantities, &solution.fields);
@@ -47,4 +50,12 @@ fn everything_in_the_box_converges_with_801_points() {
 #[ignore = "slow: 81 cases"]
 fn finer_steps_converge_too() {
     the_box_is_solved(401, 9);
+}
+
+/// The range of the paper: α from 10⁻³ to 10³.
+#[test]
+#[ignore = "slow: 70 cases with 801 points"]
+fn the_range_of_the_paper_converges() {
+    let alphas = uniform(-3.0, 3.0, 7).into_iter().map(|exponent| 10_f64.powf(exponent));
+    are_solved(alphas.flat_map(|alpha| [(alpha, 10.0), (alpha, 100.0)]).collect(), 801, &betas(5));
 }

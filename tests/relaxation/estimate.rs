@@ -34,6 +34,17 @@ fn the_estimate_is_the_error_within_a_factor_of_three() {
     }
 }
 
+/// The thinnest film of f = 1, alone: nothing to start from but the elastic solution, and a second grid to solve.
+#[test]
+fn a_thin_film_alone_has_an_estimate() {
+    let case = chain(1.0, 1.0, &[1000.0]);
+    let row = reference().into_iter().find(|row| row.parameters == case[0]).expect("the reference has it");
+    let solution = solutions(Settings { estimate: true, ..settings(801) }, &case, &no_fields()).remove(0);
+    let error = (solution.quantities.c / row.c - 1.0).abs();
+    let estimate = solution.errors.c;
+    assert!(error / 3.0 < estimate && estimate < 3.0 * error, "{estimate:.1e} for {error:.1e}");
+}
+
 /// No estimate unless asked for, and none where there is no second grid.
 #[test]
 fn an_estimate_needs_a_second_grid() {

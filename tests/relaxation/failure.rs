@@ -24,7 +24,8 @@ fn is_sane(parameters: &Parameters, case: &SolvedCase) {
                 friction.drag,
             ];
             assert!(positive.iter().all(|value| *value > 0.0 && value.is_finite()), "{parameters:?}: {quantities:?}");
-            let small = 1e-3 * friction.total();
+            // zero where the substrate has no time to creep, or all of it
+            let small = 1e-6 * friction.total();
             assert!(
                 friction.viscoelastic > -small && friction.viscoelastic.is_finite(),
                 "{parameters:?}: {quantities:?}"
@@ -55,6 +56,21 @@ fn a_domain_that_does_not_hold_the_contact_is_a_failure_that_says_so() {
             let numbers = [x_min, x_max].map(|x| x.to_string());
             assert!(numbers.iter().all(|number| reason.contains(number.as_str())), "{reason}");
             assert!(reason.contains("dry contact") && reason.contains("auto"), "{reason}");
+        }
+    }
+}
+
+/// A film so thick that its outlet lies behind the grid, or its largest pressure ahead of it: f = 0, and the same for the
+/// instantaneous modulus, at β/(1+f).
+#[test]
+fn a_film_longer_than_its_grid_is_a_failure_that_says_so() {
+    let cases = [(f64::INFINITY, 0.01, 0.0), (f64::INFINITY, 1e-3, 0.0), (0.01, 10.0, 1000.0), (0.1, 10.0, 1000.0)];
+    for (alpha, beta, f) in cases {
+        for points in [201, 401, 801] {
+            let case = Parameters::new(alpha, beta, f);
+            let solved = outcomes(settings(points), std::slice::from_ref(&case), &no_fields()).remove(0);
+            let reason = solved.outcome.unwrap_err().reason;
+            assert!(reason.contains("longer than the grid") && reason.contains("wider domain"), "{case:?}: {reason}");
         }
     }
 }
@@ -91,5 +107,5 @@ fn extreme_parameters_end_soon() {
             }
         }
     }
-    assert!(slowest < Duration::from_secs(60), "{slowest:?}");
+    assert!(slowest < Duration::from_secs(20), "{slowest:?}");
 }

@@ -7,7 +7,8 @@ use stribeck::model::{DisplacementKernel, Limits, Parameters, RetardationMode, S
 use stribeck::relaxation::{Domain, Settings};
 
 use crate::cases::{
-    AT_401, AT_801, Ahead, Solved, chain, fields_at, grid, no_fields, on_grid, relative, settings, solutions, uniform,
+    Ahead, Solved, chain, fields_at, grid, no_fields, on_any_grid, on_both_grids, on_grid, relative, settings,
+    solutions, uniform,
 };
 
 /// ∫ g dx over the grid by the trapezoidal rule.
@@ -18,7 +19,7 @@ fn integral(x: &[f64], g: impl Fn(usize) -> f64) -> f64 {
 /// The film at any point of the domain is the gap between cylinder and surface (T3).
 #[test]
 fn the_film_is_the_gap() {
-    for case in AT_401.iter().chain(&*AT_801) {
+    for case in on_any_grid() {
         let fields = case.film().iter().zip(case.displacement());
         for ((u, w), x) in fields.zip(&case.x) {
             let gap = case.quantities().separation + 0.5 * x * x - w;
@@ -30,7 +31,7 @@ fn the_film_is_the_gap() {
 /// (T4) with the published pressure and what lies ahead of the grid: without it, 0.3 % is missing at β = 10.
 #[test]
 fn the_pressure_carries_the_load() {
-    for case in AT_401.iter().chain(&*AT_801) {
+    for case in on_any_grid() {
         let inside = integral(&case.x, |i| case.pressure()[i]);
         let ahead: f64 = case.ahead().iter().map(|ahead| -ahead.weight * ahead.gradient * (ahead.x - case.end())).sum();
         let error = ((inside + ahead) / FRAC_PI_2 - 1.0).abs();
@@ -78,7 +79,7 @@ fn both_routes_to_the_drag_agree() {
         let friction = &case.quantities().friction;
         relative(friction.total() - 2.0 / PI * (inside + ahead), friction.drag)
     };
-    for (coarse, fine) in AT_401.iter().zip(&*AT_801) {
+    for (coarse, fine) in on_both_grids() {
         let case = &coarse.reference.parameters;
         let (coarse, fine) = (difference(coarse), difference(fine));
         assert!(coarse < 2e-3, "{case:?}: {coarse:.1e}");
@@ -89,7 +90,7 @@ fn both_routes_to_the_drag_agree() {
 /// The drag is the shear on the cylinder and the moment of the load, with the moment from the published pressure.
 #[test]
 fn the_drag_is_shear_and_moment() {
-    for case in AT_401.iter().chain(&*AT_801) {
+    for case in on_any_grid() {
         let (quantities, x, end) = (case.quantities(), &case.x, case.end());
         let inside = integral(x, |i| case.pressure()[i] * x[i]);
         let moment = |ahead: &Ahead| -0.5 * ahead.weight * ahead.gradient * (ahead.x * ahead.x - end * end);
@@ -103,7 +104,7 @@ fn the_drag_is_shear_and_moment() {
 /// F_v from the published pressure and displacement (Eq. 22), by central differences.
 #[test]
 fn friction_of_the_substrate_is_work_on_its_slope() {
-    for case in AT_401.iter().chain(&*AT_801) {
+    for case in on_any_grid() {
         let (p, w, last) = (case.pressure(), case.displacement(), case.x.len() - 1);
         let inside: f64 = (1..last).map(|i| 0.5 * p[i] * (w[i + 1] - w[i - 1])).sum();
         let half_cell = 0.5 * p[last] * (w[last] - w[last - 1]);

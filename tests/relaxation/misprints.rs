@@ -7,7 +7,7 @@ use stribeck::exact::{HertzContact, RigidFilm};
 use stribeck::model::kernel::cell_average_log;
 use stribeck::model::{CavityShear, Output};
 
-use crate::cases::{AT_401, chain, no_fields, reference, relative, settings, solutions};
+use crate::cases::{ON_401, chain, no_fields, reference, relative, settings, solutions};
 
 /// Eq. 41 uses ln|x_i − x_k|, infinite at i = k. With the average over the cell the surface under Hertz pressure follows the
 /// cylinder to second order; with the infinite term left out, to first order only.
@@ -54,7 +54,7 @@ fn equation_44_must_lower_the_cylinder_too() {
 /// Eq. 22 with its printed sign: friction that drives the cylinder.
 #[test]
 fn equation_22_dissipates() {
-    for case in AT_401.iter().filter(|case| case.reference.viscoelastic > 0.0) {
+    for case in ON_401.solved.iter().filter(|case| case.reference.viscoelastic > 0.0) {
         let (p, w) = (case.pressure(), case.displacement());
         let work: f64 = (1..p.len() - 1).map(|i| 0.5 * p[i] * (w[i + 1] - w[i - 1])).sum();
         let printed = -2.0 / PI * work;
@@ -68,8 +68,10 @@ fn equation_22_dissipates() {
 #[test]
 fn equation_50_is_not_the_drag() {
     for (beta, part) in [(10.0, 1.0), (100.0, 0.44)] {
-        let case =
-            AT_401.iter().find(|case| case.reference.parameters.f == 0.0 && case.reference.parameters.beta == beta);
+        let case = ON_401
+            .solved
+            .iter()
+            .find(|case| case.reference.parameters.f == 0.0 && case.reference.parameters.beta == beta);
         let case = case.expect("the reference has this case");
         let friction = &case.quantities().friction;
         let missing = (friction.drag - friction.total()) / friction.hydrodynamic();
