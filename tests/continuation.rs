@@ -25,7 +25,7 @@ impl Fake {
     }
 
     fn fail(reason: &str) -> Halt {
-        Halt::Failed(Failure { reason: reason.to_owned() })
+        Halt::Failed(Failure::new(reason.to_owned()))
     }
 }
 

@@ -20,7 +20,7 @@ fn engine(threads: usize) -> Engine {
 
 fn case(chain: usize, reason: &str) -> SolvedCase {
     SolvedCase {
-        outcome: Err(Failure { reason: reason.to_owned() }),
+        outcome: Err(Failure::new(reason.to_owned())),
         limits: Limits::UNKNOWN,
         seed: Seed::Elastic,
         effort: Effort { iterations: chain as u64, ..Effort::default() },

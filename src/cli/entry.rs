@@ -27,7 +27,7 @@ pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<Sol
     let failed = |parameters: &Parameters| {
         let limits = output.limits.then(|| catch_unwind(|| exact::limits(parameters)).ok()).flatten();
         SolvedCase {
-            outcome: Err(Failure { reason: reason.clone() }),
+            outcome: Err(Failure::new(reason.clone())),
             limits: limits.unwrap_or(Limits::UNKNOWN),
             seed: Seed::Elastic,
             effort: Effort::default(),

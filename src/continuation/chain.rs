@@ -10,11 +10,20 @@ use crate::model::{Failure, Limits, Output, Parameters};
 /// Numbers of unpublished points that are put between a case and its neighbour when longer steps fail.
 const INTERMEDIATE_POINTS: [usize; 2] = [1, 3];
 
+/// Decades of β below a case from which it is reached by way of thicker films when its own start fails.
+const MARCH_DECADES: [i32; 2] = [1, 2];
+
+/// Points between the two ends of such a way, four steps a decade.
+fn march_points(decades: i32) -> usize {
+    4 * decades as usize - 1
+}
+
 /// Solves the cases of a chain in their order. A case that fails is reported as such and does not stop the others.
 ///
 /// Seeds are tried in this order: the predictor from the last two solved cases, the last one as it is, the same with
-/// one and with three points in between, the solver's own start. The first case has the start alone. So every number
-/// is a function of the chain, and of nothing that happens elsewhere.
+/// one and with three points in between, the solver's own start, and the same one and two decades of β below, where films
+/// are thick, with four steps a decade from there. The first case has the last three alone. So every number is a function
+/// of the chain, and of nothing that happens elsewhere. A conclusive failure ends the search.
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last case is done; what was solved of the chain is dropped.
@@ -79,11 +88,16 @@ impl<S: CaseSolver> Ladder<'_, S> {
                     self.solved.push((parameters.beta, state));
                     return Ok(SolvedCase { outcome: Ok(solution), limits, seed, effort: work.effort });
                 }
-                Err(Halt::Failed(failure)) => reasons.push(format!("from {seed}: {}", failure.reason)),
+                Err(Halt::Failed(Failure { reason, conclusive })) => {
+                    reasons.push(format!("from {seed}: {reason}"));
+                    if conclusive {
+                        break;
+                    }
+                }
                 Err(Halt::Interrupted) => return Err(Interrupted),
             }
         }
-        let failure = Failure { reason: reasons.join("; ") };
+        let failure = Failure::new(reasons.join("; "));
         Ok(SolvedCase { outcome: Err(failure), limits, seed, effort: work.effort })
     }
 
@@ -97,6 +111,7 @@ impl<S: CaseSolver> Ladder<'_, S> {
             rungs.extend(INTERMEDIATE_POINTS.map(Rung::Intermediate));
         }
         rungs.push(Rung::Start);
+        rungs.extend(MARCH_DECADES.map(Rung::March));
         rungs
     }
 
@@ -105,7 +120,8 @@ impl<S: CaseSolver> Ladder<'_, S> {
         let guess = match *rung {
             Rung::Predictor => self.solver.predict(self.shared, self.solved, parameters.beta),
             Rung::Neighbour => self.solver.predict(self.shared, self.nearest(), parameters.beta),
-            Rung::Intermediate(points) => self.walk(points, parameters, work)?,
+            Rung::Intermediate(points) => self.walk(self.nearest().to_vec(), points, parameters, work)?,
+            Rung::March(decades) => self.march(decades, parameters, work)?,
             Rung::Start => return self.solver.start(self.shared, parameters, work),
         };
         Ok((guess, rung.seed()))
@@ -123,10 +139,24 @@ impl<S: CaseSolver> Ladder<'_, S> {
         Ok((state, solution))
     }
 
-    /// The guess at a case after solving `points` cases between it and its neighbour, evenly spaced in ln β.
-    fn walk(&self, points: usize, parameters: &Parameters, work: &mut Work) -> Result<S::State, Halt> {
-        let mut path = self.nearest().to_vec();
-        let from = path.last().expect("a walk starts at a neighbour").0;
+    /// The guess at a case after solving thicker films, from so many decades of β below it.
+    fn march(&self, decades: i32, parameters: &Parameters, work: &mut Work) -> Result<S::State, Halt> {
+        let first = Parameters { beta: parameters.beta * 0.1_f64.powi(decades), ..parameters.clone() };
+        let (guess, _) = self.solver.start(self.shared, &first, work)?;
+        let state = self.solver.solve(self.shared, &first, &guess, work)?;
+        self.walk(vec![(first.beta, state)], march_points(decades), parameters, work)
+    }
+
+    /// The guess at a case after solving `points` cases between it and the one that `path` starts from, evenly spaced in
+    /// ln β.
+    fn walk(
+        &self,
+        mut path: Vec<(f64, S::State)>,
+        points: usize,
+        parameters: &Parameters,
+        work: &mut Work,
+    ) -> Result<S::State, Halt> {
+        let from = path.last().expect("a walk starts somewhere").0;
         for step in 1..=points {
             let part = step as f64 / (points + 1) as f64;
             let beta = from * (parameters.beta / from).powf(part);
@@ -152,6 +182,7 @@ enum Rung {
     Neighbour,
     Intermediate(usize),
     Start,
+    March(i32),
 }
 
 impl Rung {
@@ -162,6 +193,7 @@ impl Rung {
             Rung::Neighbour => Seed::Neighbour,
             Rung::Intermediate(points) => Seed::Intermediate(points),
             Rung::Start => Seed::Elastic,
+            Rung::March(decades) => Seed::March(march_points(decades) + 1),
         }
     }
 }

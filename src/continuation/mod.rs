@@ -33,7 +33,7 @@ impl Interrupt {
 /// Where the first guess of a case came from; recorded with the case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seed {
-    /// Hertz pressure, for the elastic solution itself.
+    /// Hertz pressure on the dry contact.
     Hertz,
     /// The elastic (EHL) solution at the same β.
     Elastic,
@@ -45,6 +45,8 @@ pub enum Seed {
     Predictor,
     /// The neighbour, by way of so many intermediate points that are not published.
     Intermediate(usize),
+    /// The start of a case at smaller β, by way of so many thicker films that are not published.
+    March(usize),
 }
 
 impl fmt::Display for Seed {
@@ -56,6 +58,7 @@ impl fmt::Display for Seed {
             Seed::Neighbour => formatter.write_str("neighbour"),
             Seed::Predictor => formatter.write_str("predictor"),
             Seed::Intermediate(points) => write!(formatter, "intermediate-{points}"),
+            Seed::March(points) => write!(formatter, "march-{points}"),
         }
     }
 }
@@ -169,7 +172,7 @@ pub trait CaseSolver: Sync {
     /// What is to be known of a solution.
     ///
     /// # Errors
-    /// [`Halt`] if an error estimate that was asked for needs a solution that does not converge.
+    /// [`Halt`] if there is nothing to be known after all, or the user asks to stop.
     fn evaluate(
         &self,
         shared: &Self::Shared,

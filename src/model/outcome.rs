@@ -80,6 +80,15 @@ pub struct Fields {
 pub struct Failure {
     /// One line for a person: what happened, and where.
     pub reason: String,
+    /// True if the method found the state it looked for and refused it: no other first guess would lead elsewhere.
+    pub conclusive: bool,
+}
+
+impl Failure {
+    /// A failure that another first guess might avoid.
+    pub fn new(reason: String) -> Self {
+        Self { reason, conclusive: false }
+    }
 }
 
 /// A number that is stored for each case.

@@ -70,12 +70,10 @@ impl RelaxationSolver {
             Domain::Fixed { x_min, x_max } if x_min < trailing && leading < x_max && x_max > 0.0 => {
                 Ok(Grid { x_min, x_max, points: self.settings.points })
             }
-            Domain::Fixed { x_min, x_max } => Err(Failure {
-                reason: format!(
-                    "the domain [{x_min}, {x_max}] does not hold the dry contact [{trailing:.3}, {leading:.3}]; \
+            Domain::Fixed { x_min, x_max } => Err(Failure::new(format!(
+                "the domain [{x_min}, {x_max}] does not hold the dry contact [{trailing:.3}, {leading:.3}]; \
                      widen it or use domain = \"auto\""
-                ),
-            }),
+            ))),
         }
     }
 
@@ -130,32 +128,35 @@ impl RelaxationSolver {
         result.map(|()| iteration.state())
     }
 
-    /// The same case on the grid of half as many intervals, for an error estimate.
-    fn on_second_grid(
+    /// Richardson's estimate of the errors, from the same case on the grid of half as many intervals; unknown if there is no
+    /// such grid or it does not resolve the film.
+    fn estimate(
         &self,
         shared: &Shared,
         parameters: &Parameters,
         state: &State,
+        fine: &Quantities,
         output: &Output,
         work: &mut Work,
-    ) -> Result<Quantities, Halt> {
-        let level = shared.levels.get(1).ok_or_else(|| {
-            let points = self.settings.points;
-            Halt::Failed(Failure {
-                reason: format!("no error estimate: {points} points leave no second grid; use 201 or more"),
-            })
-        })?;
+    ) -> Result<RelativeErrors, Halt> {
+        let Some(level) = shared.levels.get(1) else { return Ok(RelativeErrors::UNKNOWN) };
         let guess = state.on(&shared.finest().grid, level);
-        let coarse =
-            self.solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), work).map_err(|halt| {
-                match halt {
-                    Halt::Failed(failure) => Halt::Failed(Failure {
-                        reason: format!("no error estimate, on the second grid {}", failure.reason),
-                    }),
-                    Halt::Interrupted => Halt::Interrupted,
-                }
-            })?;
-        Ok(quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear))
+        let coarse = match self.solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), work) {
+            Ok(coarse) => quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear),
+            Err(Halt::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
+            Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+        };
+        // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that
+        let scale = fine.friction.viscoelastic.abs().max(1e-3 * fine.friction.total());
+        Ok(RelativeErrors {
+            mu_v: richardson(fine.friction.viscoelastic, coarse.friction.viscoelastic, scale),
+            mu_h: richardson(
+                fine.friction.hydrodynamic(),
+                coarse.friction.hydrodynamic(),
+                fine.friction.hydrodynamic(),
+            ),
+            c: richardson(fine.c, coarse.c, fine.c),
+        })
     }
 
     /// The elastic solution at β, from Hertz pressure; solved by the first thread that asks.
@@ -171,9 +172,7 @@ impl RelaxationSolver {
         }
         let result = match self.solve_elastic(beta, work) {
             Ok(solved) => Ok(Arc::new(solved)),
-            Err(Halt::Failed(Failure { reason })) => {
-                Err(Failure { reason: format!("no elastic solution at beta = {beta} to start from: {reason}") })
-            }
+            Err(Halt::Failed(failure)) => Err(failure),
             Err(Halt::Interrupted) => return Err(Halt::Interrupted),
         };
         seed.insert(result).clone().map_err(Halt::Failed)
@@ -181,15 +180,21 @@ impl RelaxationSolver {
 
     fn solve_elastic(&self, beta: f64, work: &mut Work) -> Result<(Grid, State), Halt> {
         let parameters = Parameters::elastic(beta);
-        let grid = self.automatic_grid(&parameters);
+        // a fixed domain for narrow contacts need not hold the elastic one
+        let grid = self.grid(&parameters).unwrap_or_else(|_| self.automatic_grid(&parameters));
         let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
         let shared = self.shared(&parameters, grid, &no_fields);
-        let pressure = (0..grid.points).map(|i| (1.0 - grid.x(i) * grid.x(i)).max(0.0).sqrt()).collect();
+        let pressure = (0..grid.points).map(|i| hertz(grid.x(i))).collect();
         let guess = State::resting(shared.finest(), pressure, elastic_film(beta));
         let guess = self.refine(&shared, beta, guess, work)?;
         let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), work)?;
         Ok((grid, state))
     }
+}
+
+/// Hertz pressure of the relaxed contact (T16).
+fn hertz(x: f64) -> f64 {
+    (1.0 - x * x).max(0.0).sqrt()
 }
 
 /// A guess at c of an elastic film for any β: a mean of its limits, 0.4458 β^{−3/5} for large β and 1/(πβ) for small.
@@ -213,7 +218,8 @@ impl CaseSolver for RelaxationSolver {
 
     /// The elastic solution at the same β or, where the dry contact is nearer to that of the instantaneous modulus, at
     /// β/(1+f); moved onto the dry contact of the case (centre b, half width ā), which carries it away from x = 0 where α
-    /// is about 1/√(1+f): x = b + āξ, p over ā, u times ā², as for an elastic case of compliance ā².
+    /// is about 1/√(1+f): x = b + āξ, p over ā, u times ā², as for an elastic case of compliance ā². Hertz pressure there
+    /// if the elastic case has no solution on its grid.
     fn start(&self, shared: &Shared, parameters: &Parameters, work: &mut Work) -> Result<(State, Seed), Halt> {
         if parameters.is_relaxed_elastic() {
             let seed = self.elastic(parameters.beta, work)?;
@@ -224,15 +230,24 @@ impl CaseSolver for RelaxationSolver {
         let instantaneous = parameters.instantaneous_compliance();
         let rescaled = compliance < instantaneous.sqrt();
         let seed_beta = parameters.beta * if rescaled { instantaneous } else { 1.0 };
-        let seed = self.elastic(seed_beta, work)?;
-        let (grid, state) = (&seed.0, &seed.1);
         let target = shared.finest();
-        let moved = |i| grid.interpolate(&state.pressure, (target.grid.x(i) - centre) / half_width) / half_width;
-        let pressure = (0..target.grid.points).map(moved).collect();
-        let film = compliance * elastic_film(compliance * parameters.beta) / elastic_film(seed_beta);
-        let guess = State::resting(target, pressure, film * state.c);
-        let guess = self.refine(shared, parameters.beta, guess, work)?;
-        Ok((guess, if rescaled { Seed::RescaledElastic } else { Seed::Elastic }))
+        let on_contact = |xi_pressure: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            let at = |i| xi_pressure((target.grid.x(i) - centre) / half_width) / half_width;
+            (0..target.grid.points).map(at).collect()
+        };
+        let own_film = compliance * elastic_film(compliance * parameters.beta);
+        let (pressure, film, seed) = match self.elastic(seed_beta, work) {
+            Ok(elastic) => {
+                let (grid, state) = (&elastic.0, &elastic.1);
+                let pressure = on_contact(&|xi| grid.interpolate(&state.pressure, xi));
+                let seed = if rescaled { Seed::RescaledElastic } else { Seed::Elastic };
+                (pressure, own_film * state.c / elastic_film(seed_beta), seed)
+            }
+            Err(Halt::Failed(_)) => (on_contact(&hertz), own_film, Seed::Hertz),
+            Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+        };
+        let guess = State::resting(target, pressure, film);
+        Ok((self.refine(shared, parameters.beta, guess, work)?, seed))
     }
 
     /// c and p extrapolated in ln β; from one case c β^{3/5} is taken to stay the same, and the pressure too.
@@ -264,18 +279,9 @@ impl CaseSolver for RelaxationSolver {
     ) -> Result<Solution, Halt> {
         let fine = Iteration::new(shared.finest(), parameters.beta, state);
         let quantities = quantities(&fine, output.cavity_shear);
-        let errors = if self.settings.estimate {
-            let coarse = self.on_second_grid(shared, parameters, state, output, work)?;
-            let (fine, coarse_friction) = (&quantities.friction, &coarse.friction);
-            // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that
-            let scale = fine.viscoelastic.abs().max(1e-3 * fine.total());
-            RelativeErrors {
-                mu_v: richardson(fine.viscoelastic, coarse_friction.viscoelastic, scale),
-                mu_h: richardson(fine.hydrodynamic(), coarse_friction.hydrodynamic(), fine.hydrodynamic()),
-                c: richardson(quantities.c, coarse.c, quantities.c),
-            }
-        } else {
-            RelativeErrors::UNKNOWN
+        let errors = match self.settings.estimate {
+            true => self.estimate(shared, parameters, state, &quantities, output, work)?,
+            false => RelativeErrors::UNKNOWN,
         };
         Ok(Solution { quantities, errors, fields: fields(&fine, &shared.beyond, output) })
     }
