@@ -11,6 +11,10 @@ struct Fake {
     reach: f64,
     /// Whether the start is a good guess.
     start_helps: bool,
+    /// β below which the start is a good guess.
+    start_below: Option<f64>,
+    /// β at which the state found is no solution, whatever the guess.
+    refused: Option<f64>,
     /// β at which nothing converges.
     impossible: Option<f64>,
     /// β at which the user asks to stop.
@@ -21,7 +25,15 @@ struct Fake {
 
 impl Fake {
     fn reaching(reach: f64) -> Self {
-        Self { reach, start_helps: false, impossible: None, stops_at: None, attempts: Mutex::default() }
+        Self {
+            reach,
+            start_helps: false,
+            start_below: None,
+            refused: None,
+            impossible: None,
+            stops_at: None,
+            attempts: Mutex::default(),
+        }
     }
 
     fn fail(reason: &str) -> Halt {
@@ -39,7 +51,8 @@ impl CaseSolver for Fake {
 
     fn start(&self, (): &(), parameters: &Parameters, _: &mut Work) -> Result<(f64, Seed), Halt> {
         // β = 1 is the case that starts a chain
-        let near = self.start_helps || parameters.beta == 1.0;
+        let thick = self.start_below.is_some_and(|limit| parameters.beta < limit);
+        let near = self.start_helps || thick || parameters.beta == 1.0;
         Ok((if near { parameters.beta.ln() } else { f64::INFINITY }, Seed::Elastic))
     }
 
@@ -58,6 +71,9 @@ impl CaseSolver for Fake {
         if self.stops_at == Some(parameters.beta) {
             work.interrupt.request();
             return Err(Halt::Interrupted);
+        }
+        if self.refused == Some(parameters.beta) {
+            return Err(Halt::Failed(Failure { reason: "refused".to_owned(), conclusive: true }));
         }
         if self.impossible == Some(parameters.beta) || (guess - solution).abs() > self.reach {
             return Err(Self::fail("too far"));
@@ -162,4 +178,25 @@ fn an_interrupt_ends_the_chain() {
 #[test]
 fn an_empty_chain_is_solved_at_once() {
     assert!(solve(&Fake::reaching(1.0), &[]).unwrap().is_empty());
+}
+
+#[test]
+fn a_start_that_fails_is_made_where_films_are_thick() {
+    // the start converges below β = 100 only; a quarter of a decade is within reach
+    let fake = Fake { start_below: Some(100.0), ..Fake::reaching(0.6) };
+    let cases = solve(&fake, &[900.0]).unwrap();
+    assert!(cases[0].outcome.is_ok(), "{:?}", cases[0].outcome);
+    assert_eq!(seeds(&cases), [Seed::March(4)]);
+    let cases = solve(&fake, &[9000.0]).unwrap();
+    assert_eq!(seeds(&cases), [Seed::March(8)]);
+    assert!(solve(&fake, &[90_000.0]).unwrap()[0].outcome.is_err());
+}
+
+#[test]
+fn a_conclusive_failure_ends_the_search() {
+    let fake = Fake { refused: Some(2.0), ..Fake::reaching(1.0) };
+    let cases = solve(&fake, &[1.0, 2.0, 2.5]).unwrap();
+    assert_eq!(cases[1].outcome.as_ref().unwrap_err().reason, "from neighbour: refused");
+    assert_eq!(cases[1].effort.iterations, 1);
+    assert!(cases[2].outcome.is_ok());
 }

@@ -2,7 +2,7 @@
 
 use super::Acceleration;
 use super::anderson::Anderson;
-use super::iteration::{Iteration, PASSES_PER_BALANCE, index_of_largest};
+use super::iteration::{Iteration, LOAD_GAIN, PASSES_PER_BALANCE, index_of_largest};
 use super::reynolds::{self, Relaxation};
 use super::stiffness::thin_film_number;
 use crate::continuation::{Halt, Interrupt};
@@ -20,6 +20,11 @@ const LARGEST_UNIFORM: f64 = 0.5;
 const ROUNDS_PER_LOOK: usize = 20;
 /// Rounds after which acceleration is given up: a small part of what the plain iteration may need.
 const MOST_ACCELERATED_ROUNDS: usize = 6_000;
+/// Looks with a smaller residual each after which a reduced step is doubled.
+const GOOD_LOOKS: usize = 50;
+/// How often the plain iteration may diverge, and how far its steps may be reduced, before it is given up.
+const MOST_DIVERGENCES: usize = 40;
+const LEAST_REDUCTION: f64 = 1e-3;
 /// Passes after which the iteration that acceleration falls back on is given up.
 const MOST_LOCAL_PASSES: u64 = 400_000;
 /// How often acceleration may run away before it is given up.
@@ -48,7 +53,8 @@ pub struct Target {
 /// Iterates until the residuals of the discrete equations are within the tolerance.
 ///
 /// `stiffness` is M of [`Relaxation::Local`]. With [`Acceleration::Anderson`] a runaway or a stall ends the acceleration,
-/// and the iteration starts again from where it began without it, so that acceleration can only save time.
+/// and the iteration starts again from where it began without it: what acceleration may cost is bounded, and what it
+/// ends on is judged like any other state.
 ///
 /// # Errors
 /// [`Halt::Failed`] says why there is no solution, [`Halt::Interrupted`] that the user asked to stop. The iteration then
@@ -103,11 +109,12 @@ impl Convergence<'_, '_> {
         }
     }
 
-    /// Rounds without acceleration. A divergence goes back to the best state and halves the relaxation factor.
+    /// Rounds without acceleration. A divergence goes back to the best state and halves the steps of pressure and load;
+    /// a stretch that goes well doubles them again.
     fn plain(&mut self, rule: Rule) -> Result<(), Halt> {
         let mut best = self.iteration.state();
         let mut least = f64::INFINITY;
-        let mut reduction = 1.0;
+        let (mut reduction, mut divergences, mut good_looks) = (1.0, 0, 0);
         let first_pass = self.iteration.passes;
         loop {
             let residuals = self.iteration.residuals();
@@ -118,10 +125,17 @@ impl Convergence<'_, '_> {
             if size < least {
                 least = size;
                 self.iteration.save(&mut best);
+                good_looks += 1;
+                if good_looks == GOOD_LOOKS {
+                    reduction = f64::min(1.0, 2.0 * reduction);
+                    good_looks = 0;
+                }
             } else if self.ran_away(size, least) {
                 reduction *= 0.5;
+                divergences += 1;
+                good_looks = 0;
                 self.iteration.restore(&best);
-                if reduction < 1e-3 {
+                if divergences > MOST_DIVERGENCES || reduction < LEAST_REDUCTION {
                     return Err(self.failed("the iteration diverges with every relaxation factor tried", least));
                 }
             }
@@ -131,7 +145,7 @@ impl Convergence<'_, '_> {
             }
             let relaxation = self.relaxation(rule, reduction);
             for _ in 0..ROUNDS_PER_LOOK {
-                self.iteration.round(relaxation);
+                self.iteration.round(relaxation, reduction * LOAD_GAIN);
             }
             self.iteration.update_film();
             self.look_for_interrupt()?;
@@ -171,12 +185,12 @@ impl Convergence<'_, '_> {
                 // plain rounds first, more and smaller ones each time
                 relaxation = self.relaxation(Rule::Local, 0.5_f64.powi(restarts));
                 for _ in 0..ROUNDS_PER_LOOK << restarts {
-                    self.iteration.round(relaxation);
+                    self.iteration.round(relaxation, LOAD_GAIN);
                 }
                 self.iteration.update_film();
             }
             self.pack(scale, &mut x);
-            self.iteration.round(relaxation);
+            self.iteration.round(relaxation, LOAD_GAIN);
             self.pack(scale, &mut image);
             anderson.mix(&x, &mut image);
             let (before, plain_separation) = (self.iteration.film_min(), self.iteration.separation);

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::iteration::{Discretisation, Iteration};
+use super::iteration::{Discretisation, Iteration, LOAD_GAIN};
 use super::reynolds::Relaxation;
 use super::{Acceleration, Grid, Settings, State};
 use crate::model::Parameters;
@@ -24,7 +24,7 @@ pub fn expected_seconds(settings: &Settings) -> f64 {
     let mut iteration = Iteration::new(&shared, BETA, &State::resting(&shared, hertz, 0.03));
     let start = Instant::now();
     for _ in 0..ROUNDS {
-        iteration.round(Relaxation::Uniform(0.1));
+        iteration.round(Relaxation::Uniform(0.1), LOAD_GAIN);
     }
     let second_grid = if settings.estimate { 1.5 } else { 1.0 };
     start.elapsed().as_secs_f64() / iteration.passes as f64 * passes * second_grid

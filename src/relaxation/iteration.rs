@@ -13,7 +13,7 @@ use crate::model::{DisplacementKernel, Parameters};
 /// Passes between two load balances, n_h of the paper.
 pub const PASSES_PER_BALANCE: usize = 5;
 /// λ_h1 of Eq. 43 over c.
-const LOAD_GAIN: f64 = 0.1;
+pub const LOAD_GAIN: f64 = 0.1;
 
 /// What all cases of one (α, f) share on one grid: computed once per chain.
 pub struct Discretisation {
@@ -150,15 +150,16 @@ impl<'a> Iteration<'a> {
         self.passes += 1;
     }
 
-    /// The passes up to and with one load balance: the map whose fixed point is the solution.
-    pub fn round(&mut self, relaxation: Relaxation) {
+    /// The passes up to and with one load balance, Eq. 43 with λ_h1 = `gain` times c: the map whose fixed point is the
+    /// solution.
+    pub fn round(&mut self, relaxation: Relaxation, gain: f64) {
         for _ in 0..PASSES_PER_BALANCE {
             self.pass(relaxation);
         }
         self.update_film();
         self.update_inlet();
         // Eq. 43, signed: too much load raises h₀
-        self.separation += LOAD_GAIN * self.c() * self.load_residual();
+        self.separation += gain * self.c() * self.load_residual();
     }
 
     /// The film at the largest pressure: c, where the pressure is near its solution. A continuous function of the state:

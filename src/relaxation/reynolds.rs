@@ -63,12 +63,16 @@ pub fn flow_residual(p: &[f64], u: &[f64], beta: f64, dx: f64, c: f64) -> f64 {
     let half_width = HALF_WIDTHS.recip() * dx * (p.len() - 1) as f64;
     let (mut flow, mut largest) = (0.0, 0.0);
     for i in 1..p.len() - 1 {
+        let [behind, here, ahead, right] = row([u[i - 1], u[i], u[i + 1]], beta, dx);
+        let residual = beta * dx * (right - behind * p[i - 1] - here * p[i] - ahead * p[i + 1]);
+        let film = u[i];
+        let worth = f64::min(1.0 / film, half_width / (beta * film.powi(3) * c));
         if p[i] > 0.0 {
-            let [behind, here, ahead, right] = row([u[i - 1], u[i], u[i + 1]], beta, dx);
-            flow += beta * dx * (right - behind * p[i - 1] - here * p[i] - ahead * p[i + 1]);
-            let film = u[i];
-            let worth = f64::min(1.0 / film, half_width / (beta * film.powi(3) * c));
+            flow += residual;
             largest = larger(largest, flow.abs() * worth);
+        } else if residual / here > 0.0 {
+            // no pressure, but the next pass would give it one
+            largest = larger(largest, residual.abs() * worth);
         }
     }
     largest

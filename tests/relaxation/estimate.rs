@@ -45,13 +45,27 @@ fn a_thin_film_alone_has_an_estimate() {
     assert!(error / 3.0 < estimate && estimate < 3.0 * error, "{estimate:.1e} for {error:.1e}");
 }
 
-/// No estimate unless asked for, and none where there is no second grid.
+/// No estimate unless asked for, and none, but a solution, where there is no second grid or it does not resolve the film.
 #[test]
 fn an_estimate_needs_a_second_grid() {
     let case = [Parameters::new(1.0, 10.0, 1.0)];
     let without = solutions(settings(201), &case, &no_fields()).remove(0);
     assert!(without.errors.c.is_nan() && without.errors.mu_v.is_nan() && without.errors.mu_h.is_nan());
-    let too_few = Settings { estimate: true, ..settings(151) };
-    let reason = outcomes(too_few, &case, &no_fields()).remove(0).outcome.unwrap_err().reason;
-    assert!(reason.contains("no error estimate") && reason.contains("201"), "{reason}");
+    let too_few = solutions(Settings { estimate: true, ..settings(151) }, &case, &no_fields()).remove(0);
+    assert!(too_few.errors.c.is_nan());
+    let thin = chain(1.0, 100.0, &[100.0, 300.0, 1000.0]);
+    let coarse = Settings { estimate: true, ..settings(401) };
+    let errors: Vec<f64> = solutions(coarse, &thin, &no_fields()).iter().map(|solution| solution.errors.c).collect();
+    assert!(errors[0] > 0.0 && errors[2].is_nan(), "{errors:?}: 201 points resolve β = 100, not 1000");
+}
+
+/// The estimate changes nothing but the estimate.
+#[test]
+fn an_estimate_leaves_the_solution_alone() {
+    let cases = chain(10.0, 10.0, &[20.0, 50.0]);
+    let without = solutions(settings(201), &cases, &no_fields());
+    let with = solutions(Settings { estimate: true, ..settings(201) }, &cases, &no_fields());
+    for (without, with) in without.iter().zip(&with) {
+        assert_eq!(without.quantities, with.quantities);
+    }
 }
