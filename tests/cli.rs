@@ -144,11 +144,15 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
 fn what_is_wrong_with_a_directory_ends_with_4_and_says_what_to_do() {
     let directory = with_sweep(SMALL);
     fs::write(directory.path().join("file"), "").expect("written");
+    fs::create_dir(directory.path().join("theirs")).expect("created");
+    fs::write(directory.path().join("theirs/summary.csv"), "").expect("written");
     let rows = [
         (vec!["run", "small.toml", "-o", "file"], "choose another place with -o"),
         (vec!["plan", "small.toml", "-o", "file"], "choose another place with -o"),
         (vec!["run", "small.toml", "-o", "/proc/results"], "check"),
         (vec!["run", "small.toml", "-o", "file/below"], "check"),
+        (vec!["run", "small.toml", "-o", "theirs"], "choose another directory with -o"),
+        (vec!["plan", "small.toml", "-o", "theirs"], "choose another directory with -o"),
         (vec!["status", "absent"], "give the directory that `stribeck run` wrote"),
         (vec!["status", "file"], "give the directory that `stribeck run` wrote"),
         (vec!["verify", "."], "give the directory that `stribeck run` wrote"),

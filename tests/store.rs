@@ -402,6 +402,49 @@ fn the_sweep_file_is_kept_as_it_was_run() {
 }
 
 #[test]
+fn the_files_of_others_are_left_alone() {
+    for name in ["sweep.toml", "results.h5", "summary.csv", "timings.csv"] {
+        let directory = tempdir().unwrap();
+        fs::write(directory.path().join(name), "not ours").unwrap();
+        let refused = |there: usize| {
+            let error = Store::open(directory.path(), SWEEP, &output()).unwrap_err();
+            assert!(matches!(error, StoreError::Occupied { .. }), "{error}");
+            assert!(error.to_string().contains(&format!("it has {name} but no log")), "{error}");
+            assert_eq!(fs::read_to_string(directory.path().join(name)).unwrap(), "not ours");
+            assert_eq!(fs::read_dir(directory.path()).unwrap().count(), there, "nothing is added");
+        };
+        refused(1);
+        fs::create_dir(directory.path().join("log")).unwrap();
+        fs::write(directory.path().join("log/today.txt"), "").unwrap();
+        refused(2);
+    }
+    let directory = tempdir().unwrap();
+    fs::write(directory.path().join("notes.txt"), "").unwrap();
+    finished(directory.path());
+    assert!(published_bytes(directory.path()) == reference(), "files of other names do not matter");
+}
+
+#[test]
+fn a_first_start_killed_before_its_first_record_is_resumed() {
+    let reference = reference();
+    let directories = ["log", "shards"];
+    for killed_after in 0..=directories.len() {
+        let directory = tempdir().unwrap();
+        for name in &directories[..killed_after] {
+            fs::create_dir(directory.path().join(name)).unwrap();
+        }
+        assert_eq!(resume(directory.path()), 8);
+        assert!(published_bytes(directory.path()) == reference);
+    }
+    let directory = tempdir().unwrap();
+    drop(open(directory.path()));
+    assert_eq!(fs::read_dir(directory.path().join("log")).unwrap().count(), 0, "no record yet");
+    assert_eq!(fs::read_to_string(directory.path().join("sweep.toml")).unwrap(), SWEEP);
+    assert_eq!(resume(directory.path()), 8);
+    assert!(published_bytes(directory.path()) == reference);
+}
+
+#[test]
 fn the_documentation_lists_every_column_field_and_header() {
     let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/output.md")).unwrap();
     for column in &COLUMNS {

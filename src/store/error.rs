@@ -49,6 +49,16 @@ pub enum StoreError {
         /// What is missing.
         what: &'static str,
     },
+    /// A directory of someone else, whose files a run would replace.
+    #[error(
+        "{} is not a results directory (it has {file} but no log); choose another directory with -o", path.display()
+    )]
+    Occupied {
+        /// The directory.
+        path: PathBuf,
+        /// A file in it that has the name of one of ours.
+        file: &'static str,
+    },
     /// A file whose content is not what its record says.
     #[error("{} is damaged: {what}; delete it and run the sweep again, its cases are then solved anew", path.display())]
     Damaged {
