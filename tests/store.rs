@@ -402,6 +402,51 @@ fn the_sweep_file_is_kept_as_it_was_run() {
 }
 
 #[test]
+fn a_published_file_that_was_changed_is_written_again() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    for name in ["results.h5", "summary.csv", "timings.csv"] {
+        let path = directory.path().join(name);
+        let whole = fs::read(&path).unwrap();
+        let mut bytes = whole.clone();
+        *bytes.last_mut().unwrap() ^= 1;
+        fs::write(&path, &bytes).unwrap();
+        let mut store = open(directory.path());
+        assert!(publish(&mut store).unwrap().rewritten, "{name}");
+        assert!(fs::read(&path).unwrap() == whole, "{name}");
+        assert!(!publish(&mut store).unwrap().rewritten, "{name}");
+    }
+}
+
+#[test]
+fn limits_that_are_not_asked_for_are_not_published() {
+    let published = |outputs: &[&Output]| {
+        let directory = tempdir().unwrap();
+        for &output in outputs {
+            let mut store = Store::open(directory.path(), SWEEP, output).unwrap();
+            for chain in chains(output) {
+                if store.holds(chain[0].id).is_none() {
+                    store.commit(&chain).unwrap();
+                }
+            }
+            publish(&mut store).unwrap();
+        }
+        let mut reader = csv::Reader::from_path(directory.path().join("summary.csv")).unwrap();
+        let header = reader.headers().unwrap().clone();
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        let column = |name: &str| {
+            let place = header.iter().position(|column| column == name).unwrap();
+            rows.iter().filter(|row| !row[place].is_empty()).count()
+        };
+        (column("dry_mu_v"), column("approx_mu_h"), column("mu_v"))
+    };
+    let [with, without] = [true, false].map(|limits| Output { limits, ..output() });
+    assert_eq!(published(&[&with]), (39, 39, 39));
+    assert_eq!(published(&[&with, &without]), (0, 0, 39));
+    assert_eq!(published(&[&with, &without, &with]), (39, 39, 39), "they are still in the shards");
+}
+
+#[test]
 fn the_files_of_others_are_left_alone() {
     for name in ["sweep.toml", "results.h5", "summary.csv", "timings.csv"] {
         let directory = tempdir().unwrap();
