@@ -296,7 +296,7 @@ fn a_disk_that_fails_is_an_error_and_the_store_goes_on() {
     fs::rename(&shard_directory, &away).unwrap();
     let error = store.commit(&all[1]).unwrap_err();
     assert!(error.to_string().contains("shards"), "{error}");
-    assert!(!error.is_disk_full());
+    assert!(!error.to_string().contains("free some space"), "{error}");
     assert_eq!(store.holds(all[1][0].id), None);
     fs::rename(&away, &shard_directory).unwrap();
     store.commit(&all[1]).unwrap();
