@@ -26,6 +26,7 @@
 //! Equation numbers "Eq. n" are those of Wu, Jagota and Hui, *Lubricated Sliding of a Rigid Cylinder on a Viscoelastic
 //! Half Space*, Tribology Letters 70:1 (2022), doi 10.1007/s11249-021-01537-4; "(T n)" those of `docs/theory.md`.
 
+#![deny(unsafe_code)]
 #![warn(missing_docs)]
 
 #[cfg(not(any(feature = "static-hdf5", feature = "system-hdf5")))]

@@ -128,6 +128,7 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
         (case("--alpha 1 --beta 10 --method collocation"), "not in this version; use relaxation"),
         (case("--alpha 1 --beta 10 --method newton"), "relaxation"),
         (case("--alpha 1 --beta 10 --acceleration fast"), "anderson or none"),
+        (case("--alpha 1 --beta 10 --points 199 --estimate true"), "give more points, or --estimate false"),
         (case("--alpha 1 --beta 10 --estimate maybe"), "true, false"),
         (vec!["solve", "--alpha", "1", "--beta", "10", "--f", "inf"], "at least 0; 0 is an elastic"),
         (vec!["solve", "--alpha", "1", "--beta", "10"], "--f <F>"),
@@ -144,11 +145,15 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
 fn what_is_wrong_with_a_directory_ends_with_4_and_says_what_to_do() {
     let directory = with_sweep(SMALL);
     fs::write(directory.path().join("file"), "").expect("written");
+    fs::create_dir(directory.path().join("theirs")).expect("created");
+    fs::write(directory.path().join("theirs/summary.csv"), "").expect("written");
     let rows = [
         (vec!["run", "small.toml", "-o", "file"], "choose another place with -o"),
         (vec!["plan", "small.toml", "-o", "file"], "choose another place with -o"),
         (vec!["run", "small.toml", "-o", "/proc/results"], "check"),
         (vec!["run", "small.toml", "-o", "file/below"], "check"),
+        (vec!["run", "small.toml", "-o", "theirs"], "choose another directory with -o"),
+        (vec!["plan", "small.toml", "-o", "theirs"], "choose another directory with -o"),
         (vec!["status", "absent"], "give the directory that `stribeck run` wrote"),
         (vec!["status", "file"], "give the directory that `stribeck run` wrote"),
         (vec!["verify", "."], "give the directory that `stribeck run` wrote"),
@@ -196,10 +201,16 @@ fn a_finished_sweep_from_plan_to_verify() {
     ] {
         assert!(out(&status).contains(line), "{line}\n{}", out(&status));
     }
+    assert!(!out(&status).contains("not yet published") && !out(&status).contains("0.00 s"), "{}", out(&status));
+    let (there, away) = (here.join("results/small/summary.csv"), here.join("away.csv"));
+    fs::rename(&there, &away).expect("moved");
+    let unpublished = out(&say(here, &["status", "results/small"]));
+    assert!(unpublished.contains("all cases are solved, but not yet published; run it again"), "{unpublished}");
+    fs::rename(&away, &there).expect("moved back");
     let verify = say(here, &["verify", "results/small"]);
     assert_eq!(code(&verify), 0, "{}", out(&verify));
     assert!(out(&verify).starts_with("read 3 shards with 9 cases, "), "{}", out(&verify));
-    assert!(out(&verify).ends_with("3 published files as it was written\nsound\n"), "{}", out(&verify));
+    assert!(out(&verify).ends_with("3 published files as written\nsound\n"), "{}", out(&verify));
     assert_eq!(paths(here), after, "plan, status and verify write nothing");
 }
 
@@ -231,7 +242,6 @@ fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
             assert_eq!(code(&run), 0, "{}", err(&run));
             assert!(err(&run).contains("warning: ") && err(&run).contains("its 3 cases are not used"), "{}", err(&run));
         } else {
-            fs::remove_file(&name).expect("removed, as the remedy says");
             let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
             assert!(out(&run).contains("nothing to solve; published again"), "{}", out(&run));
         }
@@ -375,6 +385,10 @@ fn a_case_that_fails_ends_with_3_and_has_its_reason() {
     let case = ["solve", "--alpha", "1", "--beta", "3e9", "--f", "10", "--points", "51"];
     let table = say(directory.path(), &case);
     assert_eq!(code(&table), 3, "{}", out(&table));
+    assert!(err(&table).contains("no errors are estimated; that takes 201 points"), "{}", err(&table));
+    for (name, shown) in [("dry_mu_v ", true), ("approx_mu_h ", true), ("p_max ", false)] {
+        assert_eq!(out(&table).contains(&format!("\n{name}")), shown, "{name}: {}", out(&table));
+    }
     assert!(out(&table).starts_with("f = 10, alpha = 1, beta = 3000000000: failed\n"), "{}", out(&table));
     let json = say(directory.path(), &[&case[..], &["--json"]].concat());
     assert_eq!(code(&json), 3);

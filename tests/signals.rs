@@ -3,6 +3,7 @@
 use std::env;
 use std::process::{Command, Output};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::low_level::raise;
@@ -12,7 +13,8 @@ use stribeck::engine::{Signals, StopSignal};
 /// Tells a test that it is the process to be watched, and which signals it shall raise.
 const RAISE: &str = "STRIBECK_TEST_RAISE";
 
-/// What the watched process does. A signal raised is handled before `raise` returns.
+/// What the watched process does. A signal raised is noted before `raise` returns, and requests the interruption soon
+/// after, which the process waits for.
 fn raise_all(names: &str) {
     let interrupt = Arc::new(Interrupt::new());
     let signals = Signals::watch(&interrupt).expect("handlers are installed");
@@ -20,6 +22,10 @@ fn raise_all(names: &str) {
     for name in names.split(',') {
         let number = if name == "SIGINT" { SIGINT } else { SIGTERM };
         raise(number).expect("a signal is raised");
+        let patience = Instant::now() + Duration::from_secs(60);
+        while !interrupt.requested() && Instant::now() < patience {
+            std::thread::yield_now();
+        }
         println!("after {name}: {:?}, requested: {}", signals.received(), interrupt.requested());
     }
 }

@@ -7,7 +7,7 @@ use miette::MietteHandlerOpts;
 
 use crate::engine::ThreadsError;
 use crate::store::StoreError;
-use crate::sweep::SweepError;
+use crate::sweep::{ESTIMATE_POINTS, SweepError};
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
@@ -18,6 +18,15 @@ pub enum CliError {
     /// More threads than the system gives.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
+    /// An estimate on a grid that has no coarser one.
+    #[error(
+        "errors are estimated from a second grid of half as many intervals, which takes --points {ESTIMATE_POINTS} or \
+         more, not {points}; give more points, or --estimate false"
+    )]
+    Estimate {
+        /// The points asked for.
+        points: usize,
+    },
     /// A results directory cannot be read or written.
     #[error(transparent)]
     Store(#[from] StoreError),
@@ -49,7 +58,7 @@ impl CliError {
     /// The exit code: 2 for bad input, 4 for the disk and the system.
     pub fn code(&self) -> u8 {
         match self {
-            CliError::Sweep(_) | CliError::Threads(_) => 2,
+            CliError::Sweep(_) | CliError::Threads(_) | CliError::Estimate { .. } => 2,
             CliError::Store(_)
             | CliError::NotADirectory { .. }
             | CliError::Stopped { .. }

@@ -11,7 +11,7 @@ use super::expectation::{CaseSeconds, Size};
 use super::wording::{bytes, count, duration};
 use super::workload::Workload;
 use super::{CliError, Exit, console, threads};
-use crate::store::{Holdings, StoreError};
+use crate::store::{Holdings, Store, StoreError};
 use crate::sweep::{Plan, Sweep};
 
 #[derive(Clone, Debug, Args)]
@@ -39,7 +39,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let directory = destination(arguments.output.as_deref(), &sweep)?;
     let held = match Holdings::read(&directory, &sweep.output) {
         Ok(held) => Some(held),
-        Err(StoreError::NotResults { .. }) => None,
+        Err(StoreError::NotResults { .. }) => {
+            Store::may_take(&directory)?;
+            None
+        }
         Err(error) => return Err(error.into()),
     };
     for warning in held.iter().flat_map(Holdings::warnings) {

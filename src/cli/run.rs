@@ -10,11 +10,11 @@ use clap::Args;
 
 use super::destination::{destination, had_other_sweep};
 use super::entry::{case_entry, panicked};
-use super::wording::{count, duration, rate};
+use super::wording::{count, duration};
 use super::workload::Workload;
 use super::{CliError, Exit, console, failures, shell, threads};
 use crate::continuation::{Interrupt, solve_chain};
-use crate::engine::{Engine, Progress, ProgressStyle, Report, Signals};
+use crate::engine::{Engine, Progress, ProgressStyle, Report, Signals, rate};
 use crate::relaxation::RelaxationSolver;
 use crate::store::{Ending, Publication, Published, Store, StoreError};
 use crate::sweep::{Method, Plan, Sweep};

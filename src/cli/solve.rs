@@ -10,10 +10,10 @@ use super::entry::case_entry;
 use super::wording::duration;
 use super::{CliError, Exit, console};
 use crate::continuation::{Interrupt, solve_chain};
-use crate::model::{COLUMNS, FieldSelection, Output, Parameters, Substrate};
+use crate::model::{COLUMNS, FieldSelection, Limits, Output, Parameters, Substrate};
 use crate::relaxation::{Acceleration, RelaxationSolver, Settings};
 use crate::store::{CaseEntry, Status};
-use crate::sweep::{Axes, Method, Plan, SolverSettings, Sweep};
+use crate::sweep::{Axes, ESTIMATE_POINTS, Method, Plan, SolverSettings, Sweep};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -47,9 +47,9 @@ pub struct Arguments {
     /// anderson, or none: the paper's plain iteration
     #[arg(long, default_value = "anderson", value_parser = acceleration)]
     acceleration: Acceleration,
-    /// Solve on a second grid too, to estimate errors
-    #[arg(long, value_name = "true|false", default_value_t = true, action = ArgAction::Set)]
-    estimate: bool,
+    /// Solve on a second grid too, to estimate errors; from 201 points on [default: true where it can]
+    #[arg(long, value_name = "true|false", action = ArgAction::Set)]
+    estimate: Option<bool>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -103,7 +103,8 @@ fn acceleration(text: &str) -> Result<Acceleration, String> {
 impl Arguments {
     /// The case as a sweep, so that it is the same as in a sweep, id included.
     fn sweep(&self) -> Sweep {
-        let &Self { points, tolerance, acceleration, estimate, .. } = self;
+        let &Self { points, tolerance, acceleration, .. } = self;
+        let estimate = self.estimate.unwrap_or(points >= ESTIMATE_POINTS);
         Sweep {
             title: String::new(),
             axes: Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] },
@@ -121,6 +122,15 @@ impl Arguments {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    if arguments.points < ESTIMATE_POINTS {
+        match arguments.estimate {
+            Some(true) => return Err(CliError::Estimate { points: arguments.points }),
+            Some(false) => {}
+            None => {
+                console::tell(&format!("note: no errors are estimated; that takes {ESTIMATE_POINTS} points or more"))
+            }
+        }
+    }
     let sweep = arguments.sweep();
     let plan = Plan::new(&sweep);
     let parameters = plan.parameters_at(0, 0, 0);
@@ -160,6 +170,14 @@ fn table(arguments: &Arguments, parameters: &Parameters, entry: &CaseEntry) -> S
         timing.iterations,
         duration(timing.seconds),
     );
+    if entry.outcome == Status::Failed {
+        // All else is unknown.
+        for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
+            let limit = value(entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
+            text += &format!("{:<13} {limit:>14}  {:<10}  {}\n", column.name, column.units, column.long_name);
+        }
+        return text;
+    }
     let mut row = |symbol: &str, value: &str, error: &str, limit: &str, unit: &str, name: &str| {
         writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}")
             .expect("writing to memory does not fail");

@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::failures::{self, Region};
-use super::wording::{count, duration, moment, rate};
+use super::wording::{count, duration, moment, whole_seconds};
 use super::workload::Workload;
 use super::{CliError, Exit, console};
+use crate::engine::rate;
 use crate::model::{FieldSelection, Output};
 use crate::store::{Ending, Holdings, Start, Warning};
 use crate::sweep::{Plan, Sweep};
@@ -51,7 +52,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Ok(sweep) => {
             let plan = Plan::new(&sweep);
             let workload = Workload::survey(&plan, Some(&held));
-            text += &of_sweep(arguments, &sweep, &plan, &workload, &held, owner.as_deref());
+            let published = held.is_published()?;
+            text += &of_sweep(arguments, &sweep, &plan, &workload, &held, owner.as_deref(), published);
             text += &starts(&held, owner.is_some());
             text += &failed_regions(&failures::regions(&plan, &held)?);
         }
@@ -73,11 +75,13 @@ fn of_sweep(
     workload: &Workload,
     held: &Holdings,
     owner: Option<&str>,
+    published: bool,
 ) -> String {
     let Workload { new, converged, failed, .. } = workload;
     let state = match (owner, new) {
         (Some(owner), _) => format!("running ({owner})"),
-        (None, 0) => "stopped, all cases are solved".to_owned(),
+        (None, 0) if published => "stopped, all cases are solved".to_owned(),
+        (None, 0) => "stopped, all cases are solved, but not yet published; run it again".to_owned(),
         (None, _) => "stopped; the same `stribeck run` command resumes it".to_owned(),
     };
     let mut text = format!("{}: {}\n{state}\n\n", arguments.directory.display(), sweep.title);
@@ -121,7 +125,7 @@ fn starts(held: &Holdings, running: bool) -> String {
         };
         let (done, asked) = (start.converged + start.failed, beginning.cases);
         let (when, threads) = (moment(beginning.time), count(beginning.threads, "thread"));
-        let took = duration(start.last.saturating_sub(beginning.time) as f64);
+        let took = whole_seconds(start.last.saturating_sub(beginning.time));
         text += &format!("  {number:>4}  {when}  {threads}, {done} of {asked} cases in {took}, {ending}\n");
     }
     text

@@ -30,7 +30,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 
 fn text(report: &VerifyReport) -> String {
     let mut text = format!(
-        "read {} with {}, {}; {} as it was written\n",
+        "read {} with {}, {}; {} as written\n",
         count(report.shards, "shard"),
         count(report.cases, "case"),
         bytes(report.bytes),

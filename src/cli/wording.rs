@@ -18,12 +18,12 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// A rate of cases in the unit in which it is about 1 or more.
-pub fn rate(per_second: f64) -> String {
-    let units = [(1.0, "second"), (60.0, "minute")];
-    match units.into_iter().find(|(seconds, _)| per_second * seconds >= 1.0) {
-        Some((seconds, unit)) => format!("{:.1} cases per {unit}", per_second * seconds),
-        None => format!("{:.1} cases per hour", per_second * 3600.0),
+/// A duration told by clocks of whole seconds: `under 1 s`, `12 s`, `4 min 05 s`.
+pub fn whole_seconds(seconds: u64) -> String {
+    match seconds {
+        0 => "under 1 s".to_owned(),
+        1..100 => format!("{seconds} s"),
+        _ => duration(seconds as f64),
     }
 }
 
@@ -85,5 +85,6 @@ mod tests {
             [0.424, 12.34, 245.0, 12_000.0, 450_000.0].map(duration),
             ["0.42 s", "12.3 s", "4 min 05 s", "3 h 20 min", "5 d 05 h"]
         );
+        assert_eq!([0, 1, 99, 100].map(whole_seconds), ["under 1 s", "1 s", "99 s", "1 min 40 s"]);
     }
 }

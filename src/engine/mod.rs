@@ -11,3 +11,4 @@ mod tally;
 pub use pool::{Engine, Report, ThreadsError};
 pub use progress::{Progress, ProgressStyle};
 pub use signals::{Signals, StopSignal};
+pub use tally::rate;

@@ -4,9 +4,10 @@ use std::fmt;
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
 
 use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::{flag, low_level};
+use signal_hook::{flag, iterator};
 
 use crate::continuation::Interrupt;
 
@@ -57,11 +58,11 @@ pub struct Signals {
 }
 
 impl Signals {
-    /// From now on the first SIGINT or SIGTERM requests `interrupt`, and the next one ends the program at once with exit
+    /// From now on the first SIGINT or SIGTERM requests `interrupt` (a moment later, from a thread), and the next one ends the program at once with exit
     /// code 130. Nothing is printed by either. Call it once in a program.
     ///
     /// # Errors
-    /// What the system says if it refuses a handler.
+    /// What the system says if it refuses a handler, or the thread that passes the request on.
     pub fn watch(interrupt: &Arc<Interrupt>) -> io::Result<Self> {
         let received = Arc::new(AtomicUsize::new(0));
         let armed = Arc::new(AtomicBool::new(false));
@@ -70,10 +71,12 @@ impl Signals {
             flag::register_conditional_shutdown(signal.number(), ABORTED, Arc::clone(&armed))?;
             flag::register(signal.number(), Arc::clone(&armed))?;
             flag::register_usize(signal.number(), Arc::clone(&received), signal.code())?;
-            let interrupt = Arc::clone(interrupt);
-            // SAFETY: `Interrupt::request` is one store to an atomic, which a signal handler may do.
-            unsafe { low_level::register(signal.number(), move || interrupt.request()) }?;
         }
+        // The interruption is requested by a thread, not by a handler: that needs no promise about what a handler may do.
+        let mut arriving = iterator::Signals::new(StopSignal::ALL.map(StopSignal::number))?;
+        let interrupt = Arc::clone(interrupt);
+        let request = move || arriving.forever().for_each(|_| interrupt.request());
+        thread::Builder::new().name("signals".to_owned()).spawn(request)?;
         Ok(Self { received })
     }
 

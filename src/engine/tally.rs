@@ -51,8 +51,8 @@ fn line(total: u64, converged: u64, failed: u64, elapsed: Duration) -> String {
     text
 }
 
-/// A rate in the unit in which it is about 1 or more.
-fn rate(per_second: f64) -> String {
+/// A rate in the unit in which it is about 1 or more: `2.4 per second`, `3.0 per minute`.
+pub fn rate(per_second: f64) -> String {
     let units = [(1.0, "second"), (60.0, "minute")];
     match units.into_iter().find(|(seconds, _)| per_second * seconds >= 1.0) {
         Some((seconds, unit)) => format!("{:.1} per {unit}", per_second * seconds),

@@ -1,8 +1,8 @@
 //! The pressure of dry sliding (Eq. 24, T13) and its gradient.
 
 use super::dry::DryContact;
-use super::gauss::integrate;
 use super::position::Position;
+use crate::model::gauss::integrate;
 
 /// The exponent over which one quadrature panel reaches, and the exponent beyond which e^{−…} is below rounding.
 const PANEL_EXPONENT: f64 = 3.0;

@@ -3,10 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::dry::DryContact;
-use super::gauss::integrate;
 use super::position::Position;
 use super::root::bracketed_root;
 use crate::model::Parameters;
+use crate::model::gauss::integrate;
 
 /// c of the elastic film at large β, 0.197/√β + 0.951/β (Eq. 34).
 ///

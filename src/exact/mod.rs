@@ -11,7 +11,6 @@ mod bessel_ratio;
 mod bounds;
 mod dry;
 mod dry_pressure;
-mod gauss;
 mod hertz;
 mod large_beta;
 mod position;

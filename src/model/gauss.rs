@@ -22,3 +22,24 @@ pub fn unit_interval() -> impl Iterator<Item = (f64, f64)> + Clone {
 pub fn mean(a: f64, b: f64, function: impl Fn(f64) -> f64) -> f64 {
     unit_interval().map(|(t, weight)| weight * function(a + (b - a) * t)).sum()
 }
+
+/// Integral of a function from `a` to `b`; exact for polynomials up to degree 31.
+pub fn integrate(a: f64, b: f64, function: impl Fn(f64) -> f64) -> f64 {
+    (b - a) * mean(a, b, function)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::integrate;
+
+    #[test]
+    fn exact_up_to_degree_thirty_one() {
+        for degree in 0..32 {
+            let exact = (3_f64.powi(degree + 1) - 1.0) / f64::from(degree + 1);
+            let value = integrate(1.0, 3.0, |x| x.powi(degree));
+            assert!((value / exact - 1.0).abs() < 1e-13, "degree {degree}");
+        }
+        let beyond = integrate(-1.0, 1.0, |x| 1e10 * x.powi(32));
+        assert!((beyond - 1e10 * 2.0 / 33.0).abs() > 0.1, "no more than that");
+    }
+}

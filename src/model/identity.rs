@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// Identifies a problem: its parameters, the settings that change its numbers and the solver's version of results.
+/// Names a problem and the way it is solved: cases with the same id have the same numbers.
 ///
 /// It does not depend on the place in a sweep, so a case keeps its id when values are added to an axis. Written as
 /// 16 hexadecimal digits.

@@ -144,6 +144,9 @@ impl Limits {
     /// No limit computed.
     pub const UNKNOWN: Self = Self { dry_mu_v: f64::NAN, approx_mu_h: f64::NAN };
 
+    /// Names of their columns.
+    pub const COLUMNS: [&'static str; 2] = ["dry_mu_v", "approx_mu_h"];
+
     /// The row of a case that failed: the limits are known, all else is NaN.
     pub fn failed_row(&self) -> [f64; COLUMNS.len()] {
         COLUMNS.map(|column| match column.name {

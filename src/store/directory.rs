@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::StoreError;
+use super::log::log_numbers;
 
 /// Ends the name of a file that is being written. What a killed run leaves under such a name is removed by the next.
 const TEMPORARY: &str = ".stribeck-part";
@@ -49,6 +50,19 @@ impl Directory {
 
     pub(super) fn published(&self, name: &str) -> PathBuf {
         self.root.join(name)
+    }
+
+    /// An error if a run would replace files here that no run has written.
+    ///
+    /// [`Directory::create`] comes before the first file of ours, so a start that was killed at any moment left a log.
+    pub(super) fn must_be_ours_or_free(&self) -> Result<(), StoreError> {
+        let names = ["sweep.toml"].into_iter().chain(PUBLISHED);
+        let Some(file) = names.into_iter().find(|name| self.root.join(name).exists()) else { return Ok(()) };
+        // Others have a directory `log` as well.
+        if self.logs().is_dir() && (self.shards().is_dir() || !log_numbers(&self.logs())?.is_empty()) {
+            return Ok(());
+        }
+        Err(StoreError::Occupied { path: self.root.clone(), file })
     }
 
     /// Makes the directories that are missing.

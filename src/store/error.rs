@@ -49,6 +49,16 @@ pub enum StoreError {
         /// What is missing.
         what: &'static str,
     },
+    /// A directory of someone else, whose files a run would replace.
+    #[error(
+        "{} is not a results directory (it has {file} but no log); choose another directory with -o", path.display()
+    )]
+    Occupied {
+        /// The directory.
+        path: PathBuf,
+        /// A file in it that has the name of one of ours.
+        file: &'static str,
+    },
     /// A file whose content is not what its record says.
     #[error("{} is damaged: {what}; delete it and run the sweep again, its cases are then solved anew", path.display())]
     Damaged {
@@ -82,15 +92,6 @@ pub enum StoreError {
 }
 
 impl StoreError {
-    /// True if the disk is full (or a quota is used up): space must be made before the run can go on.
-    pub fn is_disk_full(&self) -> bool {
-        match self {
-            Self::File { source, .. } => is_full(source),
-            Self::Hdf5 { disk_full, .. } => *disk_full,
-            _ => false,
-        }
-    }
-
     pub(super) fn file(path: &Path, action: &'static str) -> impl FnOnce(io::Error) -> Self {
         move |source| Self::File { path: path.to_owned(), action, source }
     }
@@ -101,11 +102,6 @@ impl StoreError {
             Self::Hdf5 { path: path.to_owned(), action, source, disk_full }
         }
     }
-}
-
-fn is_full(error: &io::Error) -> bool {
-    use io::ErrorKind::{QuotaExceeded, StorageFull};
-    matches!(error.kind(), StorageFull | QuotaExceeded)
 }
 
 const MAKE_SPACE: &str = "free some space and run the same command again: all that was committed is kept";
@@ -146,9 +142,8 @@ mod tests {
     #[test]
     fn a_full_disk_is_recognised_and_nothing_else() {
         let error = |kind: io::ErrorKind| StoreError::file(Path::new("a"), "write")(kind.into());
-        assert!(error(io::ErrorKind::StorageFull).is_disk_full());
         assert!(error(io::ErrorKind::StorageFull).to_string().contains("free some space"));
-        assert!(!error(io::ErrorKind::PermissionDenied).is_disk_full());
+        assert!(!error(io::ErrorKind::PermissionDenied).to_string().contains("free some space"));
         assert!(is_full_disk_text("file write failed: errno = 28, error message = 'No space left on device'"));
         assert!(!is_full_disk_text("unable to open file: errno = 2, error message = 'No such file or directory'"));
     }

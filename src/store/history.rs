@@ -9,6 +9,8 @@ use super::{Ending, Status};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct History {
     starts: BTreeMap<u32, Start>,
+    /// True if cases were committed after the last publication.
+    pub(super) unpublished: bool,
 }
 
 /// One run: what its log tells.
@@ -56,6 +58,11 @@ impl History {
     }
 
     pub(super) fn note(&mut self, log: u32, record: &Record) {
+        match record {
+            Record::Shard(_) => self.unpublished = true,
+            Record::Published { .. } => self.unpublished = false,
+            Record::Start { .. } | Record::End { .. } => {}
+        }
         let start = self.starts.entry(log).or_default();
         let time = match record {
             Record::Start { program, cases, threads, time } => {

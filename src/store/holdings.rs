@@ -117,6 +117,20 @@ impl Holdings {
         self.directory.owner()
     }
 
+    /// True if the published files are there and no case was committed after them. They are checked by size.
+    ///
+    /// # Errors
+    /// [`StoreError::File`] if they cannot be looked at.
+    pub fn is_published(&self) -> Result<bool, StoreError> {
+        let Some(last) = self.published.as_ref().filter(|_| !self.history.unpublished) else { return Ok(false) };
+        for file in &last.files {
+            if fault(&self.directory.published(&file.file), file, Inspection::Size)?.is_some() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// How many cases are here, whatever fields they have.
     pub fn counts(&self) -> Counts {
         Counts { converged: self.index.count(Status::Converged), failed: self.index.count(Status::Failed) }

@@ -10,15 +10,13 @@
 //! timings.csv     published: what each case cost
 //! ```
 //!
-//! Log and shards are the truth; the published files are rebuilt from them. A chain is committed in this order: its
+//! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. A chain is committed in this order: its
 //! shard is written under a temporary name, brought to the disk, renamed, the directory brought to the disk, and only
 //! then a record is appended to the log and brought to the disk. Whatever the moment at which a run is killed, all
 //! chains with a record are whole, and all others are solved again.
 //!
 //! The store knows no equations: it gets plain numbers in the order of [`crate::model::COLUMNS`]. Every file, data set
 //! and column is described in `docs/output.md`.
-
-#![deny(unsafe_code)]
 
 mod contents;
 mod dimension_scales;

@@ -10,7 +10,7 @@ use super::record::{FileRecord, Record};
 use super::results::Results;
 use super::tables::{Summary, Timings};
 use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
-use crate::model::{COLUMNS, CaseId};
+use crate::model::{COLUMNS, CaseId, Limits};
 
 /// What is published: a grid over (f, α, β), and which case stands at each place of it.
 pub struct Publication<'a> {
@@ -54,7 +54,7 @@ const OPEN_SHARDS: usize = 8;
 
 impl Store {
     /// Publishes the sweep: writes `results.h5`, `summary.csv` and `timings.csv` under temporary names and puts them in
-    /// place together, unless they are there already, made of the same cases.
+    /// place together, unless they are there already, made of the same cases and as they were written.
     ///
     /// The bytes of the first two depend on nothing but the publication, the cases and the version of the program. Goes
     /// through the grid row by row; memory does not depend on its size.
@@ -84,11 +84,11 @@ impl Store {
     }
 }
 
-/// True if the files of a publication with this key are there.
+/// True if the files of a publication with this key are there, byte for byte.
 fn is_in_place(store: &Holdings, key: &str) -> Result<bool, StoreError> {
     let Some(last) = store.published.as_ref().filter(|last| last.key == key) else { return Ok(false) };
     for file in &last.files {
-        if fault(&store.directory.published(&file.file), file, Inspection::Size)?.is_some() {
+        if fault(&store.directory.published(&file.file), file, Inspection::Hash)?.is_some() {
             return Ok(false);
         }
     }
@@ -110,6 +110,7 @@ fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, Sto
     }
     let contents = Contents::of(&store.output);
     hasher.update(contents.fields.names().join(" ").as_bytes()).update(&contents.x.to_le_bytes());
+    hasher.update(&[u8::from(contents.limits)]);
     for axis in [publication.f, publication.alpha, publication.beta] {
         hasher.update(&(axis.len() as u64).to_le_bytes());
         for value in axis {
@@ -165,7 +166,8 @@ fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) 
             let (shard, case) = open.case(id)?;
             let reader = &shard.reader;
             let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-            let place = Place { case: id, status, reason, values: reader.values(case) };
+            let values = asked(reader.values(case), store.output.limits);
+            let place = Place { case: id, status, reason, values };
             let parameters = [publication.f[i_f], publication.alpha[i_alpha], publication.beta[i_beta]];
             summary.row(&place, parameters)?;
             timings.row(&place, parameters, &shard.cases[case].timing())?;
@@ -181,6 +183,16 @@ fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) 
     results.finish().map_err(results_error())?;
     summary.finish()?;
     timings.finish()
+}
+
+/// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.
+fn asked(mut values: [f64; COLUMNS.len()], limits: bool) -> [f64; COLUMNS.len()] {
+    for (value, column) in values.iter_mut().zip(&COLUMNS) {
+        if !limits && Limits::COLUMNS.contains(&column.name) {
+            *value = f64::NAN;
+        }
+    }
+    values
 }
 
 /// The shards used last, newest at the back.

@@ -46,7 +46,7 @@ impl VerifyReport {
 }
 
 const SOLVE_AGAIN: &str = "run the sweep again: its cases are solved anew";
-const PUBLISH_AGAIN: &str = "delete it and run the sweep again: it is rebuilt from the shards";
+const PUBLISH_AGAIN: &str = "run the sweep again: it is rebuilt from the shards";
 
 /// Re-reads every shard against its record (size, checksum, cases, shapes) and the published files against theirs.
 ///

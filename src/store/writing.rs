@@ -40,9 +40,11 @@ impl Store {
     /// by byte. What is damaged is not used and listed in [`Holdings::warnings`]. `output` is what each case must have.
     ///
     /// # Errors
-    /// [`StoreError::Locked`] if another process works there, others if the directory cannot be read or written.
+    /// [`StoreError::Locked`] if another process works there, [`StoreError::Occupied`] if files are there that would be
+    /// replaced and no run has written (nothing is changed then), others if the directory cannot be read or written.
     pub fn open(path: &Path, sweep_text: &str, output: &Output) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
+        directory.must_be_ours_or_free()?;
         directory.create()?;
         let lock = directory.lock()?;
         directory.remove_leftovers()?;
@@ -51,6 +53,14 @@ impl Store {
         }
         let holdings = Holdings::load(directory, output, Inspection::Hash)?;
         Ok(Self { holdings, log: None, _lock: lock })
+    }
+
+    /// Whether [`Store::open`] would take a directory that holds no results yet. Changes nothing.
+    ///
+    /// # Errors
+    /// [`StoreError::Occupied`] as for [`Store::open`].
+    pub fn may_take(path: &Path) -> Result<(), StoreError> {
+        Directory::new(path).must_be_ours_or_free()
     }
 
     /// Records that a run begins which sets out to solve so many cases.

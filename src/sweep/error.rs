@@ -85,11 +85,6 @@ impl fmt::Display for Invalid {
 impl std::error::Error for Invalid {}
 
 impl SweepError {
-    /// True if the file could not be read at all, so that its text was never judged.
-    pub fn is_io(&self) -> bool {
-        matches!(self, SweepError::Unreadable { .. })
-    }
-
     /// The remedy, in words.
     pub fn remedy(&self) -> &str {
         match self {

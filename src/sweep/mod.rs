@@ -29,4 +29,5 @@ mod specification;
 pub use error::{Invalid, SweepError};
 pub use fingerprint::Fingerprint;
 pub use plan::{Chain, MAX_CHAIN, Plan};
+pub use solver::ESTIMATE_POINTS;
 pub use specification::{Axes, Method, SolverSettings, Sweep};

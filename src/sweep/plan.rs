@@ -62,19 +62,6 @@ impl Plan {
         self.elastic_rows() + retarding_f * self.retarding_alpha()
     }
 
-    /// The row of a grid point, by its places on the axes of f and α.
-    ///
-    /// # Panics
-    /// If a place is not on its axis.
-    pub fn row_of(&self, i_f: usize, i_alpha: usize) -> usize {
-        assert!(i_f < self.axes.f.len() && i_alpha < self.axes.alpha.len(), "({i_f}, {i_alpha}) is not in the sweep");
-        if i_f < self.elastic_f() || i_alpha >= self.retarding_alpha() {
-            0
-        } else {
-            self.elastic_rows() + (i_f - self.elastic_f()) * self.retarding_alpha() + i_alpha
-        }
-    }
-
     /// The first grid place (i_f, i_alpha) of a row in the order of publication.
     ///
     /// # Panics

@@ -45,11 +45,15 @@ fn read_method(entry: &Entry<'_>) -> Result<Method, Fault> {
     }
 }
 
+/// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101 points
+/// it is of no use.
+pub const ESTIMATE_POINTS: usize = 201;
+
 fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
     let section = section(entry)?;
     let defaults = Settings::default();
     let accelerations = [("anderson", Acceleration::Anderson), ("none", Acceleration::None)];
-    Ok(Settings {
+    let settings = Settings {
         domain: section.get("domain").map(|entry| read_domain(&entry)).transpose()?.unwrap_or(defaults.domain),
         points: section.get("points").map(|entry| read_points(&entry)).transpose()?.unwrap_or(defaults.points),
         tolerance: match section.get("tolerance") {
@@ -69,7 +73,17 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
             None => defaults.acceleration,
         },
         estimate: section.get("estimate").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.estimate),
-    })
+    };
+    match section.get("estimate") {
+        Some(entry) if settings.estimate && settings.points < ESTIMATE_POINTS => {
+            let what = format!("`solver.relaxation.estimate` needs at least {ESTIMATE_POINTS} points");
+            let label = format!("not with {} points", settings.points);
+            let help = "errors are estimated from a second grid of half as many intervals: write points = 201 or more, or \
+                        estimate = false";
+            Err(entry.fault(what, label, help))
+        }
+        _ => Ok(settings),
+    }
 }
 
 fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {

@@ -150,6 +150,12 @@ pub fn bad_files() -> Vec<Row> {
             "\"anderson\"?",
         ),
         (with_axes("[solver.relaxation]\nestimate = 1\n"), "6:12", "true or false", "without quotes"),
+        (
+            with_axes("[solver.relaxation]\npoints = 199\nestimate = true\n"),
+            "7:12",
+            "needs at least 201 points",
+            "estimate = false",
+        ),
         (with_axes("[solver.relaxation]\ndomain = \"wide\"\n"), "6:10", "\"auto\" or [x_min, x_max]", "[-3.0, 4.0]"),
         (with_axes("[solver.relaxation]\ndomain = [-3.0]\n"), "6:10", "\"auto\" or [x_min, x_max]", "both ends"),
         (with_axes("[solver.relaxation]\ndomain = [0.5, 4.0]\n"), "6:11", "below 0", "on both sides"),

@@ -126,22 +126,29 @@ fn files_that_are_no_sweep_files() {
     let path = |name: &str| directory.path().join(name);
 
     let missing = Sweep::read(path("missing.toml")).expect_err("missing");
-    assert!(missing.is_io() && missing.to_string().contains("missing.toml"), "{missing}");
+    assert!(
+        matches!(missing, SweepError::Unreadable { .. }) && missing.to_string().contains("missing.toml"),
+        "{missing}"
+    );
     assert!(missing.remedy().contains("check the path"));
 
     let no_file = Sweep::read(directory.path()).expect_err("a directory");
-    assert!(no_file.is_io() && no_file.remedy().contains("in that directory"), "{no_file} {}", no_file.remedy());
+    assert!(
+        matches!(no_file, SweepError::Unreadable { .. }) && no_file.remedy().contains("in that directory"),
+        "{no_file} {}",
+        no_file.remedy()
+    );
 
     fs::write(path("latin.toml"), b"[axes]\n# \xc3\xa9t\xe9\n").expect("written");
     let latin = Sweep::read(path("latin.toml")).expect_err("not UTF-8");
     assert!(latin.to_string().contains("latin.toml:2:5: the byte 0xe9 is not UTF-8"), "{latin}");
-    assert!(!latin.is_io() && latin.remedy().contains("UTF-8"));
+    assert!(!matches!(latin, SweepError::Unreadable { .. }) && latin.remedy().contains("UTF-8"));
 
     let large = path("large.toml");
     fs::write(&large, AXES.to_owned() + &"#\n".repeat(8 << 20)).expect("written");
     let too_large = Sweep::read(&large).expect_err("too large");
     assert!(too_large.to_string().contains("larger than 16 MiB"), "{too_large}");
-    assert!(!too_large.is_io() && too_large.remedy().contains("{ from"));
+    assert!(!matches!(too_large, SweepError::Unreadable { .. }) && too_large.remedy().contains("{ from"));
     fs::write(&large, AXES.to_owned() + &"#".repeat((16 << 20) - AXES.len())).expect("written");
     assert!(Sweep::read(&large).is_ok(), "16 MiB are allowed");
 }
