@@ -3,7 +3,7 @@
 use stribeck::model::Parameters;
 use stribeck::relaxation::Settings;
 
-use crate::cases::{chain, no_fields, outcomes, reference, settings, solutions};
+use crate::cases::{chain, no_fields, reference, settings, solutions};
 
 /// Within a factor of three where the film is resolved. F_v of the elastic cases is zero: there is nothing to compare.
 #[test]
