@@ -1,6 +1,6 @@
 //! Cases without a solution end with a reason, soon, and with no number that is not one.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use stribeck::continuation::SolvedCase;
 use stribeck::model::Parameters;
@@ -86,7 +86,7 @@ fn a_failure_does_not_stop_the_chain() {
 /// Far outside of the paper's range.
 #[test]
 fn extreme_parameters_end_soon() {
-    let mut slowest = Duration::ZERO;
+    let mut most = 0;
     for f in [0.0, 1.0, 1e6] {
         for alpha in [0.0, 1e-8, 1.0, 1e8] {
             for beta in [1e-4, 1.0, 1e10] {
@@ -102,10 +102,11 @@ fn extreme_parameters_end_soon() {
                     solved.effort.iterations,
                     solved.outcome.as_ref().map(|solution| solution.quantities.c).map_err(|failure| &failure.reason)
                 );
-                slowest = slowest.max(begin.elapsed());
+                most = most.max(solved.effort.iterations);
                 is_sane(&parameters, &solved);
             }
         }
     }
-    assert!(slowest < Duration::from_secs(20), "{slowest:?}");
+    // some seconds, on any machine of today
+    assert!(most < 2_000_000, "{most} passes");
 }
