@@ -33,6 +33,7 @@
 compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default) or `system-hdf5`");
 
 pub mod cli;
+pub mod collocation;
 pub mod continuation;
 pub mod engine;
 pub mod exact;

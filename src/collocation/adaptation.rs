@@ -1,0 +1,155 @@
+//! Where a solution wants its panels.
+
+use std::sync::Arc;
+
+use super::log_moments::MOST_MOMENTS;
+use super::mesh::Mesh;
+use super::reference::ReferencePanel;
+use super::state::State;
+
+/// How fast the size of panels may change along y: neighbours differ by a factor of e^GRADING at most.
+const GRADING: f64 = 1.7;
+/// Indicators fall about as the (d/CONVERGENCE)-th power of the size of a panel: more slowly than the d-th, because the
+/// peaks that matter are only just resolved.
+const CONVERGENCE: f64 = 1.7;
+/// The smallest indicator that counts; below it is rounding.
+const LEAST: f64 = 1e-15;
+
+/// How many panels a new mesh has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Panels {
+    /// So many.
+    Number(usize),
+    /// As many as it takes for each to have this indicator.
+    Indicator(f64),
+}
+
+/// How badly each panel resolves its part of a state.
+///
+/// The larger of the last two Legendre coefficients of p, over the largest p; plus the same of ln u, times the part of
+/// ∫ dx/u, that is of the shear, that lies on the panel.
+pub fn indicators(reference: &ReferencePanel, state: &State) -> Vec<f64> {
+    let (degree, size) = (reference.degree, reference.degree + 1);
+    let largest = state.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
+    let panels = state.mesh.film.windows(2).zip(state.film.chunks_exact(degree));
+    let shear = |(ends, film): (&[f64], &[f64])| -> f64 {
+        film.iter().zip(&reference.weights).map(|(u, weight)| 0.5 * (ends[1] - ends[0]) * weight / u).sum()
+    };
+    let whole_shear: f64 = panels.clone().map(shear).sum();
+    let mut coefficients = [0.0; MOST_MOMENTS];
+    let mut logarithms = [0.0; MOST_MOMENTS];
+    let mut indicator = |(panel, (ends, film)): (usize, (&[f64], &[f64]))| {
+        let nodes = &state.pressure[panel * degree..panel * degree + size];
+        reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
+        let pressure = last_two(&coefficients[..size]) / largest;
+        for (ln, u) in logarithms.iter_mut().zip(film) {
+            *ln = u.ln();
+        }
+        reference.coefficients_of_points(&logarithms[..degree], &mut coefficients[..degree]);
+        let share = shear((ends, film)) / whole_shear;
+        (pressure + share * last_two(&coefficients[..degree])).max(LEAST)
+    };
+    panels.enumerate().map(&mut indicator).collect()
+}
+
+fn last_two(coefficients: &[f64]) -> f64 {
+    let count = coefficients.len();
+    coefficients[count - 1].abs().max(coefficients[count - 2].abs())
+}
+
+/// A mesh from 0 to `reach` on which each panel of the state would have the same indicator; sizes change gradually along y.
+pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels, reach: f64) -> Arc<Mesh> {
+    let exponent = CONVERGENCE / reference.degree as f64;
+    let old = &state.mesh.film;
+    // the size at which the indicator would be 1, at the ends of the old panels
+    let mut wanted = vec![f64::INFINITY; old.len()];
+    for (panel, indicator) in indicators(reference, state).into_iter().enumerate() {
+        let size = (old[panel + 1] - old[panel]) * indicator.powf(-exponent);
+        wanted[panel] = wanted[panel].min(size);
+        wanted[panel + 1] = wanted[panel + 1].min(size);
+    }
+    let kept = old.iter().take_while(|&&end| end < reach).count();
+    let ends: Vec<f64> = old[..kept].iter().copied().chain([reach]).collect();
+    wanted.resize(kept, 0.0);
+    wanted.push(f64::INFINITY);
+
+    let count_at = |ln_factor: f64| Sizes::graded(&ends, &wanted, ln_factor.exp()).count();
+    let (number, ln_factor) = match panels {
+        Panels::Indicator(indicator) => {
+            let ln_factor = exponent * indicator.ln();
+            (count_at(ln_factor).ceil().max(4.0), ln_factor)
+        }
+        Panels::Number(number) => {
+            // the factor on all sizes that leads to the wanted number
+            let (mut low, mut high) = (-60.0, 20.0);
+            for _ in 0..40 {
+                let middle = 0.5 * (low + high);
+                if count_at(middle) > number as f64 { low = middle } else { high = middle }
+            }
+            (number as f64, high)
+        }
+    };
+    let film = Sizes::graded(&ends, &wanted, ln_factor.exp()).divide(number as usize);
+    Mesh::new(reference.degree, film)
+}
+
+/// The size that panels are to have, linear between given places.
+struct Sizes<'a> {
+    places: &'a [f64],
+    sizes: Vec<f64>,
+}
+
+impl<'a> Sizes<'a> {
+    /// A factor times the wanted sizes, but growing no faster than [`GRADING`].
+    fn graded(places: &'a [f64], wanted: &[f64], factor: f64) -> Self {
+        let mut sizes: Vec<f64> = wanted.iter().map(|size| factor * size).collect();
+        for i in 1..sizes.len() {
+            sizes[i] = sizes[i].min(sizes[i - 1] + GRADING * (places[i] - places[i - 1]));
+        }
+        for i in (1..sizes.len()).rev() {
+            sizes[i - 1] = sizes[i - 1].min(sizes[i] + GRADING * (places[i] - places[i - 1]));
+        }
+        Self { places, sizes }
+    }
+
+    /// The number of panels: ∫ dy/size.
+    fn count(&self) -> f64 {
+        (0..self.places.len() - 1).map(|interval| self.between(interval)).sum()
+    }
+
+    /// ∫ dy/size between two places.
+    fn between(&self, interval: usize) -> f64 {
+        let length = self.places[interval + 1] - self.places[interval];
+        let (a, b) = (self.sizes[interval], self.sizes[interval + 1]);
+        let growth = (b - a) / a;
+        if growth.abs() < 1e-6 { length / a } else { length / (b - a) * growth.ln_1p() }
+    }
+
+    /// Ends of so many panels, each with the same ∫ dy/size.
+    fn divide(&self, number: usize) -> Vec<f64> {
+        let last = self.places.len() - 1;
+        let each = self.count() / number as f64;
+        let mut ends = Vec::with_capacity(number + 1);
+        ends.push(self.places[0]);
+        let (mut interval, mut passed) = (0, 0.0);
+        for i in 1..number {
+            let target = each * i as f64;
+            while interval + 1 < last && passed + self.between(interval) < target {
+                passed += self.between(interval);
+                interval += 1;
+            }
+            ends.push(self.places[interval] + self.reached(interval, target - passed));
+        }
+        ends.push(self.places[last]);
+        ends
+    }
+
+    /// How far beyond a place ∫ dy/size reaches a number.
+    fn reached(&self, interval: usize, number: f64) -> f64 {
+        let length = self.places[interval + 1] - self.places[interval];
+        let a = self.sizes[interval];
+        let slope = (self.sizes[interval + 1] - a) / length;
+        let y = if (slope * number).abs() < 1e-6 { a * number } else { a / slope * (slope * number).exp_m1() };
+        y.clamp(0.0, length)
+    }
+}

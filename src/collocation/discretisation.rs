@@ -1,0 +1,153 @@
+//! What a mesh fixes, whatever the substrate: points, weights, and the elastic displacement (T7) at the points.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+use std::sync::Arc;
+
+use super::log_moments::{MOST_MOMENTS, log_moments};
+use super::matrix::Matrix;
+use super::mesh::Mesh;
+use super::reference::{ReferencePanel, dot};
+
+/// A mesh with its points and the matrix of the elastic displacement.
+///
+/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, and the
+/// outlet itself. Columns are the nodes of the pressure, from the outlet to Y; neighbouring panels share one.
+#[derive(Debug)]
+pub struct Discretisation {
+    /// The panels.
+    pub mesh: Arc<Mesh>,
+    /// The reference panel of their degree.
+    pub reference: Arc<ReferencePanel>,
+    /// y of each row.
+    pub points: Vec<f64>,
+    /// Quadrature weights of the rows, 0 for the outlet.
+    pub weights: Vec<f64>,
+    /// Weight of each node in ∫ p dy.
+    pub node_weights: Vec<f64>,
+    /// e at the rows from p at the nodes (T7), rows × nodes.
+    pub elastic: Matrix,
+}
+
+impl Discretisation {
+    /// Computes what depends on the mesh alone.
+    pub fn new(reference: &Arc<ReferencePanel>, mesh: Arc<Mesh>) -> Self {
+        let degree = reference.degree;
+        assert_eq!(degree, mesh.degree, "a mesh is made for one degree");
+        let (mut points, mut weights) = (Vec::new(), Vec::new());
+        for ends in mesh.behind.windows(2).chain(mesh.film.windows(2)) {
+            let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            points.extend(reference.points.iter().map(|t| centre + half * t));
+            weights.extend(reference.weights.iter().map(|weight| half * weight));
+        }
+        points.push(0.0);
+        weights.push(0.0);
+        let mut node_weights = vec![0.0; mesh.panels() * degree + 1];
+        for (panel, ends) in mesh.film.windows(2).enumerate() {
+            for (j, weight) in reference.node_weights.iter().enumerate() {
+                node_weights[panel * degree + j] += 0.5 * (ends[1] - ends[0]) * weight;
+            }
+        }
+        let elastic = elastic_displacement(reference, &mesh, &points);
+        Self { mesh, reference: Arc::clone(reference), points, weights, node_weights, elastic }
+    }
+
+    /// Number of nodes of the pressure.
+    pub fn nodes(&self) -> usize {
+        self.node_weights.len()
+    }
+
+    /// Number of Gauss points of the film.
+    pub fn film_points(&self) -> usize {
+        self.nodes() - 1
+    }
+
+    /// The rows of the film.
+    pub fn film(&self) -> Range<usize> {
+        let behind = self.behind().end;
+        behind..behind + self.film_points()
+    }
+
+    /// The rows behind the outlet.
+    pub fn behind(&self) -> Range<usize> {
+        0..(self.mesh.behind.len() - 1) * self.reference.degree
+    }
+
+    /// The row of the outlet.
+    pub fn outlet(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    /// y at the Gauss points of the film.
+    pub fn film_y(&self) -> &[f64] {
+        &self.points[self.film()]
+    }
+}
+
+/// y at the Gauss points of the film of a mesh.
+pub fn film_points<'a>(reference: &'a ReferencePanel, mesh: &'a Mesh) -> impl DoubleEndedIterator<Item = f64> + 'a {
+    mesh.film.windows(2).flat_map(|ends| {
+        let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        reference.points.iter().map(move |t| centre + half * t)
+    })
+}
+
+/// e = (1/π) ∫ p ln|y − s| ds (T7) at `points`, of which those of the film are the Gauss points of its panels.
+fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64]) -> Matrix {
+    let (degree, rows) = (reference.degree, points.len());
+    let size = degree + 1;
+    let mut elastic = Matrix::zeros(rows, mesh.panels() * degree + 1);
+    let first_film_row = (mesh.behind.len() - 1) * degree;
+    let mut by_degree = vec![0.0; size * rows];
+    for (panel, ends) in mesh.film.windows(2).enumerate() {
+        let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        let own = first_film_row + panel * degree;
+        let mut moments = [0.0; MOST_MOMENTS];
+        for (row, y) in points.iter().enumerate() {
+            if (own..own + degree).contains(&row) {
+                for k in 0..size {
+                    by_degree[k * rows + row] = reference.own_log_moments[k * degree + row - own];
+                }
+                continue;
+            }
+            log_moments((y - centre) / half, &mut moments[..size]);
+            for (k, moment) in moments[..size].iter().enumerate() {
+                by_degree[k * rows + row] = *moment;
+            }
+        }
+        // ln|y − s| = ln|t − t′| + ln half, and ∫ P_0 = 2
+        for moment in &mut by_degree[..rows] {
+            *moment += 2.0 * half.ln();
+        }
+        for j in 0..size {
+            let column = elastic.column_mut(panel * degree + j);
+            for k in 0..size {
+                let factor = half / PI * reference.node_coefficients[k * size + j];
+                for (value, moment) in column.iter_mut().zip(&by_degree[k * rows..(k + 1) * rows]) {
+                    *value += factor * moment;
+                }
+            }
+        }
+    }
+    elastic
+}
+
+impl Discretisation {
+    /// e (T7) at any places from p at the nodes.
+    pub fn elastic_at(&self, pressure: &[f64], places: &[f64]) -> Vec<f64> {
+        let (degree, size) = (self.reference.degree, self.reference.degree + 1);
+        let mut displacement = vec![0.0; places.len()];
+        let (mut coefficients, mut moments) = ([0.0; MOST_MOMENTS], [0.0; MOST_MOMENTS]);
+        for (panel, ends) in self.mesh.film.windows(2).enumerate() {
+            let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            let nodes = &pressure[panel * degree..panel * degree + size];
+            self.reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
+            for (e, y) in displacement.iter_mut().zip(places) {
+                log_moments((y - centre) / half, &mut moments[..size]);
+                moments[0] += 2.0 * half.ln();
+                *e += half / PI * dot(&coefficients[..size], &moments[..size]);
+            }
+        }
+        displacement
+    }
+}

@@ -1,0 +1,58 @@
+//! Panels on y = x − x_out, and how one mesh leads to the next.
+
+use std::sync::Arc;
+
+/// Panels ahead of the outlet, which carry pressure, and behind it, which carry only displacement.
+///
+/// y = 0 is the outlet, so that the panels do not move with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Degree d of the pressure on a panel.
+    pub degree: usize,
+    /// Ends of the panels of the film, ascending from 0 to Y.
+    pub film: Vec<f64>,
+    /// Ends of the panels behind the outlet, ascending from −Y to 0.
+    pub behind: Vec<f64>,
+}
+
+/// Ratio of neighbouring panels behind the outlet.
+const GROWTH_BEHIND: f64 = 3.0;
+
+impl Mesh {
+    /// A mesh with these ends of panels ahead of the outlet. Behind it panels grow from the size of the first one in
+    /// geometric progression until they reach as far.
+    pub fn new(degree: usize, film: Vec<f64>) -> Arc<Self> {
+        let (first, reach) = (film[1] - film[0], film[film.len() - 1]);
+        let mut behind = vec![0.0];
+        let (mut size, mut at) = (first, 0.0);
+        while at < reach {
+            at = if at + (1.0 + GROWTH_BEHIND) * size > reach { reach } else { at + size };
+            behind.push(-at);
+            size = GROWTH_BEHIND * size;
+        }
+        behind.reverse();
+        Arc::new(Self { degree, film, behind })
+    }
+
+    /// Number of panels with pressure.
+    pub fn panels(&self) -> usize {
+        self.film.len() - 1
+    }
+
+    /// Y, how far the mesh reaches ahead of the outlet.
+    pub fn reach(&self) -> f64 {
+        self.film[self.film.len() - 1]
+    }
+
+    /// The panel ahead of the outlet that holds y, and the place of y on it in [−1, 1]; y from 0 to Y.
+    pub fn locate(&self, y: f64) -> (usize, f64) {
+        locate(&self.film, y)
+    }
+}
+
+/// The panel between two of `ends` that holds y, and its place there in [−1, 1].
+pub fn locate(ends: &[f64], y: f64) -> (usize, f64) {
+    let panel = ends.partition_point(|&end| end <= y).clamp(1, ends.len() - 1) - 1;
+    let (left, right) = (ends[panel], ends[panel + 1]);
+    (panel, (2.0 * y - left - right) / (right - left))
+}

@@ -1,0 +1,105 @@
+//! The corrector: Newton's method, with chord steps where they pay.
+
+use super::displacement::Displacement;
+use super::factorisation::Factorisation;
+use super::state::State;
+use super::system::System;
+use crate::continuation::{Effort, Halt, Work};
+use crate::model::Failure;
+
+/// Iterations after which the corrector is given up.
+const MOST_ITERATIONS: u64 = 40;
+/// A chord step that leaves more than this of the one before is not worth its while: a factorisation costs about five.
+const CHORD_RATE: f64 = 0.2;
+/// Rounding error of the film (T12), whose terms are of order 1.
+const ROUNDING: f64 = 2e-15;
+
+/// Newton's method on one mesh; keeps its buffers from case to case.
+#[derive(Default)]
+pub struct Corrector {
+    system: System,
+    factorisation: Factorisation,
+}
+
+impl Corrector {
+    /// Takes a guess to the solution on its mesh, so near that what is left is below `tolerance` of u, c and the largest p.
+    ///
+    /// The step is only shortened so far that the film stays positive.
+    ///
+    /// # Errors
+    /// [`Halt`] if it does not converge, or the user asks to stop.
+    pub fn correct(
+        &mut self,
+        displacement: &Displacement,
+        beta: f64,
+        state: &mut State,
+        tolerance: f64,
+        work: &mut Work,
+    ) -> Result<(), Halt> {
+        let (mut before, mut fresh) = (f64::INFINITY, false);
+        let mut size = f64::INFINITY;
+        for _ in 0..MOST_ITERATIONS {
+            if work.interrupt.requested() {
+                return Err(Halt::Interrupted);
+            }
+            work.effort.iterations += 1;
+            self.system.linearise(displacement, beta, state);
+            if !fresh {
+                self.factorise(displacement, beta, state, &mut work.effort);
+            }
+            self.step(displacement, beta, state);
+            size = self.system.size(state);
+            if !size.is_finite() {
+                return Err(failed("Newton's method broke down: a step is not finite".to_owned()));
+            }
+            let thinnest = state.film.iter().fold(state.c, |a, &u| a.min(u));
+            let floor = ROUNDING / thinnest;
+            if fresh && size > CHORD_RATE * before && size > floor {
+                // about the same state again, with its own matrix
+                self.system.linearise(displacement, beta, state);
+                self.factorise(displacement, beta, state, &mut work.effort);
+                self.step(displacement, beta, state);
+                size = self.system.size(state);
+                (before, fresh) = (f64::INFINITY, false);
+            }
+            let part = self.system.admissible(state);
+            self.system.advance(state, part);
+            let rate = size / before;
+            let left = if fresh && rate < 0.5 { size * rate / (1.0 - rate) } else { size };
+            if part == 1.0 && (left <= tolerance || size <= floor) {
+                return Ok(());
+            }
+            fresh = part == 1.0 && size < 0.3;
+            before = if fresh { size } else { f64::INFINITY };
+        }
+        Err(failed(format!(
+            "Newton's method did not converge in {MOST_ITERATIONS} iterations: the last step changed the film by {size:.1e} \
+             of itself"
+        )))
+    }
+
+    fn factorise(&mut self, displacement: &Displacement, beta: f64, state: &State, effort: &mut Effort) {
+        self.system.matrix(displacement, beta, state, &mut self.factorisation.matrix);
+        self.factorisation.factorise();
+        effort.factorisations += 1;
+    }
+
+    /// One step about a linearised state, not yet gone.
+    fn step(&mut self, displacement: &Displacement, beta: f64, state: &State) {
+        self.system.fold_end(displacement, beta, state);
+        self.factorisation.solve(&mut self.system.right_side);
+        self.system.expand(displacement);
+    }
+
+    /// One full Newton step.
+    pub fn newton_step(&mut self, displacement: &Displacement, beta: f64, state: &mut State, effort: &mut Effort) {
+        self.system.linearise(displacement, beta, state);
+        self.factorise(displacement, beta, state, effort);
+        self.step(displacement, beta, state);
+        self.system.advance(state, 1.0);
+    }
+}
+
+fn failed(reason: String) -> Halt {
+    Halt::Failed(Failure::new(reason))
+}

@@ -1,0 +1,163 @@
+//! Friction and film of a solution (section "Outputs" of `docs/theory.md`).
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::displacement::Displacement;
+use super::inlet::Inlet;
+use super::reference::{evaluate, multiply};
+use super::state::State;
+use super::system::pressure_gradient;
+use crate::model::{CavityShear, Friction, Quantities};
+
+/// Friction, film and load of a solution: integrals by the Gauss points of the panels, and to infinity beyond them.
+pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_shear: CavityShear) -> Quantities {
+    let discretisation = &displacement.discretisation;
+    let film = discretisation.film();
+    let (weights, y) = (&discretisation.weights[film.clone()], discretisation.film_y());
+    let mut gradient = Vec::new();
+    pressure_gradient(displacement, &state.pressure, &mut gradient);
+    let pressure = at_points(displacement, &state.pressure);
+    let x = state.outlet + discretisation.mesh.reach();
+    let last = film.len() - 1;
+    let end_film = state.film[last] + 0.5 * (x * x - (state.outlet + y[last]).powi(2));
+    let inlet = Inlet::new(beta, x, end_film, state.c);
+
+    let mut pressure_flow = inlet.pressure_flow;
+    let mut shear = inlet.shear;
+    let (mut moment, mut load) = (inlet.moment, inlet.load);
+    for i in 0..film.len() {
+        pressure_flow += weights[i] * gradient[i] * state.film[i];
+        shear += weights[i] / (beta * state.film[i]);
+        moment += weights[i] * pressure[i] * (state.outlet + y[i]);
+        load += weights[i] * pressure[i];
+    }
+    let centroid = moment / FRAC_PI_2;
+    let hydrodynamic_film = (pressure_flow + shear / 3.0) / PI;
+    let hydrodynamic_cavity = cavity_friction(displacement, beta, state, cavity_shear);
+    let friction = Friction {
+        viscoelastic: viscoelastic_friction(displacement, &pressure, &state.pressure),
+        hydrodynamic_film,
+        hydrodynamic_cavity,
+        drag: hydrodynamic_film + hydrodynamic_cavity + centroid,
+    };
+    let (x_p_max, p_max) = extreme_pressure(displacement, state);
+    Quantities {
+        friction,
+        c: state.c,
+        film_min: smallest_film(displacement, state),
+        p_max,
+        x_p_max: state.outlet + x_p_max,
+        x_outlet: state.outlet,
+        centroid,
+        // (T12) in terms of x: h₀′ = h₀ + x_out²/2
+        separation: state.separation - 0.5 * state.outlet * state.outlet,
+        load_residual: (load / FRAC_PI_2 - 1.0).abs(),
+    }
+}
+
+/// p at the Gauss points of the film.
+fn at_points(displacement: &Displacement, nodes: &[f64]) -> Vec<f64> {
+    let discretisation = &displacement.discretisation;
+    let reference = &discretisation.reference;
+    let (degree, size) = (reference.degree, reference.degree + 1);
+    let mut values = vec![0.0; discretisation.film_points()];
+    for (panel, values) in values.chunks_exact_mut(degree).enumerate() {
+        multiply(&reference.values, &nodes[panel * degree..panel * degree + size], values);
+    }
+    values
+}
+
+/// F_v = (2/π) ∫ p w′ dx (Eq. 22). The elastic part of w′ does no work, as its kernel is odd; what is left is
+/// (2/π) Σ f_j/(1+f) ∫ p v_j′ dx with v_j′ = α_j (v_j − e) (T8).
+fn viscoelastic_friction(displacement: &Displacement, at_points: &[f64], nodes: &[f64]) -> f64 {
+    let Some(slopes) = &displacement.retarded_slope else { return 0.0 };
+    let discretisation = &displacement.discretisation;
+    let mut slope = vec![0.0; at_points.len()];
+    slopes.multiply_rows(0, nodes, &mut slope);
+    let weights = &discretisation.weights[discretisation.film()];
+    let sum: f64 = (0..slope.len()).map(|i| weights[i] * at_points[i] * slope[i]).sum();
+    sum / FRAC_PI_2
+}
+
+/// F_h,cavity = ∫ θ/(3πβu) dx behind the outlet (Eq. 20), θ = 1, c/u or 0.
+fn cavity_friction(displacement: &Displacement, beta: f64, state: &State, cavity_shear: CavityShear) -> f64 {
+    let shear = |u: f64| match cavity_shear {
+        CavityShear::Full => 1.0 / u,
+        CavityShear::Streamers => state.c / (u * u),
+        CavityShear::None => 0.0,
+    };
+    if cavity_shear == CavityShear::None {
+        return 0.0;
+    }
+    let discretisation = &displacement.discretisation;
+    let rows = discretisation.behind();
+    let mut displaced = vec![0.0; rows.len()];
+    displacement.matrix.multiply_rows(0, &state.pressure, &mut displaced);
+    let (y, weights) = (&discretisation.points[rows.clone()], &discretisation.weights[rows.clone()]);
+    let gap = |i: usize| state.separation + state.outlet * y[i] + 0.5 * y[i] * y[i] - displaced[i];
+    let inside: f64 = rows.clone().map(|i| weights[i] * shear(gap(i))).sum();
+    // beyond, u = x²/2 + g as for the inlet, with x = −X/t
+    let x = state.outlet + discretisation.mesh.behind[0];
+    let g = gap(0) - 0.5 * (state.outlet + y[0]).powi(2);
+    let beyond = crate::model::gauss::mean(0.0, 1.0, |t| shear((0.5 * x * x + g * t * t) / (t * t)) * x.abs() / (t * t));
+    (inside + beyond) / (3.0 * PI * beta)
+}
+
+/// Where between 0 and Y the pressure is largest, and how large.
+fn extreme_pressure(displacement: &Displacement, state: &State) -> (f64, f64) {
+    let discretisation = &displacement.discretisation;
+    let reference = &discretisation.reference;
+    let (degree, size) = (reference.degree, reference.degree + 1);
+    let top = (0..state.pressure.len()).fold(0, |best, i| if state.pressure[i] > state.pressure[best] { i } else { best });
+    let mut coefficients = vec![0.0; size];
+    let panels = discretisation.mesh.panels();
+    let mut best = (0.0, f64::NEG_INFINITY);
+    // a node between two panels belongs to both
+    for panel in (top.saturating_sub(1) / degree)..=(top / degree).min(panels - 1) {
+        reference.coefficients_of_nodes(&state.pressure[panel * degree..panel * degree + size], &mut coefficients);
+        let ends = &discretisation.mesh.film[panel..=panel + 1];
+        let (t, value) = maximum(|t| evaluate(&coefficients, t), &reference.nodes);
+        if value > best.1 {
+            best = (0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * t, value);
+        }
+    }
+    best
+}
+
+/// The smallest film of the polynomials through the Gauss points of each panel.
+fn smallest_film(displacement: &Displacement, state: &State) -> f64 {
+    let reference = &displacement.discretisation.reference;
+    let degree = reference.degree;
+    let low = (0..state.film.len()).fold(0, |best, i| if state.film[i] < state.film[best] { i } else { best });
+    let mut coefficients = vec![0.0; degree];
+    let mut smallest = state.film[low].min(state.c);
+    let (panel, last) = (low / degree, state.film.len() / degree - 1);
+    for panel in panel.saturating_sub(1)..=(panel + 1).min(last) {
+        reference.coefficients_of_points(&state.film[panel * degree..(panel + 1) * degree], &mut coefficients);
+        smallest = smallest.min(-maximum(|t| -evaluate(&coefficients, t), &reference.nodes).1);
+    }
+    smallest
+}
+
+/// The largest value of a smooth function on [−1, 1] and its place, by golden section about the best of `samples`.
+fn maximum(function: impl Fn(f64) -> f64, samples: &[f64]) -> (f64, f64) {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let values: Vec<f64> = samples.iter().map(|&t| function(t)).collect();
+    let best = (0..values.len()).fold(0, |best, i| if values[i] > values[best] { i } else { best });
+    let (mut a, mut b) = (samples[best.saturating_sub(1)], samples[(best + 1).min(samples.len() - 1)]);
+    let (mut left, mut right) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+    let (mut at_left, mut at_right) = (function(left), function(right));
+    for _ in 0..40 {
+        if at_left > at_right {
+            (b, right, at_right) = (right, left, at_left);
+            left = b - GOLDEN * (b - a);
+            at_left = function(left);
+        } else {
+            (a, left, at_left) = (left, right, at_right);
+            right = a + GOLDEN * (b - a);
+            at_right = function(right);
+        }
+    }
+    let found = (0.5 * (a + b), function(0.5 * (a + b)));
+    if found.1 >= values[best] { found } else { (samples[best], values[best]) }
+}

@@ -1,0 +1,24 @@
+//! The unknowns of the method.
+
+use std::sync::Arc;
+
+use super::mesh::Mesh;
+
+/// A solution, or a guess at one.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// The panels it lives on.
+    pub mesh: Arc<Mesh>,
+    /// p at the nodes; 0 at the first, the outlet.
+    pub pressure: Vec<f64>,
+    /// u at the Gauss points of the film.
+    pub film: Vec<f64>,
+    /// c, the film where p′ = 0, and at the outlet.
+    pub c: f64,
+    /// h₀′ of (T12): the film at the outlet but for the displacement there.
+    pub separation: f64,
+    /// x_out.
+    pub outlet: f64,
+    /// The estimated error over the tolerance, once it is known: it tells how the next mesh should be.
+    pub error: Option<f64>,
+}

@@ -1,0 +1,251 @@
+//! The equations on a mesh: residuals, and the matrix of Newton's method.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::displacement::Displacement;
+use super::inlet::Inlet;
+use super::matrix::Matrix;
+use super::reference::dot;
+use super::state::State;
+
+/// Reynolds' equation integrated once (T2): β p′ u³ + u − c; zero where the flow is conserved.
+pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f64 {
+    beta * pressure_gradient * film.powi(3) + film - c
+}
+
+/// The system of one case on one mesh, linearised about a state.
+///
+/// Unknowns are p at the nodes, u at the Gauss points, c, h₀′ and x_out. p is 0 at the outlet, and at Y that of the [`Inlet`].
+/// The film equation (T12) is linear: it gives δu, and what is left is
+///
+/// ```text
+///             δp (m·d − 1)                     δc     δh₀′   δx_out
+///   ┌                                                              ┐
+///   │  βu²D − a∘W                             −1/u     a      a y   │  flow / u (T2), m·d rows
+///   │  node weights                             0      0      p(X)  │  load (T4)
+///   │  −W at the outlet                        −1      1      0     │  u = c at the outlet (T5), over c
+///   └                                                              ┘
+/// ```
+///
+/// with D the derivative, W the displacement, a = (3βp′u² + 1)/u, and a y that holds what x_out does to p(Y).
+#[derive(Default)]
+pub struct System {
+    /// p′ at the Gauss points.
+    gradient: Vec<f64>,
+    /// W p at the film's rows.
+    displacement: Vec<f64>,
+    /// u less the right side of (T12).
+    film_residual: Vec<f64>,
+    /// W p at the outlet.
+    outlet_displacement: f64,
+    /// ∂(flow residual/u)/∂u.
+    stiffness: Vec<f64>,
+    /// Ahead of the mesh.
+    inlet: Option<Inlet>,
+    /// What is lacking in p(Y).
+    end_correction: f64,
+    /// The right side, and then the step.
+    pub right_side: Vec<f64>,
+    /// Change of p at the nodes.
+    step_pressure: Vec<f64>,
+    /// Change of u at the Gauss points.
+    step_film: Vec<f64>,
+    step_displacement: Vec<f64>,
+}
+
+/// Number of unknowns of the reduced system.
+pub fn unknowns(displacement: &Displacement) -> usize {
+    displacement.discretisation.film_points() + 2
+}
+
+/// p′ at the Gauss points.
+pub fn pressure_gradient(displacement: &Displacement, pressure: &[f64], gradient: &mut Vec<f64>) {
+    let discretisation = &displacement.discretisation;
+    let reference = &discretisation.reference;
+    let (degree, size) = (reference.degree, reference.degree + 1);
+    gradient.clear();
+    for (panel, ends) in discretisation.mesh.film.windows(2).enumerate() {
+        let nodes = &pressure[panel * degree..panel * degree + size];
+        let scale = 2.0 / (ends[1] - ends[0]);
+        gradient.extend(reference.derivative.chunks_exact(size).map(|row| scale * dot(row, nodes)));
+    }
+}
+
+impl System {
+    /// Residuals of a state; the right side is left in `right_side`.
+    pub fn linearise(&mut self, displacement: &Displacement, beta: f64, state: &State) {
+        let discretisation = &displacement.discretisation;
+        let (points, film_rows) = (discretisation.film_points(), discretisation.film());
+        pressure_gradient(displacement, &state.pressure, &mut self.gradient);
+        // the row after the film's is the outlet
+        self.displacement.resize(points + 1, 0.0);
+        displacement.matrix.multiply_rows(film_rows.start, &state.pressure, &mut self.displacement);
+        self.outlet_displacement = self.displacement[points];
+
+        self.film_residual.clear();
+        let y = discretisation.film_y();
+        self.film_residual.extend(
+            (0..points).map(|i| {
+                state.film[i] - (state.separation + state.outlet * y[i] + 0.5 * y[i] * y[i] - self.displacement[i])
+            }),
+        );
+        let reach = discretisation.mesh.reach();
+        let x = state.outlet + reach;
+        let last_y = y[points - 1];
+        // the film at the last Gauss point is carried on to Y as a parabola
+        let end_film = state.film[points - 1] + 0.5 * (x * x - (state.outlet + last_y).powi(2));
+        let inlet = Inlet::new(beta, x, end_film, state.c);
+        self.end_correction = inlet.pressure - state.pressure[points];
+
+        self.right_side.clear();
+        self.stiffness.clear();
+        for i in 0..points {
+            let (u, gradient) = (state.film[i], self.gradient[i]);
+            let a = (3.0 * beta * gradient * u * u + 1.0) / u;
+            self.stiffness.push(a);
+            self.right_side.push(-flow_residual(beta, gradient, u, state.c) / u + a * self.film_residual[i]);
+        }
+        let load = dot(&discretisation.node_weights, &state.pressure) + inlet.load - FRAC_PI_2;
+        self.right_side.push(-load);
+        self.right_side.push((state.c - state.separation + self.outlet_displacement) / state.c);
+        self.inlet = Some(inlet);
+    }
+
+    /// The load that the state lacks or has too much, over π/2.
+    pub fn load_residual(displacement: &Displacement, state: &State, inlet: &Inlet) -> f64 {
+        (dot(&displacement.discretisation.node_weights, &state.pressure) + inlet.load) / FRAC_PI_2 - 1.0
+    }
+
+    /// The matrix about the state of the last [`System::linearise`]; also takes the known part of p(Y) to the right side,
+    /// which `fold_end` does alone.
+    pub fn matrix(&self, displacement: &Displacement, beta: f64, state: &State, matrix: &mut Matrix) {
+        let discretisation = &displacement.discretisation;
+        let reference = &discretisation.reference;
+        let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
+        let first = discretisation.film().start;
+        matrix.reset(points + 2, points + 2);
+        let inlet = self.inlet.as_ref().expect("linearised before");
+        let outlet_scale = 1.0 / state.c;
+        for node in 1..=points {
+            // the last node is not an unknown of its own: its column counts with dp(Y)/dx_out
+            let last = node == points;
+            let displaced = &displacement.matrix.column(node)[first..first + points + 1];
+            let column = matrix.column_mut(if last { points + 1 } else { node - 1 });
+            let factor = if last { inlet.gradient } else { 1.0 };
+            for ((entry, a), w) in column.iter_mut().zip(&self.stiffness).zip(displaced) {
+                *entry = -factor * a * w;
+            }
+            column[points] = factor * discretisation.node_weights[node];
+            column[points + 1] = -factor * displaced[points] * outlet_scale;
+        }
+        for (panel, ends) in discretisation.mesh.film.windows(2).enumerate() {
+            let scale = 2.0 * beta / (ends[1] - ends[0]);
+            for j in 0..size {
+                let node = panel * degree + j;
+                if node == 0 {
+                    continue;
+                }
+                let last = node == points;
+                let factor = scale * if last { inlet.gradient } else { 1.0 };
+                let column = matrix.column_mut(if last { points + 1 } else { node - 1 });
+                for i in 0..degree {
+                    let u = state.film[panel * degree + i];
+                    column[panel * degree + i] += factor * u * u * reference.derivative[i * size + j];
+                }
+            }
+        }
+        let c_column = matrix.column_mut(points - 1);
+        for (entry, u) in c_column.iter_mut().zip(&state.film) {
+            *entry = -1.0 / u;
+        }
+        c_column[points + 1] = -outlet_scale;
+        let separation = matrix.column_mut(points);
+        separation[..points].copy_from_slice(&self.stiffness);
+        separation[points + 1] = outlet_scale;
+        let outlet = matrix.column_mut(points + 1);
+        for ((entry, a), y) in outlet.iter_mut().zip(&self.stiffness).zip(discretisation.film_y()) {
+            *entry += a * y;
+        }
+        // d(∫ p dx ahead of X)/dX = −p(X)
+        outlet[points] -= inlet.pressure;
+    }
+
+    /// Takes the known change of p(Y) to the right side.
+    pub fn fold_end(&mut self, displacement: &Displacement, beta: f64, state: &State) {
+        let discretisation = &displacement.discretisation;
+        let reference = &discretisation.reference;
+        let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
+        let first = discretisation.film().start;
+        let change = self.end_correction;
+        let displaced = &displacement.matrix.column(points)[first..first + points + 1];
+        for ((value, a), w) in self.right_side.iter_mut().zip(&self.stiffness).zip(displaced) {
+            *value += change * a * w;
+        }
+        self.right_side[points] -= change * discretisation.node_weights[points];
+        self.right_side[points + 1] += change * displaced[points] / state.c;
+        let ends = &discretisation.mesh.film;
+        let scale = 2.0 * beta / (ends[ends.len() - 1] - ends[ends.len() - 2]);
+        for i in points - degree..points {
+            let (u, row) = (state.film[i], i + degree - points);
+            self.right_side[i] -= change * scale * u * u * reference.derivative[row * size + degree];
+        }
+    }
+
+    /// The full step from the solution of the reduced system, which `right_side` holds now.
+    pub fn expand(&mut self, displacement: &Displacement) {
+        let discretisation = &displacement.discretisation;
+        let points = discretisation.film_points();
+        let solution = &self.right_side;
+        let (separation, outlet) = (solution[points], solution[points + 1]);
+        let inlet = self.inlet.as_ref().expect("linearised before");
+        self.step_pressure.clear();
+        self.step_pressure.push(0.0);
+        self.step_pressure.extend_from_slice(&solution[..points - 1]);
+        self.step_pressure.push(self.end_correction + inlet.gradient * outlet);
+        self.step_displacement.resize(points, 0.0);
+        let first = discretisation.film().start;
+        displacement.matrix.multiply_rows(first, &self.step_pressure, &mut self.step_displacement);
+        self.step_film.clear();
+        let y = discretisation.film_y();
+        self.step_film.extend(
+            (0..points)
+                .map(|i| -self.film_residual[i] + separation + outlet * y[i] - self.step_displacement[i]),
+        );
+    }
+
+    /// The part of the step, at most 1, that leaves every film at least a fifth of itself.
+    pub fn admissible(&self, state: &State) -> f64 {
+        const LEAST: f64 = 0.2;
+        let points = self.step_film.len();
+        let pairs = state.film.iter().zip(&self.step_film).chain([(&state.c, &self.right_side[points - 1])]);
+        pairs.fold(1.0, |part: f64, (u, step)| if u + step < LEAST * u { part.min((LEAST - 1.0) * u / step) } else { part })
+    }
+
+    /// The largest relative change of film and flow, and of pressure over the largest pressure, that the step makes.
+    pub fn size(&self, state: &State) -> f64 {
+        let points = self.step_film.len();
+        let film = state.film.iter().zip(&self.step_film).map(|(u, step)| (step / u).abs()).fold(0.0, nan_max);
+        let largest = state.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
+        let pressure = self.step_pressure.iter().fold(0.0, |a, step| nan_max(a, step.abs())) / largest;
+        nan_max(nan_max(film, pressure), (self.right_side[points - 1] / state.c).abs())
+    }
+
+    /// Goes a part of the step.
+    pub fn advance(&self, state: &mut State, part: f64) {
+        let points = self.step_film.len();
+        for (p, step) in state.pressure.iter_mut().zip(&self.step_pressure) {
+            *p += part * step;
+        }
+        for (u, step) in state.film.iter_mut().zip(&self.step_film) {
+            *u += part * step;
+        }
+        state.c += part * self.right_side[points - 1];
+        state.separation += part * self.right_side[points];
+        state.outlet += part * self.right_side[points + 1];
+    }
+}
+
+/// The larger of two numbers; NaN if one of them is.
+fn nan_max(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}

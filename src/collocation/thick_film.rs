@@ -1,0 +1,41 @@
+//! The start from nothing: a film so thick that the substrate is nearly rigid.
+
+use super::displacement::Displacement;
+use super::mesh::Mesh;
+use super::state::State;
+use crate::exact::RigidFilm;
+use std::sync::Arc;
+
+/// Ends of panels that suit a rigid film, in units of the length √(2h₀) in which it doubles.
+const PANELS: [f64; 13] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.2, 3.5, 6.0, 12.0, 30.0, 80.0, 200.0];
+
+/// A mesh for the rigid film at β.
+pub fn mesh(degree: usize, beta: f64) -> Arc<Mesh> {
+    let film = RigidFilm::new(beta);
+    let width = (2.0 * film.separation()).sqrt();
+    Mesh::new(degree, PANELS.iter().map(|end| width * end).collect())
+}
+
+/// The rigid film at β on a mesh, lifted by the displacement of its own pressure.
+pub fn state(displacement: &Displacement, beta: f64) -> State {
+    let film = RigidFilm::new(beta);
+    let discretisation = &displacement.discretisation;
+    let outlet = film.outlet();
+    let nodes = discretisation.mesh.film.windows(2).enumerate().flat_map(|(panel, ends)| {
+        let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        discretisation.reference.nodes.iter().skip(usize::from(panel > 0)).map(move |t| centre + half * t)
+    });
+    let mut pressure: Vec<f64> = nodes.map(|y| film.pressure(outlet + y)).collect();
+    pressure[0] = 0.0;
+    let mut displaced = [0.0];
+    displacement.matrix.multiply_rows(discretisation.outlet(), &pressure, &mut displaced);
+    State {
+        mesh: Arc::clone(&discretisation.mesh),
+        film: discretisation.film_y().iter().map(|y| film.film(outlet + y)).collect(),
+        pressure,
+        c: film.c(),
+        separation: film.c() + displaced[0],
+        outlet,
+        error: None,
+    }
+}

@@ -1,0 +1,93 @@
+//! Carrying a state from one mesh to another.
+
+use std::sync::Arc;
+
+use super::discretisation::film_points;
+use super::log_moments::MOST_MOMENTS;
+use super::mesh::Mesh;
+use super::reference::{ReferencePanel, evaluate};
+use super::state::State;
+
+impl State {
+    /// The same state on other panels: p and ln u by their polynomials. (Linear interpolation of p would be an error of the
+    /// size of the film.) Beyond the old mesh p falls as x^{−3}, and u grows as x²/2.
+    pub fn on(&self, reference: &ReferencePanel, mesh: &Arc<Mesh>) -> Self {
+        let mut onto = Self {
+            mesh: Arc::clone(mesh),
+            pressure: Vec::new(),
+            film: Vec::new(),
+            c: self.c,
+            separation: self.separation,
+            outlet: self.outlet,
+            error: None,
+        };
+        self.interpolate(reference, &mut onto);
+        onto
+    }
+
+    fn interpolate(&self, reference: &ReferencePanel, onto: &mut Self) {
+        let (degree, size) = (reference.degree, reference.degree + 1);
+        let reach = self.mesh.reach();
+        let mut coefficients = [0.0; MOST_MOMENTS];
+        let mut current = usize::MAX;
+        let old = (self.pressure[self.pressure.len() - 1], self.film[self.film.len() - 1]);
+        let last_x = self.outlet + film_points(reference, &self.mesh).next_back().expect("a mesh has panels");
+
+        onto.pressure.push(0.0);
+        for ends in onto.mesh.film.windows(2) {
+            for t in &reference.nodes[1..] {
+                let y = at(ends, *t);
+                if y > reach {
+                    onto.pressure.push(old.0 * ((self.outlet + reach) / (self.outlet + y)).powi(3));
+                    continue;
+                }
+                let (panel, t) = self.mesh.locate(y);
+                if panel != current {
+                    let nodes = &self.pressure[panel * degree..panel * degree + size];
+                    reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
+                    current = panel;
+                }
+                onto.pressure.push(evaluate(&coefficients[..size], t));
+            }
+        }
+        current = usize::MAX;
+        for ends in onto.mesh.film.windows(2) {
+            for t in &reference.points {
+                let y = at(ends, *t);
+                if y > reach {
+                    onto.film.push(old.1 + 0.5 * ((self.outlet + y).powi(2) - last_x * last_x));
+                    continue;
+                }
+                let (panel, t) = self.mesh.locate(y);
+                if panel != current {
+                    let mut logarithms = [0.0; MOST_MOMENTS];
+                    for (ln, u) in logarithms.iter_mut().zip(&self.film[panel * degree..(panel + 1) * degree]) {
+                        *ln = u.ln();
+                    }
+                    reference.coefficients_of_points(&logarithms[..degree], &mut coefficients[..degree]);
+                    current = panel;
+                }
+                onto.film.push(evaluate(&coefficients[..degree], t).exp());
+            }
+        }
+    }
+
+    /// The state with all lengths along x multiplied by a factor, at the same load: p over it, films by its square.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let film = self.mesh.film.iter().map(|end| factor * end).collect();
+        Self {
+            mesh: Mesh::new(self.mesh.degree, film),
+            pressure: self.pressure.iter().map(|p| p / factor).collect(),
+            film: self.film.iter().map(|u| u * factor * factor).collect(),
+            c: self.c * factor * factor,
+            separation: self.separation * factor * factor,
+            outlet: self.outlet * factor,
+            error: None,
+        }
+    }
+}
+
+/// The place on a panel.
+fn at(ends: &[f64], t: f64) -> f64 {
+    0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * t
+}
