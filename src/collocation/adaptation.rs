@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::discretisation::film_points;
 use super::log_moments::MOST_MOMENTS;
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
@@ -12,6 +13,8 @@ const GRADING: f64 = 1.7;
 /// Indicators fall about as the (d/CONVERGENCE)-th power of the size of a panel: more slowly than the d-th, because the
 /// peaks that matter are only just resolved.
 const CONVERGENCE: f64 = 1.7;
+/// Panels at the outlet and at the inlet are at most so many times as long as the layer there.
+const LAYER_PANEL: f64 = 8.0;
 /// The smallest indicator that counts; below it is rounding.
 const LEAST: f64 = 1e-15;
 
@@ -57,8 +60,17 @@ fn last_two(coefficients: &[f64]) -> f64 {
     coefficients[count - 1].abs().max(coefficients[count - 2].abs())
 }
 
+/// Where the film begins to grow towards the inlet: the last place with less than twice c.
+fn inlet(reference: &ReferencePanel, state: &State) -> f64 {
+    let last = state.film.iter().rposition(|&u| u < 2.0 * state.c).unwrap_or(0);
+    film_points(reference, &state.mesh).nth(last).unwrap_or(0.0)
+}
+
 /// A mesh from 0 to `reach` on which each panel of the state would have the same indicator; sizes change gradually along y.
-pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels, reach: f64) -> Arc<Mesh> {
+///
+/// The film leaves and enters the contact over lengths of about `layer`. If they are not resolved the solution oscillates all
+/// over the contact, and the indicators no longer tell where that came from; so panels there are never much longer.
+pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels, reach: f64, layer: f64) -> Arc<Mesh> {
     let exponent = CONVERGENCE / reference.degree as f64;
     let old = &state.mesh.film;
     // the size at which the indicator would be 1, at the ends of the old panels
@@ -73,7 +85,10 @@ pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels
     wanted.resize(kept, 0.0);
     wanted.push(f64::INFINITY);
 
-    let count_at = |ln_factor: f64| Sizes::graded(&ends, &wanted, ln_factor.exp()).count();
+    let most = LAYER_PANEL * layer;
+    let inlet = inlet(reference, state);
+    let longest: Vec<f64> = ends.iter().map(|y| most + GRADING * y.min((y - inlet).abs())).collect();
+    let count_at = |ln_factor: f64| Sizes::graded(&ends, &wanted, &longest, ln_factor.exp()).count();
     let (number, ln_factor) = match panels {
         Panels::Indicator(indicator) => {
             let ln_factor = exponent * indicator.ln();
@@ -89,7 +104,7 @@ pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels
             (number as f64, high)
         }
     };
-    let film = Sizes::graded(&ends, &wanted, ln_factor.exp()).divide(number as usize);
+    let film = Sizes::graded(&ends, &wanted, &longest, ln_factor.exp()).divide(number as usize);
     Mesh::new(reference.degree, film)
 }
 
@@ -100,9 +115,9 @@ struct Sizes<'a> {
 }
 
 impl<'a> Sizes<'a> {
-    /// A factor times the wanted sizes, but growing no faster than [`GRADING`].
-    fn graded(places: &'a [f64], wanted: &[f64], factor: f64) -> Self {
-        let mut sizes: Vec<f64> = wanted.iter().map(|size| factor * size).collect();
+    /// A factor times the wanted sizes, but no longer than the longest and growing no faster than [`GRADING`].
+    fn graded(places: &'a [f64], wanted: &[f64], longest: &[f64], factor: f64) -> Self {
+        let mut sizes: Vec<f64> = wanted.iter().zip(longest).map(|(size, longest)| longest.min(factor * size)).collect();
         for i in 1..sizes.len() {
             sizes[i] = sizes[i].min(sizes[i - 1] + GRADING * (places[i] - places[i - 1]));
         }

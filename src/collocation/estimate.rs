@@ -51,6 +51,9 @@ pub fn estimate(
     }
     corrector.newton_step(fine, beta, &mut better, effort);
     let corrected = quantities(fine, beta, &better, cavity_shear);
+    // extremes lie between the points: the richer polynomials know them better
+    let Quantities { film_min, p_max, x_p_max, .. } = corrected;
+    let solution = Quantities { film_min, p_max, x_p_max, ..solution };
     let (before, after) = (&solution.friction, &corrected.friction);
     let scale = before.viscoelastic.abs().max(1e-3 * before.total());
     let errors = RelativeErrors {

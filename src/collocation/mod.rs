@@ -4,8 +4,10 @@
 mod adaptation;
 mod discretisation;
 mod displacement;
+mod estimate;
 mod exponential_moments;
 mod factorisation;
+mod fields;
 mod inlet;
 mod legendre;
 mod log_moments;
@@ -15,9 +17,16 @@ mod newton;
 mod quantities;
 mod reference;
 mod retardation;
+mod scaling;
+mod settings;
+mod solver;
 mod state;
 mod system;
 mod thick_film;
 mod transfer;
+mod workspace;
 #[cfg(test)]
 mod trial;
+
+pub use settings::Settings;
+pub use solver::CollocationSolver;

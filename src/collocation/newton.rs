@@ -11,6 +11,8 @@ use crate::model::Failure;
 const MOST_ITERATIONS: u64 = 40;
 /// A chord step that leaves more than this of the one before is not worth its while: a factorisation costs about five.
 const CHORD_RATE: f64 = 0.2;
+/// Steps that are as small as this may be made of rounding errors.
+const STALLED: f64 = 1e-4;
 /// Rounding error of the film (T12), whose terms are of order 1.
 const ROUNDING: f64 = 2e-15;
 
@@ -37,7 +39,7 @@ impl Corrector {
         work: &mut Work,
     ) -> Result<(), Halt> {
         let (mut before, mut fresh) = (f64::INFINITY, false);
-        let mut size = f64::INFINITY;
+        let (mut size, mut last, mut stalled) = (f64::INFINITY, f64::INFINITY, 0);
         for _ in 0..MOST_ITERATIONS {
             if work.interrupt.requested() {
                 return Err(Halt::Interrupted);
@@ -62,6 +64,7 @@ impl Corrector {
                 size = self.system.size(state);
                 (before, fresh) = (f64::INFINITY, false);
             }
+            if std::env::var("TRACE").is_ok_and(|t| t == "3") { println!("  newton size {size:.2e} before {before:.1e} thinnest {thinnest:.2e} floor {floor:.1e} n {} {}", state.pressure.len(), self.system.describe(state)); }
             let part = self.system.admissible(state);
             self.system.advance(state, part);
             let rate = size / before;
@@ -69,6 +72,13 @@ impl Corrector {
             if part == 1.0 && (left <= tolerance || size <= floor) {
                 return Ok(());
             }
+            // Rounding moves the outlet by so little that only the steepest films notice: a whole step that is small but no
+            // smaller than the ones before is the end of what arithmetic can do.
+            stalled = if part == 1.0 && size < STALLED && size > 0.3 * last { stalled + 1 } else { 0 };
+            if stalled == 3 {
+                return Ok(());
+            }
+            last = size;
             fresh = part == 1.0 && size < 0.3;
             before = if fresh { size } else { f64::INFINITY };
         }

@@ -1,19 +1,29 @@
 //! The start from nothing: a film so thick that the substrate is nearly rigid.
 
+use std::sync::Arc;
+
 use super::displacement::Displacement;
 use super::mesh::Mesh;
 use super::state::State;
 use crate::exact::RigidFilm;
-use std::sync::Arc;
 
 /// Ends of panels that suit a rigid film, in units of the length √(2h₀) in which it doubles.
-const PANELS: [f64; 13] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.2, 3.5, 6.0, 12.0, 30.0, 80.0, 200.0];
+const PANELS: [f64; 10] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.2, 3.5, 6.0, 12.0];
+/// Ratio of the ends of panels further ahead.
+const GROWTH: f64 = 2.5;
 
-/// A mesh for the rigid film at β.
-pub fn mesh(degree: usize, beta: f64) -> Arc<Mesh> {
+/// A mesh for the rigid film at β, from the outlet to `reach`.
+pub fn mesh(degree: usize, beta: f64, reach: f64) -> Arc<Mesh> {
     let film = RigidFilm::new(beta);
     let width = (2.0 * film.separation()).sqrt();
-    Mesh::new(degree, PANELS.iter().map(|end| width * end).collect())
+    let mut ends: Vec<f64> = PANELS.iter().map(|end| width * end).collect();
+    let mut end = ends[PANELS.len() - 1] * GROWTH;
+    while end * GROWTH.sqrt() < reach {
+        ends.push(end);
+        end *= GROWTH;
+    }
+    ends.push(reach);
+    Mesh::new(degree, ends)
 }
 
 /// The rigid film at β on a mesh, lifted by the displacement of its own pressure.

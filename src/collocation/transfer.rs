@@ -87,6 +87,21 @@ impl State {
     }
 }
 
+impl State {
+    /// Adds a factor times the difference of two states, all on meshes with as many panels; films and flows as logarithms.
+    pub fn add_difference(&mut self, factor: f64, of: &Self, from: &Self) {
+        for (p, (of, from)) in self.pressure.iter_mut().zip(of.pressure.iter().zip(&from.pressure)) {
+            *p += factor * (of - from);
+        }
+        for (u, (of, from)) in self.film.iter_mut().zip(of.film.iter().zip(&from.film)) {
+            *u *= (of / from).powf(factor);
+        }
+        self.c *= (of.c / from.c).powf(factor);
+        self.separation += factor * (of.separation - from.separation);
+        self.outlet += factor * (of.outlet - from.outlet);
+    }
+}
+
 /// The place on a panel.
 fn at(ends: &[f64], t: f64) -> f64 {
     0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * t

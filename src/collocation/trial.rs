@@ -1,54 +1,73 @@
-use super::*;
-use crate::continuation::{Interrupt, Work};
-use crate::model::{DisplacementKernel, Parameters, CavityShear};
-use std::sync::Arc;
-use std::time::Instant;
-fn model_c(beta: f64) -> f64 { let a = 0.4458*beta.powf(-0.6); let b = 1.0/(3.14159*beta); a*b/(a+b) }
 
+use crate::continuation::{Interrupt, solve_chain};
+use crate::model::{Parameters, Output, FieldSelection};
+use super::*;
 #[test]
 fn trial() {
     let interrupt = Interrupt::new();
-    for (alpha, f) in [(f64::INFINITY, 0.0), (1.0, 100.0)] {
-        println!("---- {alpha} {f}");
-        let reference = Arc::new(reference::ReferencePanel::new(8));
-        let mut corrector = newton::Corrector::default();
-        let kernel = DisplacementKernel::new(&Parameters::new(alpha, 1.0, f));
-        let disp = |mesh: &Arc<mesh::Mesh>| {
-            let d = Arc::new(discretisation::Discretisation::new(&reference, mesh.clone()));
-            displacement::Displacement::new(d, &kernel)
-        };
-        let mut w = disp(&thick_film::mesh(8, 0.01));
-        let mut state = thick_film::state(&w, 0.01);
-        let mut last: f64 = 0.01;
-        let a2: f64 = 1.0;
-        for k in -4..=8 {
-            let beta = 10f64.powf(k as f64 / 2.0);
-            let mut work = Work::new(&interrupt);
-            let ratio = beta / last;
-            let s = ((a2 + 0.52/beta)/(a2+0.52/last)).sqrt();
-            state = state.scaled(s);
-            let left = model_c(beta)/model_c(last)/s/s;
-            let _ = ratio;
-            for u in &mut state.film { *u *= left.powf((-(*u / state.c - 1.0).max(0.0)).exp()); }
-            state.c *= left;
-            last = beta;
-            let mut mesh = state.mesh.clone();
-            let mut before = f64::NAN;
-            for pass in 0..4 {
-                if pass > 0 { mesh = adaptation::equidistributed(&reference, &state, 16, mesh.reach()); }
-                w = disp(&mesh);
-                state = state.on(&reference, &mesh);
-                let t = Instant::now();
-                let r = corrector.correct(&w, beta, &mut state, 1e-11, &mut work);
-                let t = t.elapsed();
-                let q = quantities::quantities(&w, beta, &state, CavityShear::Full);
-                let ind = adaptation::indicators(&reference, &state);
-                println!("{beta:9.3e} {pass} {} {:?} {t:?} c {:.9} dc {:.1e} mu_v {:.9} mu_h {:.9} {:.1e} {:.1e}", r.is_ok(), (work.effort.iterations, work.effort.factorisations), q.c, q.c/before-1.0, q.friction.viscoelastic, q.friction.hydrodynamic(), ind.iter().fold(0., |a: f64, b| a.max(*b)), ind.iter().fold(1., |a: f64, b| a.min(*b)));
-                before = q.c;
-                if beta > 9e3 { let e = &mesh.film; for (i, v) in ind.iter().enumerate() { print!("[{:.3e} {:.1e} {:.0e}] ", state.outlet+e[i], e[i+1]-e[i], v); } println!(); }
-                if let Err(e) = r { println!("{e:?} {:?}", mesh.film); return; }
+    let text = include_str!("../../tests/reference/single_mode.csv");
+    let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
+    if std::env::var("GRID").is_ok() { return grid(); }
+    for tolerance in [1e-3, 1e-5, 1e-8] {
+    let solver = CollocationSolver::new(Settings { tolerance, ..Settings::default() });
+    let mut ratios = Vec::new();
+    for line in text.lines().skip(1) {
+        let v: Vec<f64> = line.split(',').map(|t| t.parse().unwrap()).collect();
+        let p = if v[0] == 0.0 { Parameters::elastic(v[2]) } else { Parameters::new(v[1], v[2], v[0]) };
+        let r = solve_chain(&solver, &[p], &output, &interrupt).unwrap().remove(0);
+        match &r.outcome {
+            Ok(s) => {
+                let q = &s.quantities;
+                let mu_h = v[8] + v[9];
+                let tot = v[7] + mu_h;
+                let e = [(q.friction.viscoelastic - v[7]).abs() / v[7].max(1e-3 * tot), q.friction.hydrodynamic() / mu_h - 1.0, q.c / v[3] - 1.0, q.film_min / v[4] - 1.0, q.p_max / v[5] - 1.0, q.x_outlet / v[6] - 1.0, q.friction.drag/v[11]-1.0].map(f64::abs);
+                let worst = e[0].max(e[1]).max(e[2]);
+                let est = s.errors.mu_v.max(s.errors.mu_h).max(s.errors.c);
+                if worst > tolerance || tolerance == 1e-8 && (worst>3e-8 || e[3]>1e-6 || e[4]>1e-7||e[5]>1e-7||e[6]>1e-7) { println!("{line} {:?}", e.map(|e| format!("{e:.0e}"))); }
+                ratios.push(est / worst);
             }
+            Err(e) => println!("{line} FAILED {e:?} {:?}", r.path.points.len()),
         }
-        println!("{:?}", state.mesh.film);
     }
+    ratios.sort_by(f64::total_cmp);
+    println!("tolerance {tolerance}: {} ratios {:.2} {:.2} {:.2}", ratios.len(), ratios[ratios.len()/20], ratios[ratios.len()/2], ratios[ratios.len()*19/20]);
+    }
+}
+
+fn grid() {
+    let interrupt = Interrupt::new();
+    let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
+    let solver = CollocationSolver::new(Settings::default());
+    let (mut n, mut failed) = (0, 0);
+    for i in 0..9 { for k in 0..6 {
+        let alpha = 10f64.powi(i - 4);
+        let f = if k == 0 { 0.0 } else { 10f64.powi(k - 1) };
+        let t = std::time::Instant::now();
+        let mut works = (0, 0);
+        let mut text = String::new();
+        for chained in [true, false] {
+        let cases: Vec<_> = (0..11).map(|j| { let beta = 10f64.powi(j - 2); if f == 0.0 { Parameters::elastic(beta) } else { Parameters::new(alpha, beta, f) }}).collect();
+        let chains: Vec<Vec<_>> = if chained { vec![cases] } else { cases.into_iter().map(|c| vec![c]).collect() };
+        for chain in chains { let r = solve_chain(&solver, &chain, &output, &interrupt).unwrap();
+        for (r, c) in r.iter().zip(&chain) {
+            n += 1;
+            works.0 += r.effort.iterations; works.1 += r.effort.factorisations;
+            match &r.outcome { Err(e) => { failed += 1; text += &format!("   FAIL chained {chained} {c:?} {}\n", e.reason); }
+              Ok(s) => if s.quantities.load_residual > 1e-10 { text += &format!("  load {:e} {c:?}\n", s.quantities.load_residual) } }
+        }}}
+        println!("alpha {alpha} f {f} {works:?} {:?}\n{text}", t.elapsed());
+    }}
+    println!("{n} {failed}");
+}
+#[test]
+fn one() {
+    let Ok(v) = std::env::var("CASE") else { return };
+    let v: Vec<f64> = v.split(',').map(|t| t.parse().unwrap()).collect();
+    let interrupt = Interrupt::new();
+    let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
+    let solver = CollocationSolver::new(Settings { tolerance: v[3], ..Settings::default() });
+    let p = if v[2] == 0.0 { Parameters::elastic(v[1]) } else { Parameters::new(v[0], v[1], v[2]) };
+    let r = solve_chain(&solver, &[p], &output, &interrupt).unwrap().remove(0);
+    for p in &r.path.points { println!("{p:?}"); }
+    println!("{r:?}");
 }

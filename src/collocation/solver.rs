@@ -1,0 +1,231 @@
+//! The collocation method as a [`CaseSolver`].
+
+use std::sync::Arc;
+
+use super::adaptation::{Panels, equidistributed, indicators};
+use super::estimate::{ENRICHMENT, estimate, worst};
+use super::fields::fields;
+use super::reference::ReferencePanel;
+use super::scaling::{Scaling, layer};
+use super::settings::Settings;
+use super::state::State;
+use super::thick_film;
+use super::workspace::{Workspace, half_width};
+use crate::continuation::{CaseSolver, Halt, Seed, Solution, StepControl, Work, secant};
+use crate::model::{Failure, Output, Parameters, Quantities, RelativeErrors};
+
+/// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
+const THICK: f64 = 0.01;
+/// Newton's method leaves this part of the tolerance.
+const NEWTON: f64 = 1e-3;
+/// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
+const ROUGH: f64 = 1e-3;
+const SMOOTH: f64 = 1e-4;
+/// Meshes that are tried for a solution that is good enough to go on from, and for one with the wanted accuracy.
+const ROUGH_MESHES: usize = 4;
+const ACCURATE_MESHES: usize = 12;
+/// The estimated error over the tolerance: accepted up to the first; the second is what a new mesh is made for; below the
+/// third a coarser mesh will do for the next case.
+const ACCEPTED: f64 = 0.9;
+const AIM: f64 = 0.15;
+const IDLE: f64 = 0.01;
+/// Most panels of a mesh.
+const MOST_PANELS: usize = 160;
+/// Least pressure over the largest; below it the film would carry tension.
+const TENSION: f64 = -1e-6;
+/// The same for a solution that is only good enough to go on from.
+const ROUGH_TENSION: f64 = -1e-2;
+
+/// The collocation solver with given settings.
+pub struct CollocationSolver {
+    settings: Settings,
+    coarse: Arc<ReferencePanel>,
+    fine: Arc<ReferencePanel>,
+}
+
+impl CollocationSolver {
+    /// A solver with the given settings.
+    pub fn new(settings: Settings) -> Self {
+        Self {
+            settings,
+            coarse: Arc::new(ReferencePanel::new(settings.degree)),
+            fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
+        }
+    }
+
+    /// Newton's method on the mesh of a state.
+    fn correct(&self, workspace: &mut Workspace, beta: f64, state: &mut State, work: &mut Work) -> Result<(), Halt> {
+        workspace.prepare_coarse(&state.mesh);
+        let (corrector, displacement) = workspace.coarse.parts();
+        corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
+        state.error = None;
+        Ok(())
+    }
+
+    /// The panels that would bring the error from so many times the tolerance to [`AIM`] times.
+    fn panels(&self, present: usize, error: f64) -> usize {
+        let factor = (error / AIM).powf(1.0 / self.settings.degree as f64).clamp(0.6, 1.8);
+        let wanted = (present as f64 * factor).round() as usize;
+        if error > ACCEPTED { wanted.max(present + 1) } else { wanted.max(4) }
+    }
+
+    fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
+        let mesh = equidistributed(&self.coarse, state, panels, reach, layer(parameters, state.c));
+        state.on(&self.coarse, &mesh)
+    }
+}
+
+/// The smallest pressure over the largest.
+fn tension(state: &State) -> f64 {
+    let (least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
+    least / most
+}
+
+fn tension_failure(tension: f64) -> Halt {
+    let reason = format!(
+        "Newton's method found a film under tension, {tension:.1e} of the largest pressure: not a solution with cavitation"
+    );
+    Halt::Failed(Failure::new(reason))
+}
+
+impl CaseSolver for CollocationSolver {
+    type Workspace = Workspace;
+    type State = State;
+
+    fn prepare(&self, parameters: &Parameters, _: &Output) -> Result<Workspace, Failure> {
+        Ok(Workspace::new(&self.coarse, &self.fine, parameters))
+    }
+
+    /// The case itself if its film is thick, else the thick film of the same substrate.
+    fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
+        let beta = parameters.beta.min(THICK * half_width(parameters).powi(-2));
+        vec![Parameters { beta, ..parameters.clone() }]
+    }
+
+    /// Factors of three in β at first, up to ten, down to 1.05.
+    fn step_control(&self) -> StepControl {
+        StepControl {
+            first: 3.0_f64.ln(),
+            largest: 10.0_f64.ln(),
+            smallest: 0.05,
+            smallest_part: 0.0,
+            reduction: 0.4,
+            iterations: Some(10.0),
+        }
+    }
+
+    fn start(
+        &self,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        _: &mut Work,
+    ) -> Result<(State, Seed), Halt> {
+        workspace.enter(parameters);
+        let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
+        workspace.prepare_coarse(&thick_film::mesh(self.settings.degree, parameters.beta, reach));
+        Ok((thick_film::state(workspace.coarse.displacement(), parameters.beta), Seed::ThickFilm))
+    }
+
+    /// The nearest solution rescaled to the case; with two, as much more as the rescaled far one failed to predict the near one.
+    fn predict(&self, workspace: &mut Workspace, solved: &[(Parameters, State)], parameters: &Parameters) -> State {
+        workspace.enter(parameters);
+        let scaling = |at: &Parameters| {
+            let same = at.alpha == parameters.alpha && at.f == parameters.f;
+            Scaling::new(if same { workspace.half_width() } else { half_width(at) }, at.beta)
+        };
+        let (near_parameters, near) = solved.last().expect("a prediction needs a solved case");
+        let to = scaling(parameters);
+        let mut guess = near.rescaled(scaling(near_parameters), to);
+        if let [(far_parameters, far), _] = solved {
+            let back = far.rescaled(scaling(far_parameters), scaling(near_parameters));
+            let back = if back.mesh.film == near.mesh.film { back } else { back.on(&self.coarse, &near.mesh) };
+            guess.add_difference(secant(far_parameters, near_parameters, parameters), near, &back);
+        }
+        match near.error {
+            Some(error) if !(IDLE..=ACCEPTED).contains(&(2.0 * error)) => {
+                let panels = Panels::Number(self.panels(near.mesh.panels(), error));
+                self.remeshed(parameters, &guess, panels, to.reach(self.settings.tolerance))
+            }
+            None => self.remeshed(parameters, &guess, Panels::Indicator(SMOOTH), to.reach(self.settings.tolerance)),
+            Some(_) => guess,
+        }
+    }
+
+    fn solve(
+        &self,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        guess: State,
+        work: &mut Work,
+    ) -> Result<State, Halt> {
+        workspace.enter(parameters);
+        let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
+        let mut state = guess;
+        for _ in 0..ROUGH_MESHES {
+            self.correct(workspace, parameters.beta, &mut state, work)?;
+            let tension = tension(&state);
+            let roughest = indicators(&self.coarse, &state).into_iter().fold(0.0, f64::max);
+            if roughest <= ROUGH {
+                return if tension < ROUGH_TENSION { Err(tension_failure(tension)) } else { Ok(state) };
+            }
+            state = self.remeshed(parameters, &state, Panels::Indicator(SMOOTH), reach);
+        }
+        self.correct(workspace, parameters.beta, &mut state, work)?;
+        Ok(state)
+    }
+
+    fn evaluate(
+        &self,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        state: &mut State,
+        output: &Output,
+        work: &mut Work,
+    ) -> Result<Solution, Halt> {
+        let beta = parameters.beta;
+        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        for _ in 0..ACCURATE_MESHES {
+            workspace.prepare_fine(&state.mesh);
+            let displacement = workspace.coarse.displacement();
+            let (corrector, fine) = workspace.fine.parts();
+            let (quantities, errors) =
+                estimate(corrector, displacement, fine, beta, state, output.cavity_shear, &mut work.effort);
+            let error = worst(&errors) / self.settings.tolerance;
+            state.error = Some(error);
+            if std::env::var("TRACE").is_ok() { let ind = indicators(&self.coarse, state); let e = &state.mesh.film; println!("pass error {error:.2e} {errors:?} {} u {:.2e} p {:.2e} ind {:.1e}", state.mesh.panels(), quantities.film_min, quantities.p_max, ind.iter().fold(0.0, |a: f64, b| a.max(*b))); if std::env::var("TRACE").unwrap() == "2" { for (i, v) in ind.iter().enumerate() { print!("[{:.5e} {:.1e} {:.0e}] ", state.outlet+e[i], e[i+1]-e[i], v); } println!(); } }
+            if error <= ACCEPTED {
+                return self.accepted(workspace, beta, state, quantities, errors, output);
+            }
+            let panels = self.panels(state.mesh.panels(), error);
+            if panels > MOST_PANELS {
+                break;
+            }
+            *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
+            self.correct(workspace, beta, state, work)?;
+        }
+        let reason = format!(
+            "the estimated error stays above the tolerance {:e} with {} panels; ask for a larger tolerance",
+            self.settings.tolerance,
+            state.mesh.panels()
+        );
+        Err(Halt::Failed(Failure::new(reason)))
+    }
+}
+
+impl CollocationSolver {
+    fn accepted(
+        &self,
+        workspace: &Workspace,
+        beta: f64,
+        state: &State,
+        quantities: Quantities,
+        errors: RelativeErrors,
+        output: &Output,
+    ) -> Result<Solution, Halt> {
+        let tension = tension(state);
+        if tension < TENSION {
+            return Err(tension_failure(tension));
+        }
+        Ok(Solution { quantities, errors, fields: fields(workspace.coarse.displacement(), beta, state, output) })
+    }
+}
