@@ -10,7 +10,7 @@ use std::sync::{Barrier, Condvar, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
-use stribeck::continuation::{Effort, Interrupt, Interrupted, Seed, SolvedCase};
+use stribeck::continuation::{Effort, Interrupt, Interrupted, Path, Seed, SolvedCase};
 use stribeck::engine::{Engine, Report};
 use stribeck::model::{Failure, Limits};
 
@@ -23,6 +23,7 @@ fn case(chain: usize, reason: &str) -> SolvedCase {
         outcome: Err(Failure::new(reason.to_owned())),
         limits: Limits::UNKNOWN,
         seed: Seed::Elastic,
+        path: Path::default(),
         effort: Effort { iterations: chain as u64, ..Effort::default() },
     }
 }

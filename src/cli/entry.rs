@@ -2,7 +2,7 @@
 
 use std::panic::catch_unwind;
 
-use crate::continuation::{Effort, Seed, SolvedCase};
+use crate::continuation::{Effort, Path, Seed, SolvedCase};
 use crate::exact;
 use crate::model::{CaseId, Failure, Fields, Limits, Output, Parameters};
 use crate::store::{CaseEntry, Status, Timing};
@@ -29,7 +29,8 @@ pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<Sol
         SolvedCase {
             outcome: Err(Failure::new(reason.clone())),
             limits: limits.unwrap_or(Limits::UNKNOWN),
-            seed: Seed::Elastic,
+            seed: Seed::None,
+            path: Path::default(),
             effort: Effort::default(),
         }
     };

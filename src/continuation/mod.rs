@@ -1,4 +1,7 @@
 //! From one case to the next along a chain: seeds, predictor, retries.
+//!
+//! `line.rs` holds straight lines in (ln α, ln β, ln(1+f)), `step.rs` how long steps along them are, `walk.rs` the steps,
+//! `chain.rs` the ladder of seeds of each case, `path.rs` the record of how it was reached.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,8 +9,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::model::{Failure, Fields, Limits, Output, Parameters, Quantities, RelativeErrors};
 
 mod chain;
+mod line;
+mod path;
+mod step;
+mod walk;
 
 pub use chain::solve_chain;
+pub use line::{Line, NoLine, distance, secant};
+pub use path::{Path, PathPoint};
+pub use step::StepControl;
 
 /// Set when the user asks the program to stop; solvers look at it often.
 #[derive(Debug, Default)]
@@ -33,28 +43,34 @@ impl Interrupt {
 /// Where the first guess of a case came from; recorded with the case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seed {
+    /// There was no first guess at all.
+    None,
     /// Hertz pressure on the dry contact.
     Hertz,
     /// The elastic (EHL) solution at the same β.
     Elastic,
     /// The elastic solution at β/(1+f), rescaled to the instantaneous modulus.
     RescaledElastic,
+    /// The film under a rigid cylinder on a rigid plane, at the case itself.
+    ThickFilm,
     /// The converged neighbour along the chain.
     Neighbour,
     /// Extrapolated from the last two cases of the chain.
     Predictor,
     /// The neighbour, by way of so many intermediate points that are not published.
     Intermediate(usize),
-    /// The start of a case at smaller β, by way of so many thicker films that are not published.
+    /// The start of another case where films are thicker, by way of so many cases that are not published, this one included.
     March(usize),
 }
 
 impl fmt::Display for Seed {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Seed::None => formatter.write_str("none"),
             Seed::Hertz => formatter.write_str("hertz"),
             Seed::Elastic => formatter.write_str("elastic"),
             Seed::RescaledElastic => formatter.write_str("rescaled-elastic"),
+            Seed::ThickFilm => formatter.write_str("thick-film"),
             Seed::Neighbour => formatter.write_str("neighbour"),
             Seed::Predictor => formatter.write_str("predictor"),
             Seed::Intermediate(points) => write!(formatter, "intermediate-{points}"),
@@ -83,6 +99,8 @@ pub struct SolvedCase {
     pub limits: Limits,
     /// The seed that led to the outcome (for a failure: the last one tried).
     pub seed: Seed,
+    /// How it was reached.
+    pub path: Path,
     /// What it cost.
     pub effort: Effort,
 }
@@ -129,19 +147,25 @@ pub struct Interrupted;
 
 /// A method that takes a case from a first guess to its solution.
 ///
-/// A chain is a list of cases with the same f, α and substrate and ascending β. What its cases share is computed once, in
-/// [`CaseSolver::prepare`].
+/// A chain is a list of cases on a straight [`Line`] with the same substrate; those of a plan have the same f and α, and
+/// ascending β.
 pub trait CaseSolver: Sync {
-    /// What the cases of a chain share.
-    type Shared;
+    /// What the cases of a chain share, and the buffers of the solver: one for each chain, used by one thread.
+    type Workspace;
     /// A converged solution in the solver's own unknowns.
     type State: Clone;
 
-    /// What the cases with the f, α and substrate of `parameters` share.
+    /// The workspace of the chain that begins with a case.
     ///
     /// # Errors
     /// [`Failure`] if no case of this kind can be solved.
-    fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Self::Shared, Failure>;
+    fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Self::Workspace, Failure>;
+
+    /// Places from which a case can be reached when no neighbour helps, best first; the first may be the case itself.
+    fn origins(&self, parameters: &Parameters) -> Vec<Parameters>;
+
+    /// How long the steps between cases may be.
+    fn step_control(&self) -> StepControl;
 
     /// A first guess that needs no neighbour, and where it came from.
     ///
@@ -149,35 +173,41 @@ pub trait CaseSolver: Sync {
     /// [`Halt`] if there is none.
     fn start(
         &self,
-        shared: &Self::Shared,
+        workspace: &mut Self::Workspace,
         parameters: &Parameters,
         work: &mut Work,
     ) -> Result<(Self::State, Seed), Halt>;
 
-    /// A first guess at β from one or two solved cases, the nearest last, each with its β.
-    fn predict(&self, shared: &Self::Shared, solved: &[(f64, Self::State)], beta: f64) -> Self::State;
+    /// A first guess from one or two solved cases, the nearest last; [`secant`] is the factor of an extrapolation.
+    fn predict(
+        &self,
+        workspace: &mut Self::Workspace,
+        solved: &[(Parameters, Self::State)],
+        parameters: &Parameters,
+    ) -> Self::State;
 
     /// The solution near a first guess.
     ///
     /// # Errors
-    /// [`Halt`] if the method does not converge or is interrupted.
+    /// [`Halt`] if the method does not converge or is interrupted. A conclusive [`Failure`] ends the search for the case
+    /// in hand, also if it is met at a point on the way.
     fn solve(
         &self,
-        shared: &Self::Shared,
+        workspace: &mut Self::Workspace,
         parameters: &Parameters,
-        guess: &Self::State,
+        guess: Self::State,
         work: &mut Work,
     ) -> Result<Self::State, Halt>;
 
-    /// What is to be known of a solution.
+    /// What is to be known of a solution. May first improve the state until it is as accurate as wanted.
     ///
     /// # Errors
     /// [`Halt`] if there is nothing to be known after all, or the user asks to stop.
     fn evaluate(
         &self,
-        shared: &Self::Shared,
+        workspace: &mut Self::Workspace,
         parameters: &Parameters,
-        state: &Self::State,
+        state: &mut Self::State,
         output: &Output,
         work: &mut Work,
     ) -> Result<Solution, Halt>;

@@ -24,9 +24,9 @@ mod stiffness;
 pub use cost::expected_seconds;
 pub use grid::Grid;
 pub use settings::{Acceleration, Domain, Settings};
-pub use solver::{RelaxationSolver, Shared};
+pub use solver::{RelaxationSolver, Workspace};
 pub use state::State;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 1;
+pub const RESULTS_VERSION: u32 = 2;

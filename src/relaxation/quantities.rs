@@ -204,11 +204,11 @@ mod tests {
             let parameters = Parameters::new(alpha, 100.0, f);
             let difference = [201, 401, 801].map(|points| {
                 let solver = RelaxationSolver::new(Settings { points, ..Settings::default() });
-                let shared = solver.prepare(&parameters, &output).expect("the automatic domain fits");
+                let mut workspace = solver.prepare(&parameters, &output).expect("the automatic domain fits");
                 let mut work = Work::new(&interrupt);
-                let (guess, _) = solver.start(&shared, &parameters, &mut work).expect("a start");
-                let state = solver.solve(&shared, &parameters, &guess, &mut work).expect("a solution");
-                let iteration = Iteration::new(shared.finest(), parameters.beta, &state);
+                let (guess, _) = solver.start(&mut workspace, &parameters, &mut work).expect("a start");
+                let state = solver.solve(&mut workspace, &parameters, guess, &mut work).expect("a solution");
+                let iteration = Iteration::new(workspace.finest(), parameters.beta, &state);
                 let result = quantities(&iteration, CavityShear::Full);
                 let inlet = Inlet::of(&iteration, result.c);
                 let wedge = 2.0 / PI * (pressure_flow(&iteration) + inlet.pressure_flow);

@@ -1,7 +1,8 @@
 //! The relaxation method as a [`CaseSolver`].
 
 use std::collections::HashMap;
-use std::f64::consts::PI;
+use std::f64::consts::{LN_10, PI};
+use std::iter;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::convergence::{Target, converge};
@@ -11,7 +12,7 @@ use super::iteration::{Discretisation, Iteration, levelled_kernel};
 use super::quantities::quantities;
 use super::stiffness::{stiffness, thin_film_number};
 use super::{Domain, Grid, Settings, State};
-use crate::continuation::{CaseSolver, Halt, Seed, Solution, Work};
+use crate::continuation::{CaseSolver, Halt, Seed, Solution, StepControl, Work, secant};
 use crate::exact;
 use crate::model::{Failure, FieldSelection, Output, Parameters, Quantities, RelativeErrors};
 
@@ -19,6 +20,10 @@ use crate::model::{Failure, FieldSelection, Output, Parameters, Quantities, Rela
 const MOST_PASSES: u64 = 2_000_000;
 /// The same for a first guess on a coarse grid.
 const ROUGH_PASSES: u64 = 20_000;
+/// Decades of β below a case from which it is reached by way of thicker films when its own start fails.
+const MARCH_DECADES: [i32; 2] = [1, 2];
+/// Steps of such a march in each decade.
+const MARCH_STEPS: f64 = 4.0;
 /// The largest [`thin_film_number`] of a grid that is of use for a first guess.
 const COARSEST: f64 = 20.0;
 
@@ -35,8 +40,8 @@ type ElasticSeed = Arc<(Grid, State)>;
 /// An elastic solution, or why there is none, once the first thread that asked has solved it; the others wait.
 type SharedSeed = Mutex<Option<Result<ElasticSeed, Failure>>>;
 
-/// What the cases of one (α, f) share.
-pub struct Shared {
+/// What the cases of one (α, f) share: the cases of a chain for this solver differ in β alone.
+pub struct Workspace {
     /// Finest grid first, each of half the intervals of the one before.
     levels: Vec<Discretisation>,
     /// M of [`super::reynolds::Relaxation::Local`].
@@ -45,7 +50,7 @@ pub struct Shared {
     beyond: FarField,
 }
 
-impl Shared {
+impl Workspace {
     /// The grid of the solution, and what lives on it.
     pub(super) fn finest(&self) -> &Discretisation {
         &self.levels[0]
@@ -83,11 +88,11 @@ impl RelaxationSolver {
         Grid { x_min, x_max, points: self.settings.points }
     }
 
-    fn shared(&self, parameters: &Parameters, grid: Grid, output: &Output) -> Shared {
-        let grids = std::iter::successors(Some(grid), Grid::coarser);
+    fn workspace(&self, parameters: &Parameters, grid: Grid, output: &Output) -> Workspace {
+        let grids = iter::successors(Some(grid), Grid::coarser);
         let wanted = if output.fields.is_empty() { &[][..] } else { &output.x };
         let beyond = wanted.iter().copied().filter(|&x| !grid.contains(x));
-        Shared {
+        Workspace {
             levels: grids.map(|grid| Discretisation::new(parameters, grid)).collect(),
             stiffness: stiffness(parameters, grid),
             beyond: FarField::points(&levelled_kernel(parameters, &grid), &grid, beyond),
@@ -96,15 +101,15 @@ impl RelaxationSolver {
 
     /// A better guess from a guess on the finest grid, coarse to fine. A coarse grid that does not resolve the film is
     /// left out, and one that does not converge soon only fails to help.
-    fn refine(&self, shared: &Shared, beta: f64, mut guess: State, work: &mut Work) -> Result<State, Halt> {
-        let finest = shared.finest();
+    fn refine(&self, workspace: &Workspace, beta: f64, mut guess: State, work: &mut Work) -> Result<State, Halt> {
+        let finest = workspace.finest();
         let rough = Target { tolerance: self.settings.tolerance.max(1e-4), most_passes: ROUGH_PASSES };
-        for level in shared.levels.iter().skip(1).rev() {
-            if thin_film_number(level.grid.spacing(), beta, guess.c, shared.stiffness) > COARSEST {
+        for level in workspace.levels.iter().skip(1).rev() {
+            if thin_film_number(level.grid.spacing(), beta, guess.c, workspace.stiffness) > COARSEST {
                 continue;
             }
             let coarse = guess.on(&finest.grid, level);
-            match self.solve_on(level, shared.stiffness, beta, &coarse, rough, work) {
+            match self.solve_on(level, workspace.stiffness, beta, &coarse, rough, work) {
                 Ok(state) => guess = state.on(&level.grid, finest),
                 Err(Halt::Failed(_)) => {}
                 Err(Halt::Interrupted) => return Err(Halt::Interrupted),
@@ -132,16 +137,16 @@ impl RelaxationSolver {
     /// such grid or it does not resolve the film.
     fn estimate(
         &self,
-        shared: &Shared,
+        workspace: &Workspace,
         parameters: &Parameters,
         state: &State,
         fine: &Quantities,
         output: &Output,
         work: &mut Work,
     ) -> Result<RelativeErrors, Halt> {
-        let Some(level) = shared.levels.get(1) else { return Ok(RelativeErrors::UNKNOWN) };
-        let guess = state.on(&shared.finest().grid, level);
-        let coarse = match self.solve_on(level, shared.stiffness, parameters.beta, &guess, self.target(), work) {
+        let Some(level) = workspace.levels.get(1) else { return Ok(RelativeErrors::UNKNOWN) };
+        let guess = state.on(&workspace.finest().grid, level);
+        let coarse = match self.solve_on(level, workspace.stiffness, parameters.beta, &guess, self.target(), work) {
             Ok(coarse) => quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear),
             Err(Halt::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
             Err(Halt::Interrupted) => return Err(Halt::Interrupted),
@@ -183,11 +188,11 @@ impl RelaxationSolver {
         // a fixed domain for narrow contacts need not hold the elastic one
         let grid = self.grid(&parameters).unwrap_or_else(|_| self.automatic_grid(&parameters));
         let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
-        let shared = self.shared(&parameters, grid, &no_fields);
+        let workspace = self.workspace(&parameters, grid, &no_fields);
         let pressure = (0..grid.points).map(|i| hertz(grid.x(i))).collect();
-        let guess = State::resting(shared.finest(), pressure, elastic_film(beta));
-        let guess = self.refine(&shared, beta, guess, work)?;
-        let state = self.solve_on(shared.finest(), shared.stiffness, beta, &guess, self.target(), work)?;
+        let guess = State::resting(workspace.finest(), pressure, elastic_film(beta));
+        let guess = self.refine(&workspace, beta, guess, work)?;
+        let state = self.solve_on(workspace.finest(), workspace.stiffness, beta, &guess, self.target(), work)?;
         Ok((grid, state))
     }
 }
@@ -209,28 +214,53 @@ fn richardson(fine: f64, coarse: f64, scale: f64) -> f64 {
 }
 
 impl CaseSolver for RelaxationSolver {
-    type Shared = Shared;
+    type Workspace = Workspace;
     type State = State;
 
-    fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Shared, Failure> {
-        Ok(self.shared(parameters, self.grid(parameters)?, output))
+    fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Workspace, Failure> {
+        Ok(self.workspace(parameters, self.grid(parameters)?, output))
+    }
+
+    /// The case itself, then thicker films.
+    fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
+        let thicker = MARCH_DECADES
+            .map(|decades| Parameters { beta: parameters.beta * 0.1_f64.powi(decades), ..parameters.clone() });
+        iter::once(parameters.clone()).chain(thicker).collect()
+    }
+
+    /// A march never cuts its steps, and a way between neighbours is cut into four at most: a solve that fails costs as much
+    /// as many that succeed. Passes say nothing about a step.
+    fn step_control(&self) -> StepControl {
+        StepControl {
+            first: LN_10 / MARCH_STEPS,
+            largest: f64::INFINITY,
+            smallest: 0.0,
+            smallest_part: 0.25,
+            reduction: 0.5,
+            iterations: None,
+        }
     }
 
     /// The elastic solution at the same β or, where the dry contact is nearer to that of the instantaneous modulus, at
     /// β/(1+f); moved onto the dry contact of the case (centre b, half width ā), which carries it away from x = 0 where α
     /// is about 1/√(1+f): x = b + āξ, p over ā, u times ā², as for an elastic case of compliance ā². Hertz pressure there
     /// if the elastic case has no solution on its grid.
-    fn start(&self, shared: &Shared, parameters: &Parameters, work: &mut Work) -> Result<(State, Seed), Halt> {
+    fn start(
+        &self,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        work: &mut Work,
+    ) -> Result<(State, Seed), Halt> {
         if parameters.is_relaxed_elastic() {
             let seed = self.elastic(parameters.beta, work)?;
-            return Ok((seed.1.on(&seed.0, shared.finest()), Seed::Hertz));
+            return Ok((seed.1.on(&seed.0, workspace.finest()), Seed::Hertz));
         }
         let (trailing, leading, half_width) = exact::contact_bounds(parameters);
         let (centre, compliance) = (0.5 * (trailing + leading), half_width * half_width);
         let instantaneous = parameters.instantaneous_compliance();
         let rescaled = compliance < instantaneous.sqrt();
         let seed_beta = parameters.beta * if rescaled { instantaneous } else { 1.0 };
-        let target = shared.finest();
+        let target = workspace.finest();
         let on_contact = |xi_pressure: &dyn Fn(f64) -> f64| -> Vec<f64> {
             let at = |i| xi_pressure((target.grid.x(i) - centre) / half_width) / half_width;
             (0..target.grid.points).map(at).collect()
@@ -247,42 +277,48 @@ impl CaseSolver for RelaxationSolver {
             Err(Halt::Interrupted) => return Err(Halt::Interrupted),
         };
         let guess = State::resting(target, pressure, film);
-        Ok((self.refine(shared, parameters.beta, guess, work)?, seed))
+        Ok((self.refine(workspace, parameters.beta, guess, work)?, seed))
     }
 
     /// c and p extrapolated in ln β; from one case c β^{3/5} is taken to stay the same, and the pressure too.
-    fn predict(&self, shared: &Shared, solved: &[(f64, State)], beta: f64) -> State {
-        let (near_beta, near) = solved.last().expect("a prediction needs a solved case");
+    fn predict(&self, workspace: &mut Workspace, solved: &[(Parameters, State)], parameters: &Parameters) -> State {
+        let (near_case, near) = solved.last().expect("a prediction needs a solved case");
         let (pressure, c) = match solved {
-            [(far_beta, far), _] => {
-                let t = (beta / near_beta).ln() / (near_beta / far_beta).ln();
+            [(far_case, far), _] => {
+                let t = secant(far_case, near_case, parameters);
                 let pairs = near.pressure.iter().zip(&far.pressure);
                 let pressure = pairs.map(|(near, far)| (near + t * (near - far)).max(0.0)).collect();
                 (pressure, near.c * (near.c / far.c).powf(t))
             }
-            _ => (near.pressure.clone(), near.c * (beta / near_beta).powf(-0.6)),
+            _ => (near.pressure.clone(), near.c * (parameters.beta / near_case.beta).powf(-0.6)),
         };
-        State::resting(shared.finest(), pressure, c)
+        State::resting(workspace.finest(), pressure, c)
     }
 
-    fn solve(&self, shared: &Shared, parameters: &Parameters, guess: &State, work: &mut Work) -> Result<State, Halt> {
-        self.solve_on(shared.finest(), shared.stiffness, parameters.beta, guess, self.target(), work)
+    fn solve(
+        &self,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        guess: State,
+        work: &mut Work,
+    ) -> Result<State, Halt> {
+        self.solve_on(workspace.finest(), workspace.stiffness, parameters.beta, &guess, self.target(), work)
     }
 
     fn evaluate(
         &self,
-        shared: &Shared,
+        workspace: &mut Workspace,
         parameters: &Parameters,
-        state: &State,
+        state: &mut State,
         output: &Output,
         work: &mut Work,
     ) -> Result<Solution, Halt> {
-        let fine = Iteration::new(shared.finest(), parameters.beta, state);
+        let fine = Iteration::new(workspace.finest(), parameters.beta, state);
         let quantities = quantities(&fine, output.cavity_shear);
         let errors = match self.settings.estimate {
-            true => self.estimate(shared, parameters, state, &quantities, output, work)?,
+            true => self.estimate(workspace, parameters, state, &quantities, output, work)?,
             false => RelativeErrors::UNKNOWN,
         };
-        Ok(Solution { quantities, errors, fields: fields(&fine, &shared.beyond, output) })
+        Ok(Solution { quantities, errors, fields: fields(&fine, &workspace.beyond, output) })
     }
 }
