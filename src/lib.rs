@@ -19,7 +19,7 @@
 //! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
-//! | [`continuation`] | seeds, predictor, retries along one chain | [`model`], [`exact`] for the limits beside a solution |
+//! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!

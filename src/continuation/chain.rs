@@ -8,7 +8,7 @@ use super::walk::{Corrector, push};
 use super::{
     CaseSolver, Effort, Halt, Interrupt, Interrupted, Path, Seed, Solution, SolvedCase, StepControl, Work, distance,
 };
-use crate::exact;
+use crate::exact::ChainLimits;
 use crate::model::{Failure, Limits, Output, Parameters};
 
 /// Solves the cases of a chain in their order. A case that fails is reported as such and does not stop the others.
@@ -37,10 +37,11 @@ pub fn solve_chain<S: CaseSolver>(
         interrupt,
     });
     let mut preparation = start.elapsed().as_secs_f64();
+    let mut chain_limits = ChainLimits::default();
     let mut results = Vec::with_capacity(cases.len());
     for parameters in cases {
         let start = Instant::now();
-        let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };
+        let limits = if output.limits { chain_limits.of(parameters) } else { Limits::UNKNOWN };
         let mut result = match &mut chain {
             Ok(chain) => chain.solve(parameters, limits)?,
             Err(failure) => SolvedCase {

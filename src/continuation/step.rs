@@ -5,7 +5,7 @@
 pub struct StepControl {
     /// First step from an origin.
     pub first: f64,
-    /// No step grows beyond this.
+    /// No step is longer than this, save the whole way from a neighbour, which is tried first.
     pub largest: f64,
     /// No failed step is followed by one shorter than this.
     pub smallest: f64,
@@ -28,7 +28,7 @@ impl StepControl {
 
     /// The step in place of one that failed, on a way of the given length; `None` if it would be too short to be tried.
     pub fn after_failure(&self, step: f64, way: f64) -> Option<f64> {
-        let shorter = step * self.reduction;
+        let shorter = (step * self.reduction).min(self.largest);
         (shorter >= self.smallest.max(self.smallest_part * way)).then_some(shorter)
     }
 }

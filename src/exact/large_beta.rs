@@ -1,12 +1,12 @@
 //! The large-β approximation (Sec. 4.3, Eqs. 34–36 and 45–51): a film on top of dry sliding, without any iteration.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
+use super::carried_shear::carried_shear;
 use super::dry::DryContact;
+use super::dry_gradient::DryGradient;
 use super::position::Position;
-use super::root::bracketed_root;
 use crate::model::Parameters;
-use crate::model::gauss::integrate;
 
 /// c of the elastic film at large β, 0.197/√β + 0.951/β (Eq. 34).
 ///
@@ -38,15 +38,14 @@ pub struct LargeBeta {
     c: f64,
 }
 
-/// Step in ln tan(θ/2) in which changes between "a film carries p′" and "none does" are looked for.
-const SCAN: f64 = 0.25;
-/// Where the quadrature ends at the trailing edge: what is left falls as e^{−4η/3}.
-const TRAILING_END: f64 = 15.0;
-
 impl LargeBeta {
     /// The approximation of a case; `None` for several retardation times, for which dry sliding has no closed form.
     pub fn new(parameters: &Parameters) -> Option<Self> {
-        let contact = DryContact::of(parameters)?;
+        Self::on(DryContact::of(parameters)?, parameters)
+    }
+
+    /// The approximation of a case whose dry contact is known.
+    pub(super) fn on(contact: DryContact, parameters: &Parameters) -> Option<Self> {
         let &[mode] = parameters.substrate.modes() else { return None };
         let decay = (-1.41 * parameters.alpha / mode.time).exp();
         let c = approx_elastic_c(parameters.beta * (1.0 + parameters.f * decay));
@@ -77,40 +76,16 @@ impl LargeBeta {
 
     /// F_h, the shear ∫ [p′u/π + 1/(3πβu)] dx over the dry contact (Eq. 20).
     ///
-    /// With p′ from (T2) the integrand is (1/(πβu))(c/u − ⅔). The parts of the contact that carry a film are found first,
-    /// because u has a square-root end there; the coordinates of the quadrature take care of these ends and of the edges.
+    /// With p′ from (T2) the integrand is (1/(πβu))(c/u − ⅔). Most of the work is in p′, which does not depend on β: use
+    /// [`ChainLimits`](super::ChainLimits) for many β.
     pub fn approx_mu_h(&self) -> f64 {
-        let carried = |ln_tan: f64| self.steepness(Position::at(ln_tan)) + STEEPEST;
-        let start = -0.5 * (1e6 * (1.0 + self.contact.k.min(1e15))).ln();
-        let mut sum = 0.0;
-        let (mut end, mut carries) = (TRAILING_END, carried(TRAILING_END) > 0.0);
-        let mut right = TRAILING_END;
-        while right > start {
-            let left = right - SCAN;
-            let still = carried(left) > 0.0;
-            if carries && !still {
-                sum += self.shear_between(bracketed_root(carried, left, right), end);
-            } else if still && !carries {
-                end = bracketed_root(|ln_tan| -carried(ln_tan), left, right);
-            }
-            (right, carries) = (left, still);
-        }
-        if carries { sum + self.shear_between(right, end) } else { sum }
+        self.shear(&DryGradient::new(&self.contact))
     }
 
-    /// The part of F_h between two places with a film, by ln tan(θ/2).
-    fn shear_between(&self, start: f64, end: f64) -> f64 {
+    /// F_h, from the tabulated gradient of its dry contact.
+    pub(super) fn shear(&self, gradient: &DryGradient) -> f64 {
         let unit = 4.0 * self.contact.half_width() / (PI * self.beta * self.c);
-        let length = end - start;
-        let shear = |t: f64| {
-            let here = Position::at(start + length * t.sin().powi(2));
-            let film = film_ratio(self.steepness(here));
-            let dx = here.to_leading * here.to_trailing * length * (2.0 * t).sin();
-            unit * dx * (1.0 / film - 2.0 / 3.0) / film
-        };
-        let panels = (length.ceil() as u32).clamp(2, 24);
-        let panel = FRAC_PI_2 / f64::from(panels);
-        (0..panels).map(|i| integrate(f64::from(i) * panel, f64::from(i + 1) * panel, shear)).sum()
+        unit * carried_shear(gradient, self.beta * self.c * self.c)
     }
 
     /// β c² p′, the one number in the cubic for u/c.
@@ -120,11 +95,11 @@ impl LargeBeta {
 }
 
 /// Largest −βc²p′ that a film can carry.
-const STEEPEST: f64 = 4.0 / 27.0;
+pub(super) const STEEPEST: f64 = 4.0 / 27.0;
 
 /// The root v = u/c of s v³ + v − 1 = 0 that is 1 at s = 0, by the trisection of an angle; 3/2 below s = −4/27, where it
 /// has ended; 0 for s = +∞.
-fn film_ratio(steepness: f64) -> f64 {
+pub(super) fn film_ratio(steepness: f64) -> f64 {
     if steepness <= -STEEPEST {
         return 1.5;
     }

@@ -9,10 +9,14 @@
 
 mod bessel_ratio;
 mod bounds;
+mod carried_shear;
 mod dry;
+mod dry_gradient;
 mod dry_pressure;
 mod hertz;
 mod large_beta;
+mod limits;
+mod lobatto;
 mod position;
 mod rigid;
 mod root;
@@ -21,14 +25,5 @@ pub use bounds::contact_bounds;
 pub use dry::DryContact;
 pub use hertz::HertzContact;
 pub use large_beta::{LargeBeta, approx_elastic_c, approx_elastic_film};
+pub use limits::{ChainLimits, limits};
 pub use rigid::RigidFilm;
-
-use crate::model::{Limits, Parameters};
-
-/// The limits published beside a solution; NaN for several retardation times, where there is no closed form.
-pub fn limits(parameters: &Parameters) -> Limits {
-    LargeBeta::new(parameters).map_or(Limits::UNKNOWN, |approximation| Limits {
-        dry_mu_v: approximation.approx_mu_v(),
-        approx_mu_h: approximation.approx_mu_h(),
-    })
-}

@@ -159,8 +159,11 @@ impl CaseSolver for Fake {
 }
 
 pub fn solve(fake: &Fake, betas: &[f64]) -> Result<Vec<SolvedCase>, Interrupted> {
-    let cases: Vec<Parameters> = betas.iter().map(|&beta| Parameters::new(1.0, beta, 1.0)).collect();
-    solve_chain(fake, &cases, &Output { limits: false, ..Output::default() }, &Interrupt::new())
+    solve_cases(fake, &betas.iter().map(|&beta| Parameters::new(1.0, beta, 1.0)).collect::<Vec<_>>())
+}
+
+pub fn solve_cases(fake: &Fake, cases: &[Parameters]) -> Result<Vec<SolvedCase>, Interrupted> {
+    solve_chain(fake, cases, &Output { limits: false, ..Output::default() }, &Interrupt::new())
 }
 
 pub fn seeds(cases: &[SolvedCase]) -> Vec<Seed> {

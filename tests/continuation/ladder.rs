@@ -59,8 +59,8 @@ fn a_failure_names_every_seed_tried_and_stops_no_other_case() {
     let cases = solve(&fake, &[1.0, 2.0, 2.5]).unwrap();
     let reason = &cases[1].outcome.as_ref().unwrap_err().reason;
     // half of the way and three quarters of it are reached
-    let expected =
-        "from intermediate-2: too far; from thick-film: too far; from march-0: too far; from march-0: too far";
+    let expected = "from intermediate-2: too far; from thick-film: too far; \
+                    from march-0: at beta = 2.0000e-1: too far; from march-0: at beta = 2.0000e-2: too far";
     assert_eq!(reason, expected);
     assert_eq!(cases[1].seed, Seed::March(0), "the last one tried");
     assert!(cases[2].outcome.is_ok());

@@ -1,9 +1,10 @@
 //! Steps along a way: how they grow and shrink, where a walk gives up, and what is recorded of it.
 
 use proptest::prelude::*;
-use stribeck::continuation::{Path, Seed, StepControl};
+use stribeck::continuation::{Line, Path, Seed, StepControl};
+use stribeck::model::Parameters;
 
-use crate::fake::{Fake, seeds, solve};
+use crate::fake::{Fake, seeds, solve, solve_cases};
 
 /// Steps in ln β that depend on the solver's iterations.
 fn informed() -> StepControl {
@@ -47,6 +48,7 @@ fn a_failed_step_is_cut_down_to_the_smallest() {
     assert_eq!(control.after_failure(0.5, 10.0), Some(0.2));
     assert_eq!(control.after_failure(0.25, 10.0), Some(0.1));
     assert_eq!(control.after_failure(0.24, 10.0), None);
+    assert_eq!(control.after_failure(10.0, 10.0), Some(2.0), "nor longer than the largest");
     let quarters = StepControl { smallest_part: 0.25, reduction: 0.5, ..control };
     assert_eq!(quarters.after_failure(4.0, 4.0), Some(2.0));
     assert_eq!(quarters.after_failure(2.0, 4.0), Some(1.0));
@@ -94,6 +96,30 @@ fn a_first_guess_that_succeeds_leaves_no_path() {
     let cases = solve(&Fake::reaching(1.0), &[1.0, 2.0, 4.0]).unwrap();
     assert_eq!(seeds(&cases), [Seed::ThickFilm, Seed::Neighbour, Seed::Predictor]);
     assert!(cases.iter().all(|case| case.path == Path::default()));
+}
+
+/// Along the speed, α and β change together.
+#[test]
+fn a_walk_goes_along_the_line_in_all_coordinates() {
+    let cases = [Parameters::new(1.0, 1.0, 1.0), Parameters::new(0.2, 20.0, 5.0)];
+    let solved = solve_cases(&Fake { decades: vec![0], ..Fake::reaching(1.0) }, &cases).unwrap();
+    assert_eq!(solved[1].seed, Seed::Intermediate(3));
+    let line = Line::new(&cases[0], &cases[1]).unwrap();
+    let expected = [1.0, 0.5, 0.25, 0.5, 0.75, 1.0].map(|t| line.at(t));
+    let points = solved[1].path.points.iter().map(|point| (point.alpha, point.beta, point.f));
+    assert!(points.eq(expected.iter().map(|here| (here.alpha, here.beta, here.f))));
+}
+
+#[test]
+fn where_no_line_leads_a_case_is_started_anew() {
+    let cases = [Parameters::new(0.0, 1.0, 1.0), Parameters::new(1.0, 2.0, 1.0), Parameters::new(1.0, 4.0, 1.0)];
+    let fake = Fake { start_below: Some(3.0), decades: vec![0], ..Fake::reaching(1.0) };
+    let solved = solve_cases(&fake, &cases).unwrap();
+    assert_eq!(seeds(&solved), [Seed::ThickFilm, Seed::ThickFilm, Seed::Predictor]);
+    let stuck = Fake { start_below: None, decades: vec![0], ..Fake::reaching(1.0) };
+    let solved = solve_cases(&stuck, &cases).unwrap();
+    let reason = &solved[1].outcome.as_ref().unwrap_err().reason;
+    assert!(reason.starts_with("from neighbour: no line leads from alpha = 0 to alpha = 1"), "{reason}");
 }
 
 #[test]
