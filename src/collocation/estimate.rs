@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::displacement::Displacement;
 use super::newton::Corrector;
 use super::quantities::quantities;
-use super::reference::{evaluate, multiply};
+use super::reference::evaluate;
 use super::state::State;
 use crate::continuation::Effort;
 use crate::model::{CavityShear, Quantities, RelativeErrors};
@@ -13,21 +13,27 @@ use crate::model::{CavityShear, Quantities, RelativeErrors};
 /// How many degrees richer the panels of the estimate are.
 pub const ENRICHMENT: usize = 2;
 
-/// The state with its pressure on the same panels of a higher degree, and the film of that pressure (T12).
+/// The state on the same panels of a higher degree: p and ln u by their polynomials.
+///
+/// The film is not that of the interpolated pressure (T12): where it is thin, the displacements of the two degrees differ by
+/// more than the film, and Newton's method mends that in one step only as long as the film is an unknown of its own.
 fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State {
     let (from, to) = (&coarse.discretisation.reference, &fine.discretisation.reference);
-    let size = from.degree + 1;
+    let (degree, size) = (from.degree, from.degree + 1);
     let mut coefficients = vec![0.0; size];
     let mut pressure = Vec::with_capacity(fine.discretisation.nodes());
+    let mut film = Vec::with_capacity(fine.discretisation.film_points());
+    let mut logarithms = vec![0.0; degree];
     pressure.push(0.0);
-    for nodes in state.pressure.windows(size).step_by(from.degree) {
-        multiply(&from.node_coefficients, nodes, &mut coefficients);
+    for (nodes, points) in state.pressure.windows(size).step_by(degree).zip(state.film.chunks_exact(degree)) {
+        from.coefficients_of_nodes(nodes, &mut coefficients);
         pressure.extend(to.nodes[1..].iter().map(|&t| evaluate(&coefficients, t)));
+        for (ln, u) in logarithms.iter_mut().zip(points) {
+            *ln = u.ln();
+        }
+        from.coefficients_of_points(&logarithms, &mut coefficients[..degree]);
+        film.extend(to.points.iter().map(|&t| evaluate(&coefficients[..degree], t).exp()));
     }
-    let mut displaced = vec![0.0; fine.discretisation.film_points()];
-    fine.matrix.multiply_rows(fine.discretisation.film().start, &pressure, &mut displaced);
-    let y = fine.discretisation.film_y();
-    let film = y.iter().zip(&displaced).map(|(y, w)| state.separation + state.outlet * y + 0.5 * y * y - w).collect();
     State { mesh: Arc::clone(&fine.discretisation.mesh), pressure, film, error: None, ..*state }
 }
 
@@ -46,9 +52,6 @@ pub fn estimate(
 ) -> (Quantities, RelativeErrors) {
     let solution = quantities(coarse, beta, state, cavity_shear);
     let mut better = enriched(coarse, fine, state);
-    if better.film.iter().any(|&u| u <= 0.0) {
-        return (solution, RelativeErrors { mu_v: f64::INFINITY, mu_h: f64::INFINITY, c: f64::INFINITY });
-    }
     corrector.newton_step(fine, beta, &mut better, effort);
     let corrected = quantities(fine, beta, &better, cavity_shear);
     // extremes lie between the points: the richer polynomials know them better
