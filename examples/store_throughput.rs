@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --example store_throughput -- [--cases 100000] [--beta 1000] [--chain 64] [--threads 2]
-//!                                                   [--microseconds 0] [--directory DIR]
+//!                                                   [--queue 16] [--microseconds 0] [--directory DIR]
 //! ```
 //!
 //! A solved case is made up and costs `--microseconds` of computing. Without `--directory` a temporary one is used and
@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use stribeck::continuation::{Effort, Interrupt, Interrupted, Seed, Solution, SolvedCase};
-use stribeck::engine::Engine;
+use stribeck::engine::{Engine, Finished};
 use stribeck::model::{Fields, Friction, Limits, Parameters, Quantities, RelativeErrors};
 use stribeck::store::{CaseEntry, Ending, Publication, Status, Store, StoreError, Timing};
 use stribeck::sweep::{Chain, Plan, Sweep};
@@ -26,6 +26,7 @@ struct Options {
     cases: usize,
     beta: usize,
     chain: usize,
+    queue: usize,
     threads: NonZeroUsize,
     microseconds: u64,
     directory: Option<PathBuf>,
@@ -34,7 +35,8 @@ struct Options {
 impl Options {
     fn parse() -> Result<Self, Box<dyn Error>> {
         let threads = NonZeroUsize::new(2).expect("2 is not 0");
-        let mut options = Self { cases: 100_000, beta: 1000, chain: 64, threads, microseconds: 0, directory: None };
+        let mut options =
+            Self { cases: 100_000, beta: 1000, chain: 64, queue: 16, threads, microseconds: 0, directory: None };
         let mut arguments = std::env::args().skip(1);
         while let Some(name) = arguments.next() {
             let value = arguments.next().ok_or_else(|| format!("{name} needs a value"))?;
@@ -42,6 +44,7 @@ impl Options {
                 "--cases" => options.cases = value.parse()?,
                 "--beta" => options.beta = value.parse()?,
                 "--chain" => options.chain = value.parse()?,
+                "--queue" => options.queue = value.parse()?,
                 "--threads" => options.threads = value.parse()?,
                 "--microseconds" => options.microseconds = value.parse()?,
                 "--directory" => options.directory = Some(value.into()),
@@ -67,20 +70,30 @@ impl Options {
     }
 }
 
+/// Keeps a processor busy.
+fn compute(steps: u64) {
+    let sum: f64 = (0..steps).map(|step| black_box(step as f64).sqrt()).sum();
+    black_box(sum);
+}
+
+/// Steps of [`compute`] in a microsecond of an otherwise idle processor: the best of a few tries.
+fn steps_per_microsecond() -> f64 {
+    const STEPS: u64 = 20_000_000;
+    let tries = (0..5).map(|_| {
+        let start = Instant::now();
+        compute(black_box(STEPS));
+        STEPS as f64 / start.elapsed().as_secs_f64() / 1e6
+    });
+    tries.fold(0.0, f64::max)
+}
+
 /// A made-up solution; smooth, with all digits in use as those of a real one.
-fn solved(parameters: &Parameters, work: Duration) -> SolvedCase {
+fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
     let start = Instant::now();
     let Parameters { alpha, beta, f, .. } = *parameters;
     let mu_v = f.ln_1p() * alpha / (1.0 + alpha * alpha);
     let film = 0.4458 * beta.powf(-0.6);
-    let (mut sum, mut steps) = (0.0_f64, 0);
-    while start.elapsed() < work {
-        for _ in 0..64 {
-            steps += 1;
-            sum += black_box(f64::from(steps)).sqrt();
-        }
-    }
-    black_box(sum);
+    compute(steps);
     let friction = Friction {
         viscoelastic: mu_v,
         hydrodynamic_film: film.sqrt() / 3.0,
@@ -212,7 +225,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sweep = options.sweep()?;
     let temporary = tempfile::tempdir()?;
     let directory = options.directory.clone().unwrap_or_else(|| temporary.path().to_owned());
-    let work = Duration::from_micros(options.microseconds);
+    let steps = match options.microseconds {
+        0 => 0,
+        microseconds => (microseconds as f64 * steps_per_microsecond()) as u64,
+    };
 
     let whole = Instant::now();
     let plan = Plan::new(&sweep);
@@ -226,20 +242,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     clock.stage("open, survey");
 
     store.begin(cases as u64, options.threads.get() as u64)?;
-    let engine = Engine::new(options.threads)?;
-    let mut committing = Duration::ZERO;
+    let engine = Engine::new(options.threads)?.with_queue(options.queue);
+    let (mut commits, mut committing) = (0, Duration::ZERO);
     engine.run(
         &chains,
         &Interrupt::new(),
         |chain, _| -> Result<_, Interrupted> {
-            Ok(plan.parameters(chain).iter().map(|parameters| solved(parameters, work)).collect())
+            Ok(plan.parameters(chain).iter().map(|parameters| solved(parameters, steps)).collect())
         },
         |_, message| panic!("{message}"),
-        |chain, solved| -> Result<(), StoreError> {
+        |group| -> Result<(), StoreError> {
             let start = Instant::now();
-            let parameters = plan.parameters(chain);
-            let entries: Vec<_> =
-                parameters.iter().zip(solved).map(|(parameters, case)| entry(&plan, parameters, case)).collect();
+            commits += 1;
+            let mut entries = Vec::new();
+            for Finished { chain, cases, .. } in group {
+                let parameters = plan.parameters(chain);
+                entries.extend(parameters.iter().zip(cases).map(|(parameters, case)| entry(&plan, parameters, case)));
+            }
             store.commit(&entries)?;
             committing += start.elapsed();
             Ok(())
@@ -259,9 +278,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     clock.stage("run again: nothing to do");
 
-    println!("\n{cases} cases in {} chains, {:.0} cases a second end to end", chains.len(), cases as f64 / seconds);
-    let share = work.as_secs_f64() * cases as f64 / options.threads.get() as f64 / solving;
-    println!("solver threads at work for {:.1} % of the time in which they run", 100.0 * share);
+    println!(
+        "\n{cases} cases in {} chains and {commits} commits, {:.0} cases a second end to end",
+        chains.len(),
+        cases as f64 / seconds
+    );
+    if options.microseconds > 0 {
+        let share = options.microseconds as f64 * 1e-6 * cases as f64 / options.threads.get() as f64 / solving;
+        println!("solver threads at work for {:.1} % of the time of the stage in which they run", 100.0 * share);
+    }
     for (name, (files, bytes)) in [
         ("shards", size(&directory.join("shards"))?),
         ("log", size(&directory.join("log"))?),

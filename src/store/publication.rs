@@ -49,8 +49,12 @@ pub(super) struct Place {
     pub values: [f64; COLUMNS.len()],
 }
 
-/// Shards kept open while rows are published. A row needs few: a chain runs along β.
-const OPEN_SHARDS: usize = 8;
+/// Shards kept open while rows are published. A row needs few: a chain runs along β, and a shard holds chains that
+/// finished at about the same time, so neighbours.
+const OPEN_SHARDS: usize = 32;
+
+/// Cases of the shards kept open, at some hundred bytes each; a single shard may have more.
+const OPEN_CASES: usize = 1 << 16;
 
 impl Store {
     /// Publishes the sweep: writes `results.h5`, `summary.csv` and `timings.csv` under temporary names and puts them in
@@ -210,10 +214,12 @@ impl OpenShards<'_> {
             Some((_, shard)) => shard,
             None => self.store.open_shard(slot.shard)?,
         };
-        if self.shards.len() == OPEN_SHARDS {
+        self.shards.push_back((slot.shard, shard));
+        let cases =
+            |shards: &VecDeque<(u32, OpenShard)>| shards.iter().map(|(_, shard)| shard.cases.len()).sum::<usize>();
+        while self.shards.len() > OPEN_SHARDS || (self.shards.len() > 1 && cases(&self.shards) > OPEN_CASES) {
             self.shards.pop_front();
         }
-        self.shards.push_back((slot.shard, shard));
         let (_, shard) = self.shards.back().expect("just put there");
         let row = usize::from(slot.row);
         if shard.reader.ids().get(row) != Some(&id) {
