@@ -100,7 +100,7 @@ fn queue_length(threads: usize, output: &Output) -> usize {
     (WAITING_CHAINS * threads).min(WAITING_FIELD_VALUES / field_values.max(1))
 }
 
-/// Solves the pending chains and commits them as they finish.
+/// Solves the pending chains and commits them soon after they finish.
 fn solve(
     sweep: &Sweep,
     plan: &Plan,

@@ -15,7 +15,7 @@ use crate::model::{CaseId, FieldSelection};
 pub(super) enum Record {
     /// A run began.
     Start { program: String, cases: u64, threads: u64, time: u64 },
-    /// A chain was committed.
+    /// Cases were committed.
     Shard(ShardRecord),
     /// The files for the user were put in place.
     Published { key: String, files: Vec<FileRecord>, time: u64 },
