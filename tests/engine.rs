@@ -10,8 +10,13 @@ use std::sync::{Barrier, Condvar, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
+<<<<<<< HEAD
 use stribeck::continuation::{Effort, Interrupt, Interrupted, Path, Seed, SolvedCase};
 use stribeck::engine::{Engine, Report};
+=======
+use stribeck::continuation::{Effort, Interrupt, Interrupted, Seed, SolvedCase};
+use stribeck::engine::{Engine, Finished, Report};
+>>>>>>> throughput
 use stribeck::model::{Failure, Limits};
 
 fn engine(threads: usize) -> Engine {
@@ -48,17 +53,29 @@ fn never_panicked(_: &usize, message: &str) -> Vec<SolvedCase> {
     panic!("no solver of this test panics, but one did: {message}")
 }
 
+/// Commits the chains of a group one by one.
+fn each<E>(
+    mut commit: impl FnMut(&usize, Vec<SolvedCase>) -> Result<(), E>,
+) -> impl FnMut(Vec<Finished<'_, usize>>) -> Result<(), E> {
+    move |group: Vec<Finished<'_, usize>>| {
+        group.into_iter().try_for_each(|finished| commit(finished.chain, finished.cases))
+    }
+}
+
 #[test]
 fn each_chain_is_committed_once_with_its_own_cases_on_any_number_of_threads() {
     let chains: Vec<usize> = (0..500).collect();
     for threads in [1, 2, 8] {
         let mut committed = Vec::new();
-        let report = engine(threads).run(&chains, &Interrupt::new(), solve, never_panicked, |&chain, cases| {
-            assert_eq!(cases.len(), 1);
-            assert_eq!(cases[0].effort.iterations, chain as u64);
-            committed.push(chain);
-            Ok::<_, Infallible>(())
-        });
+        let report = {
+            let commit = each(|&chain, cases| {
+                assert_eq!(cases.len(), 1);
+                assert_eq!(cases[0].effort.iterations, chain as u64);
+                committed.push(chain);
+                Ok::<_, Infallible>(())
+            });
+            engine(threads).run(&chains, &Interrupt::new(), solve, never_panicked, commit)
+        };
         assert_eq!(report, Ok(Report { failed: 500, ..Report::default() }));
         committed.sort_unstable();
         assert_eq!(committed, chains, "with {threads} threads");
@@ -73,7 +90,7 @@ fn one_thread_commits_in_the_order_of_the_plan() {
         committed.push(chain);
         Ok::<_, Infallible>(())
     };
-    engine(1).run(&chains, &Interrupt::new(), solve, never_panicked, commit).expect("nothing fails");
+    engine(1).run(&chains, &Interrupt::new(), solve, never_panicked, each(commit)).expect("nothing fails");
     assert_eq!(committed, chains);
 }
 
@@ -90,13 +107,13 @@ fn chains_run_in_parallel_and_are_committed_on_the_calling_thread() {
         Ok::<_, Infallible>(())
     };
     let chains: Vec<usize> = (0..8).collect();
-    engine(4).run(&chains, &Interrupt::new(), meet, never_panicked, commit).expect("nothing fails");
+    engine(4).run(&chains, &Interrupt::new(), meet, never_panicked, each(commit)).expect("nothing fails");
     assert_eq!(writers, [thread::current().id(); 8]);
 }
 
 #[test]
 fn nothing_to_do_is_done() {
-    let report = engine(2).run(&[], &Interrupt::new(), solve, never_panicked, |_, _| Ok::<_, Infallible>(()));
+    let report = engine(2).run(&[], &Interrupt::new(), solve, never_panicked, each(|_, _| Ok::<_, Infallible>(())));
     assert_eq!(report, Ok(Report::default()));
 }
 
@@ -119,7 +136,7 @@ fn an_interrupted_run_commits_what_is_finished_and_no_more() {
             }
             Ok::<_, Infallible>(())
         };
-        let report = engine(threads).run(&chains, &interrupt, quick_then_slow, never_panicked, commit);
+        let report = engine(threads).run(&chains, &interrupt, quick_then_slow, never_panicked, each(commit));
         assert_eq!(report, Ok(Report { failed: 5, interrupted: true, ..Report::default() }));
         assert_eq!(committed, (0..5).collect());
         assert!(started.into_inner().expect("no panic").len() <= 5 + threads, "no chain is started after it");
@@ -138,7 +155,7 @@ fn a_chain_finished_in_spite_of_the_interruption_is_committed() {
         committed.push(chain);
         Ok::<_, Infallible>(())
     };
-    let report = engine(1).run(&[7, 8], &interrupt, finish, never_panicked, commit);
+    let report = engine(1).run(&[7, 8], &interrupt, finish, never_panicked, each(commit));
     assert_eq!(report, Ok(Report { failed: 1, interrupted: true, ..Report::default() }));
     assert_eq!(committed, [7]);
 }
@@ -150,7 +167,7 @@ fn an_interruption_that_comes_when_all_is_committed_leaves_a_complete_run() {
         interrupt.request();
         Ok::<_, Infallible>(())
     };
-    let report = engine(1).run(&[7], &interrupt, solve, never_panicked, commit);
+    let report = engine(1).run(&[7], &interrupt, solve, never_panicked, each(commit));
     assert_eq!(report, Ok(Report { failed: 1, ..Report::default() }));
 }
 
@@ -170,7 +187,7 @@ fn an_error_of_the_writer_ends_the_run_and_is_returned() {
             calls += 1;
             if calls == 4 { Err("the disk is full") } else { Ok(()) }
         };
-        let report = engine(threads).run(&chains, &interrupt, quick_then_slow, never_panicked, commit);
+        let report = engine(threads).run(&chains, &interrupt, quick_then_slow, never_panicked, each(commit));
         assert_eq!(report, Err("the disk is full"));
         assert_eq!(calls, 4, "nothing is committed after an error");
         assert!(started.into_inner() <= 4 + threads, "no chain is started after an error");
@@ -181,14 +198,14 @@ fn an_error_of_the_writer_ends_the_run_and_is_returned() {
 fn a_writer_error_frees_solvers_that_wait_for_the_queue() {
     let chains: Vec<usize> = (0..1000).collect();
     let engine = engine(4);
-    let in_flight = engine.queue_length() + 4 + 1;
+    let queue_length = engine.queue_length();
     let finished = AtomicUsize::new(0);
     let counted = |chain: &usize, interrupt: &Interrupt| {
         finished.fetch_add(1, Ordering::SeqCst);
         solve(chain, interrupt)
     };
-    let commit = |_: &usize, _| {
-        while finished.load(Ordering::SeqCst) < in_flight {
+    let commit = |group: Vec<Finished<'_, usize>>| {
+        while finished.load(Ordering::SeqCst) < group.len() + queue_length + 4 {
             thread::yield_now();
         }
         Err("the disk is full")
@@ -201,7 +218,7 @@ fn a_writer_error_frees_solvers_that_wait_for_the_queue() {
 fn a_panic_of_the_writer_reaches_the_caller_and_frees_the_solvers() {
     let chains: Vec<usize> = (0..1000).collect();
     let commit = |_: &usize, _| -> Result<(), Infallible> { panic!("the writer is broken") };
-    engine(4).run(&chains, &Interrupt::new(), solve, never_panicked, commit).expect("the panic comes first");
+    engine(4).run(&chains, &Interrupt::new(), solve, never_panicked, each(commit)).expect("the panic comes first");
 }
 
 #[test]
@@ -224,7 +241,7 @@ fn a_panic_fails_its_own_chain_only_and_its_message_is_kept() {
             }
             Ok::<_, Infallible>(())
         };
-        let report = engine(threads).run(&chains, &Interrupt::new(), panics, panicked, commit);
+        let report = engine(threads).run(&chains, &Interrupt::new(), panics, panicked, each(commit));
         assert_eq!(report, Ok(Report { failed: 47 + 3 * 2, panicked_chains: 3, ..Report::default() }));
         assert_eq!(committed, (0..50).collect());
         for reason in ["a text", "chain 20", "a panic without a message"] {
@@ -238,7 +255,7 @@ fn a_slow_writer_holds_the_solvers_back() {
     let chains: Vec<usize> = (0..300).collect();
     for threads in [1, 2, 8] {
         let engine = engine(threads);
-        let most = engine.queue_length() + threads + 1;
+        let waiting = engine.queue_length() + threads;
         let (in_flight, changed) = (Mutex::new((0, 0)), Condvar::new()); // now, and at most
         let finishes = |chain: &usize, interrupt: &Interrupt| {
             let cases = solve(chain, interrupt);
@@ -248,19 +265,68 @@ fn a_slow_writer_holds_the_solvers_back() {
             changed.notify_all();
             cases
         };
-        let mut first = true;
-        let commit = |_: &usize, _| {
+        let (mut first, mut groups) = (true, Vec::new());
+        let commit = |group: Vec<Finished<'_, usize>>| {
+            groups.push(group.len());
             let mut counts = in_flight.lock().expect("no panic");
             if std::mem::take(&mut first) {
                 // The solvers get as far as they can, and then no further however long the writer takes.
+                let most = group.len() + waiting;
                 counts = changed.wait_while(counts, |counts| counts.0 < most).expect("no panic");
                 let patience = Duration::from_millis(100);
                 counts = changed.wait_timeout_while(counts, patience, |counts| counts.0 <= most).expect("no panic").0;
             }
-            counts.0 -= 1;
+            counts.0 -= group.len();
             Ok::<_, Infallible>(())
         };
         engine.run(&chains, &Interrupt::new(), finishes, never_panicked, commit).expect("nothing fails");
-        assert_eq!(in_flight.into_inner().expect("no panic"), (0, most), "with {threads} threads");
+        let (left, most) = in_flight.into_inner().expect("no panic");
+        assert_eq!(left, 0);
+        assert!(most <= engine.queue_length() + waiting, "{most} at once with {threads} threads");
+        assert!(groups.iter().all(|&chains| (1..=engine.queue_length()).contains(&chains)), "{groups:?}");
     }
+}
+
+#[test]
+fn chains_that_finish_while_the_writer_is_at_work_are_committed_together() {
+    let chains: Vec<usize> = (0..40).collect();
+    let engine = engine(2).with_queue(10);
+    let finished = AtomicUsize::new(0);
+    let counted = |chain: &usize, interrupt: &Interrupt| {
+        let cases = solve(chain, interrupt);
+        finished.fetch_add(1, Ordering::SeqCst);
+        cases
+    };
+    let (mut committed, mut groups) = (0, Vec::new());
+    let commit = |group: Vec<Finished<'_, usize>>| {
+        committed += group.len();
+        groups.push(group.len());
+        // The disk is slow: meanwhile the queue fills up, or nothing is left.
+        while finished.load(Ordering::SeqCst) < (committed + 10).min(chains.len()) {
+            thread::yield_now();
+        }
+        Ok::<_, Infallible>(())
+    };
+    let report = engine.run(&chains, &Interrupt::new(), counted, never_panicked, commit);
+    assert_eq!(report, Ok(Report { failed: 40, ..Report::default() }));
+    assert!(groups.len() <= 5, "{groups:?}");
+}
+
+#[test]
+fn a_finished_chain_does_not_wait_for_a_slow_one() {
+    let committed = AtomicUsize::new(0);
+    // The second chain ends only after the first is committed.
+    let second_waits = |&chain: &usize, interrupt: &Interrupt| {
+        while chain == 1 && committed.load(Ordering::SeqCst) == 0 {
+            thread::yield_now();
+        }
+        solve(&chain, interrupt)
+    };
+    let commit = |group: Vec<Finished<'_, usize>>| {
+        committed.fetch_add(group.len(), Ordering::SeqCst);
+        Ok::<_, Infallible>(())
+    };
+    let engine = engine(2).with_queue(10);
+    engine.run(&[0, 1], &Interrupt::new(), second_waits, never_panicked, commit).expect("nothing fails");
+    assert_eq!(committed.into_inner(), 2);
 }

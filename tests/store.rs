@@ -194,6 +194,63 @@ fn damaged_shards_are_found_named_and_solved_again() {
 }
 
 #[test]
+fn a_damaged_shard_is_of_no_concern_once_others_hold_its_cases() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    let victim = shards(directory.path())[4].clone();
+    let held: Vec<_> = chains(&output()).concat();
+    fs::write(&victim, "damaged").unwrap();
+
+    let mut store = open(directory.path());
+    let lost: Vec<_> = held.iter().filter(|entry| store.holds(entry.id).is_none()).cloned().collect();
+    let told = |store: &Store| store.warnings().iter().map(ToString::to_string).collect::<String>();
+    assert!(told(&store).contains(&format!("its {} cases are not used", lost.len())), "{}", told(&store));
+    // Some of them are solved again, in other company than before.
+    store.commit(&lost[..1]).unwrap();
+    drop(store);
+    let mut store = open(directory.path());
+    assert!(told(&store).contains(&format!("its {} cases are not used", lost.len() - 1)), "{}", told(&store));
+    assert!(!verify(directory.path()).unwrap().is_sound());
+    // Now all; but a shard without the fields is no replacement.
+    let bare = Output { fields: FieldSelection::default(), ..output() };
+    drop(store);
+    let mut other = Store::open(directory.path(), SWEEP, &bare).unwrap();
+    other.commit(&lost[1..]).unwrap();
+    drop(other);
+    assert!(!verify(directory.path()).unwrap().is_sound());
+    store = open(directory.path());
+    store.commit(&lost[1..]).unwrap();
+    drop(store);
+
+    let report = verify(directory.path()).unwrap();
+    assert!(report.is_sound());
+    assert_eq!((report.replaced, report.unreferenced), (vec![victim], Vec::new()));
+    let mut store = open(directory.path());
+    assert_eq!(told(&store), "");
+    publish(&mut store).unwrap();
+    assert!(published_bytes(directory.path()) == reference());
+}
+
+#[test]
+fn chains_committed_in_any_company_publish_the_same_bytes() {
+    let reference = reference();
+    for (size, reversed) in [(1, true), (2, false), (3, true), (8, false)] {
+        let directory = tempdir().unwrap();
+        let mut store = open(directory.path());
+        let mut chains = chains(&output());
+        if reversed {
+            chains.reverse();
+        }
+        for group in chains.chunks(size) {
+            store.commit(&group.concat()).unwrap();
+        }
+        publish(&mut store).unwrap();
+        assert_eq!(shards(directory.path()).len(), 8_usize.div_ceil(size));
+        assert!(published_bytes(directory.path()) == reference, "groups of {size}");
+    }
+}
+
+#[test]
 fn a_changed_published_file_is_found() {
     let directory = tempdir().unwrap();
     drop(finished(directory.path()));

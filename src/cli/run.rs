@@ -14,13 +14,20 @@ use super::wording::{count, duration};
 use super::workload::Workload;
 use super::{CliError, Exit, console, failures, shell, threads};
 use crate::continuation::{Interrupt, solve_chain};
-use crate::engine::{Engine, Progress, ProgressStyle, Report, Signals, rate};
+use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report, Signals, rate};
+use crate::model::Output;
 use crate::relaxation::RelaxationSolver;
 use crate::store::{Ending, Publication, Published, Store, StoreError};
-use crate::sweep::{Method, Plan, Sweep};
+use crate::sweep::{MAX_CHAIN, Method, Plan, Sweep};
 
 /// Failed cases that are listed at the end of a run.
 const LISTED_FAILURES: usize = 5;
+
+/// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
+const WAITING_CHAINS: usize = 8;
+
+/// Values of fields that may wait to be written: 32 MB.
+const WAITING_FIELD_VALUES: usize = 1 << 22;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -51,7 +58,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = Sweep::read(&arguments.sweep)?;
     let plan = Plan::new(&sweep);
     let directory = destination(arguments.output.as_deref(), &sweep)?;
-    let engine = Engine::new(threads::number(arguments.threads))?;
+    let threads = threads::number(arguments.threads);
+    let engine = Engine::new(threads)?.with_queue(queue_length(threads.get(), &sweep.output));
     let interrupt = Arc::new(Interrupt::new());
     let signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
@@ -86,7 +94,13 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(if published.failed == 0 { Exit::Success } else { Exit::CasesFailed })
 }
 
-/// Solves the pending chains and commits them as they finish.
+/// Finished chains that may wait for a slow disk: some for each thread, fewer where their fields would take much memory.
+fn queue_length(threads: usize, output: &Output) -> usize {
+    let field_values = MAX_CHAIN * output.fields.names().len() * output.x.len();
+    (WAITING_CHAINS * threads).min(WAITING_FIELD_VALUES / field_values.max(1))
+}
+
+/// Solves the pending chains and commits them soon after they finish.
 fn solve(
     sweep: &Sweep,
     plan: &Plan,
@@ -109,13 +123,16 @@ fn solve(
         interrupt,
         |index, interrupt| solve_chain(&solver, &cases(index), output, interrupt),
         |index, message| panicked(&cases(index), output, message),
-        |&index, solved| -> Result<(), StoreError> {
-            // Cases that are held seeded the others; they keep the bytes they have.
-            let ids = plan.ids(&plan.chain(index as usize));
-            let (ids, solved): (Vec<_>, Vec<_>) =
-                ids.into_iter().zip(solved).filter(|(id, _)| store.holds(*id).is_none()).unzip();
-            progress.count(&solved);
-            let entries: Vec<_> = ids.into_iter().zip(solved).map(|(id, case)| case_entry(id, case)).collect();
+        |group| -> Result<(), StoreError> {
+            let mut entries = Vec::new();
+            for Finished { chain: &index, cases: solved, .. } in group {
+                // Cases that are held seeded the others; they keep the bytes they have.
+                let ids = plan.ids(&plan.chain(index as usize));
+                let (ids, solved): (Vec<_>, Vec<_>) =
+                    ids.into_iter().zip(solved).filter(|(id, _)| store.holds(*id).is_none()).unzip();
+                progress.count(&solved);
+                entries.extend(ids.into_iter().zip(solved).map(|(id, case)| case_entry(id, case)));
+            }
             store.commit(&entries)
         },
     )?;

@@ -48,6 +48,9 @@ fn text(report: &VerifyReport) -> String {
     for path in &report.unreferenced {
         line("note", format!("{}: no record names it; a killed run left it, it does no harm", path.display()));
     }
+    for path in &report.replaced {
+        line("note", format!("{}: damaged, and its cases solved again; it can be deleted", path.display()));
+    }
     match report.problems.len() as u64 {
         0 => text += "sound\n",
         problems => text += &format!("{} found\n", count(problems, "problem")),

@@ -41,16 +41,6 @@ impl Factorisation {
         factor::lu_in_place(matrix, &mut self.forward, &mut self.inverse, Par::Seq, stack, Default::default());
     }
 
-    /// Solves the transposed system with the factors, in place.
-    pub fn solve_transpose(&mut self, right_side: &mut [f64]) {
-        let n = self.matrix.rows();
-        let factors = MatRef::from_column_major_slice(self.matrix.values(), n, n);
-        let permutation = PermRef::new_checked(&self.forward, &self.inverse, n);
-        let right_side = MatMut::from_column_major_slice_mut(right_side, n, 1);
-        let stack = MemStack::new(&mut self.scratch);
-        solve::solve_transpose_in_place(factors, factors, permutation, right_side, Par::Seq, stack);
-    }
-
     /// Solves with the factors, in place.
     pub fn solve(&mut self, right_side: &mut [f64]) {
         let n = self.matrix.rows();

@@ -64,7 +64,6 @@ impl Corrector {
                 size = self.system.size(state);
                 (before, fresh) = (f64::INFINITY, false);
             }
-            if std::env::var("TRACE").is_ok_and(|t| t == "3") { println!("  newton size {size:.2e} before {before:.1e} thinnest {thinnest:.2e} floor {floor:.1e} n {} {}", state.pressure.len(), self.system.describe(state)); }
             let part = self.system.admissible(state);
             self.system.advance(state, part);
             let rate = size / before;
@@ -105,25 +104,7 @@ impl Corrector {
     pub fn newton_step(&mut self, displacement: &Displacement, beta: f64, state: &mut State, effort: &mut Effort) {
         self.system.linearise(displacement, beta, state);
         self.factorise(displacement, beta, state, effort);
-        self.system.fold_end(displacement, beta, state);
-        let rhs = self.system.right_side.clone();
-        self.system.linearise(displacement, beta, state);
         self.step(displacement, beta, state);
-        if std::env::var("TRACE").is_ok_and(|t| t == "2") {
-            let n = rhs.len();
-            let mut z = vec![0.0; n];
-            z[n - 3] = 1.0 / state.c;
-            self.factorisation.solve_transpose(&mut z);
-            let d = displacement.discretisation.reference.degree;
-            for k in 0..(n - 2) / d {
-                let s: f64 = (k * d..(k + 1) * d).map(|i| z[i] * rhs[i]).sum();
-                let a: f64 = (k * d..(k + 1) * d).map(|i| (z[i] * rhs[i]).abs()).sum();
-                let ends = &displacement.discretisation.mesh.film;
-                let u = state.film[k * d..(k + 1) * d].iter().fold(1e9, |a: f64, b| a.min(*b));
-                println!("  dwr {k} x {:.6e} h {:.2e} {s:.1e} abs {a:.1e} u {u:.1e} p {:.1e}", state.outlet + ends[k], ends[k + 1] - ends[k], state.pressure[k * d]);
-            }
-            println!("  dwr load {:.1e} outlet {:.1e}", z[n - 2] * rhs[n - 2], z[n - 1] * rhs[n - 1]);
-        }
         self.system.advance(state, 1.0);
     }
 }

@@ -30,7 +30,7 @@ impl Scaling {
     /// How far a mesh must reach ahead of the outlet for what lies beyond to be an [`Inlet`](super::inlet::Inlet): what that
     /// leaves out is the displacement of the load ahead, which falls as 1/(βX³).
     pub fn reach(&self, tolerance: f64) -> f64 {
-        f64::max(20.0 * self.width, 3.5 * (self.beta * tolerance).powf(-1.0 / 3.0))
+        f64::max(20.0 * self.width, 8.0 * (self.beta * tolerance).powf(-1.0 / 3.0))
     }
 }
 

@@ -192,7 +192,6 @@ impl CaseSolver for CollocationSolver {
                 estimate(corrector, displacement, fine, beta, state, output.cavity_shear, &mut work.effort);
             let error = worst(&errors) / self.settings.tolerance;
             state.error = Some(error);
-            if std::env::var("TRACE").is_ok() { let ind = indicators(&self.coarse, state); let e = &state.mesh.film; println!("pass error {error:.2e} {errors:?} {} u {:.2e} p {:.2e} ind {:.1e}", state.mesh.panels(), quantities.film_min, quantities.p_max, ind.iter().fold(0.0, |a: f64, b| a.max(*b))); if std::env::var("TRACE").unwrap() == "2" { for (i, v) in ind.iter().enumerate() { print!("[{:.5e} {:.1e} {:.0e}] ", state.outlet+e[i], e[i+1]-e[i], v); } println!(); } }
             if error <= ACCEPTED {
                 return self.accepted(workspace, beta, state, quantities, errors, output);
             }

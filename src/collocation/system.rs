@@ -230,16 +230,6 @@ impl System {
         nan_max(nan_max(film, pressure), (self.right_side[points - 1] / state.c).abs())
     }
 
-    pub fn describe(&self, state: &State) -> String {
-        let points = self.step_film.len();
-        let film = state.film.iter().zip(&self.step_film).map(|(u, step)| (step / u).abs()).fold(0.0, nan_max);
-        let largest = state.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
-        let pressure = self.step_pressure.iter().fold(0.0, |a, step| nan_max(a, step.abs())) / largest;
-        let i = (0..points).max_by(|&i, &j| (self.step_film[i]/state.film[i]).abs().total_cmp(&(self.step_film[j]/state.film[j]).abs())).unwrap();
-        let res = self.film_residual.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        format!("film {film:.1e} at {i} u {:.1e} pressure {pressure:.1e} c {:.1e} sep {:.3e} out {:.1e} largest {largest:.1e} filmres {res:.1e}", state.film[i], self.right_side[points - 1] / state.c, state.separation, self.right_side[points+1])
-    }
-
     /// Goes a part of the step.
     pub fn advance(&self, state: &mut State, part: f64) {
         let points = self.step_film.len();

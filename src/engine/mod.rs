@@ -8,7 +8,7 @@ mod progress;
 mod signals;
 mod tally;
 
-pub use pool::{Engine, Report, ThreadsError};
+pub use pool::{Engine, Finished, Report, ThreadsError};
 pub use progress::{Progress, ProgressStyle};
 pub use signals::{Signals, StopSignal};
 pub use tally::rate;

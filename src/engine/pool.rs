@@ -4,14 +4,23 @@ use std::any::Any;
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::time::{Duration, Instant};
 
 use crate::continuation::{Interrupt, Interrupted, SolvedCase};
+
+/// Cases at which a group of finished chains is committed without looking for more.
+const GROUP_CASES: usize = 4096;
+
+/// How long a finished chain waits for others to be committed with. A commit waits for the disk several times, however
+/// little it brings there; this is the time in which a kill loses more than the chains at work.
+const GROUP_WAIT: Duration = Duration::from_millis(100);
 
 /// A pool of threads that solves chains.
 #[derive(Debug)]
 pub struct Engine {
     pool: rayon::ThreadPool,
+    queue_length: usize,
 }
 
 /// The threads of an [`Engine`] could not be started.
@@ -36,15 +45,20 @@ pub struct Report {
     pub interrupted: bool,
 }
 
-/// A finished chain on its way to the writer.
-struct Finished<'a, C> {
-    chain: &'a C,
-    cases: Vec<SolvedCase>,
+/// A finished chain.
+#[derive(Debug)]
+pub struct Finished<'a, C> {
+    /// The chain.
+    pub chain: &'a C,
+    /// What came of its cases.
+    pub cases: Vec<SolvedCase>,
+    /// Its place among the chains.
+    place: usize,
     panicked: bool,
 }
 
 impl Engine {
-    /// An engine with `threads` solver threads.
+    /// An engine with `threads` solver threads and room for as many finished chains in its queue.
     ///
     /// # Errors
     /// [`ThreadsError`] if the system does not give that many.
@@ -53,25 +67,34 @@ impl Engine {
             .num_threads(threads.get())
             .thread_name(|index| format!("solver-{index}"))
             .build()
-            .map(|pool| Self { pool })
+            .map(|pool| Self { pool, queue_length: threads.get() })
             .map_err(|source| ThreadsError { threads, source })
     }
 
-    /// Number of chains that may wait for the writer in its queue.
-    ///
-    /// Besides these, each solver thread may hold one that does not fit, and the writer the one it commits: that is all
-    /// that is ever finished and not committed, however many chains there are.
-    pub fn queue_length(&self) -> usize {
-        self.pool.current_num_threads()
+    /// The engine with room for at least `chains` finished chains in its queue: a longer one keeps the solver threads at
+    /// work through longer pauses of the disk.
+    #[must_use]
+    pub fn with_queue(self, chains: usize) -> Self {
+        Self { queue_length: self.queue_length.max(chains), ..self }
     }
 
-    /// Solves `chains`, started in their order, and commits each as it finishes.
+    /// Number of finished chains that may wait for the writer in its queue.
+    ///
+    /// Besides these, each solver thread may hold one that does not fit, and the writer as many as the queue in the group
+    /// it commits: that is all that is ever finished and not committed, however many chains there are.
+    pub fn queue_length(&self) -> usize {
+        self.queue_length
+    }
+
+    /// Solves `chains`, started in their order, and commits them soon after they finish, in groups.
     ///
     /// - `solve` is called once for each chain, on a solver thread. It gives up with [`Interrupted`] soon after
     ///   `interrupt` is requested; what it finished nevertheless is committed.
     /// - `panicked` makes failed cases of a chain whose solver panicked, from the message of the panic. They are committed
     ///   like any others, and the other chains go on.
-    /// - `commit` is called on the calling thread only, so it needs no lock.
+    /// - `commit` is called on the calling thread only, so it needs no lock. It gets the chains that finished since it was
+    ///   called last, in the order of `chains`: at least one, and what is there a tenth of a second after the first.
+    ///   Which chains are in one group depends on timing.
     ///
     /// # Errors
     /// The first error of `commit`. It ends the run: `interrupt` is requested so that solvers at work give up, and no
@@ -82,16 +105,17 @@ impl Engine {
         interrupt: &Interrupt,
         solve: impl Fn(&C, &Interrupt) -> Result<Vec<SolvedCase>, Interrupted> + Sync,
         panicked: impl Fn(&C, &str) -> Vec<SolvedCase> + Sync,
-        mut commit: impl FnMut(&C, Vec<SolvedCase>) -> Result<(), E>,
+        mut commit: impl FnMut(Vec<Finished<'_, C>>) -> Result<(), E>,
     ) -> Result<Report, E> {
         // Rayon gives no order among its jobs and lets a waiting job steal another. So its jobs are not the chains but one
         // loop for each thread, and the loops share a counter.
         let next = AtomicUsize::new(0);
         let solver_loop = |finished: SyncSender<_>| {
             while !interrupt.requested() {
-                let Some(chain) = chains.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
-                let Ok(result) = solve_one(chain, interrupt, &solve, &panicked) else { continue };
-                if finished.send(result).is_err() {
+                let place = next.fetch_add(1, Ordering::Relaxed);
+                let Some(chain) = chains.get(place) else { return };
+                let Ok((cases, panicked)) = solve_one(chain, interrupt, &solve, &panicked) else { continue };
+                if finished.send(Finished { chain, cases, place, panicked }).is_err() {
                     return; // The writer has stopped; its error is on the way to the caller.
                 }
             }
@@ -107,14 +131,17 @@ impl Engine {
 
             let mut report = Report::default();
             let mut chains_left = chains.len();
-            for Finished { chain, cases, panicked } in receiver {
-                let converged = cases.iter().filter(|case| case.outcome.is_ok()).count();
-                let failed = cases.len() - converged;
-                commit(chain, cases).inspect_err(|_| interrupt.request())?;
-                report.converged += converged;
-                report.failed += failed;
-                report.panicked_chains += usize::from(panicked);
-                chains_left -= 1;
+            while let Some(group) = next_group(&receiver, self.queue_length) {
+                let mut after = report;
+                for Finished { cases, panicked, .. } in &group {
+                    let converged = cases.iter().filter(|case| case.outcome.is_ok()).count();
+                    after.converged += converged;
+                    after.failed += cases.len() - converged;
+                    after.panicked_chains += usize::from(*panicked);
+                }
+                chains_left -= group.len();
+                commit(group).inspect_err(|_| interrupt.request())?;
+                report = after;
             }
             report.interrupted = chains_left > 0;
             Ok(report)
@@ -122,20 +149,32 @@ impl Engine {
     }
 }
 
-/// Solves one chain and turns a panic of its solver into failed cases.
-fn solve_one<'a, C>(
-    chain: &'a C,
+/// The chains to commit next, in their order; `None` when all solver threads have ended and nothing is left.
+fn next_group<'a, C>(finished: &Receiver<Finished<'a, C>>, most: usize) -> Option<Vec<Finished<'a, C>>> {
+    let first = finished.recv().ok()?;
+    let end = Instant::now() + GROUP_WAIT;
+    let mut cases = first.cases.len();
+    let mut group = vec![first];
+    while group.len() < most && cases < GROUP_CASES {
+        let Ok(next) = finished.recv_timeout(end.saturating_duration_since(Instant::now())) else { break };
+        cases += next.cases.len();
+        group.push(next);
+    }
+    group.sort_unstable_by_key(|finished| finished.place);
+    Some(group)
+}
+
+/// Solves one chain and turns a panic of its solver into failed cases; true if there was one.
+fn solve_one<C>(
+    chain: &C,
     interrupt: &Interrupt,
     solve: impl Fn(&C, &Interrupt) -> Result<Vec<SolvedCase>, Interrupted>,
     panicked: impl Fn(&C, &str) -> Vec<SolvedCase>,
-) -> Result<Finished<'a, C>, Interrupted> {
+) -> Result<(Vec<SolvedCase>, bool), Interrupted> {
     // Nothing of a solver outlives its chain, so nothing half-changed is seen after the panic.
     match catch_unwind(AssertUnwindSafe(|| solve(chain, interrupt))) {
-        Ok(cases) => Ok(Finished { chain, cases: cases?, panicked: false }),
-        Err(payload) => {
-            let cases = panicked(chain, panic_message(payload.as_ref()));
-            Ok(Finished { chain, cases, panicked: true })
-        }
+        Ok(cases) => Ok((cases?, false)),
+        Err(payload) => Ok((panicked(chain, panic_message(payload.as_ref())), true)),
     }
 }
 

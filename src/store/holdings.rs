@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+use super::damage::{Damage, inspect};
 use super::directory::{Directory, hash_file};
 use super::index::{Index, Shard, Slot};
 use super::log::{LogPlace, read_logs, read_record};
@@ -72,13 +73,13 @@ impl Holdings {
     pub(super) fn load(directory: Directory, output: &Output, inspection: Inspection) -> Result<Self, StoreError> {
         let wanted = Contents::of(output);
         let LogContent { mut warnings, history, published, claims } = read_claims(&directory)?;
+        let path = |claim: &Claim| directory.shards().join(&claim.file.file);
+        let (sound, damaged) = inspect(&directory, claims, |claim| fault(&path(claim), &claim.file, inspection))?;
+        for Damage { claim, what, lost: cases } in damaged.into_iter().filter(|damage| damage.lost > 0) {
+            warnings.push(Warning::Shard { file: path(&claim), what, cases });
+        }
         let mut index = Index::default();
-        for Claim { file, contents, place, cases } in claims {
-            let path = directory.shards().join(&file.file);
-            if let Some(what) = fault(&path, &file, inspection)? {
-                warnings.push(Warning::Shard { file: path, what, cases });
-                continue;
-            }
+        for Claim { file, contents, place, .. } in sound {
             let hash = file.blake3.parse().expect("claims have well-formed hashes");
             let name = file.file.into();
             let shard = index.add_shard(Shard { name, hash, covers: contents.covers(&wanted), record: place });

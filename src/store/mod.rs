@@ -4,13 +4,13 @@
 //! sweep.toml      the sweep file as it was run
 //! lock            held by the run that works here; the system lets go of it when the run dies
 //! log/            one file per start, a record per line with a checksum
-//! shards/         one immutable HDF5 file per chain
+//! shards/         immutable HDF5 files, each with one or several chains
 //! results.h5      published: one labelled data set
 //! summary.csv     published: one row per place of the sweep
 //! timings.csv     published: what each case cost
 //! ```
 //!
-//! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. A chain is committed in this order: its
+//! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. Chains are committed in this order: their
 //! shard is written under a temporary name, brought to the disk, renamed, the directory brought to the disk, and only
 //! then a record is appended to the log and brought to the disk. Whatever the moment at which a run is killed, all
 //! chains with a record are whole, and all others are solved again.
@@ -19,6 +19,7 @@
 //! and column is described in `docs/output.md`.
 
 mod contents;
+mod damage;
 mod dimension_scales;
 mod directory;
 mod entry;

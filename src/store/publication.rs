@@ -1,7 +1,8 @@
 //! From shards to the files of the user.
 
 use std::collections::VecDeque;
-use std::path::PathBuf;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 use super::contents::places;
 use super::directory::{PUBLISHED, Staged};
@@ -11,6 +12,9 @@ use super::results::Results;
 use super::tables::{Summary, Timings};
 use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
 use crate::model::{COLUMNS, CaseId, Limits};
+
+/// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
+const PLACES_AT_ONCE: usize = 4096;
 
 /// What is published: a grid over (f, α, β), and which case stands at each place of it.
 pub struct Publication<'a> {
@@ -49,8 +53,12 @@ pub(super) struct Place {
     pub values: [f64; COLUMNS.len()],
 }
 
-/// Shards kept open while rows are published. A row needs few: a chain runs along β.
-const OPEN_SHARDS: usize = 8;
+/// Shards kept open while rows are published. A row needs few: a chain runs along β, and a shard holds chains that
+/// finished at about the same time, so neighbours.
+const OPEN_SHARDS: usize = 32;
+
+/// Cases of the shards kept open, at some hundred bytes each; a single shard may have more.
+const OPEN_CASES: usize = 1 << 16;
 
 impl Store {
     /// Publishes the sweep: writes `results.h5`, `summary.csv` and `timings.csv` under temporary names and puts them in
@@ -154,35 +162,82 @@ fn row_cases(publication: &Publication<'_>, i_f: usize, i_alpha: usize) -> Resul
 }
 
 fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
-    let [results_file, summary_file, timings_file] = staged;
-    let results_error = || StoreError::hdf5(results_file.path(), "write");
-    let mut results = Results::create(results_file.path(), publication, &store.output).map_err(results_error())?;
-    let mut summary = Summary::create(summary_file.path())?;
-    let mut timings = Timings::create(timings_file.path())?;
-    let mut open = OpenShards { store, shards: VecDeque::new() };
-    for (i_f, i_alpha) in rows(publication) {
-        let mut row = Vec::with_capacity(publication.beta.len());
-        for (i_beta, id) in row_cases(publication, i_f, i_alpha)?.into_iter().enumerate() {
-            let (shard, case) = open.case(id)?;
-            let reader = &shard.reader;
-            let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-            let values = asked(reader.values(case), store.output.limits);
-            let place = Place { case: id, status, reason, values };
-            let parameters = [publication.f[i_f], publication.alpha[i_alpha], publication.beta[i_beta]];
-            summary.row(&place, parameters)?;
-            timings.row(&place, parameters, &shard.cases[case].timing())?;
-            for field in places(store.output.fields) {
-                if let Some(values) = reader.field(field, case)? {
-                    results.field(field, [i_f, i_alpha, i_beta], &values).map_err(results_error())?;
-                }
-            }
-            row.push(place);
+    let mut files = Files::create(store, publication, staged)?;
+    let alphas = publication.alpha.len();
+    let rows_at_once = (PLACES_AT_ONCE / publication.beta.len()).max(1);
+    for i_f in 0..publication.f.len() {
+        for first in (0..alphas).step_by(rows_at_once) {
+            files.rows(i_f, first..alphas.min(first + rows_at_once))?;
         }
-        results.row(i_f, i_alpha, &row).map_err(results_error())?;
     }
-    results.finish().map_err(results_error())?;
-    summary.finish()?;
-    timings.finish()
+    files.finish()
+}
+
+/// The published files while they are written.
+struct Files<'a> {
+    publication: &'a Publication<'a>,
+    open: OpenShards<'a>,
+    results: Results,
+    results_path: &'a Path,
+    summary: Summary,
+    timings: Timings,
+}
+
+impl<'a> Files<'a> {
+    fn create(
+        store: &'a Holdings,
+        publication: &'a Publication<'a>,
+        [results, summary, timings]: &'a [Staged; 3],
+    ) -> Result<Self, StoreError> {
+        let results_path = results.path();
+        Ok(Self {
+            publication,
+            open: OpenShards { store, shards: VecDeque::new() },
+            results: Results::create(results_path, publication, &store.output)
+                .map_err(StoreError::hdf5(results_path, "write"))?,
+            results_path,
+            summary: Summary::create(summary.path())?,
+            timings: Timings::create(timings.path())?,
+        })
+    }
+
+    /// Writes neighbouring rows.
+    fn rows(&mut self, i_f: usize, alphas: Range<usize>) -> Result<(), StoreError> {
+        let mut places = Vec::with_capacity(alphas.len() * self.publication.beta.len());
+        for i_alpha in alphas.clone() {
+            for (i_beta, id) in row_cases(self.publication, i_f, i_alpha)?.into_iter().enumerate() {
+                places.push(self.place([i_f, i_alpha, i_beta], id)?);
+            }
+        }
+        self.results.rows(i_f, alphas, &places).map_err(StoreError::hdf5(self.results_path, "write"))
+    }
+
+    /// Writes what is written place by place: tables and fields. Returns the rest.
+    fn place(&mut self, at: [usize; 3], id: CaseId) -> Result<Place, StoreError> {
+        let Publication { f, alpha, beta, .. } = self.publication;
+        let parameters = [f[at[0]], alpha[at[1]], beta[at[2]]];
+        let output = &self.open.store.output;
+        let (shard, case) = self.open.case(id)?;
+        let reader = &shard.reader;
+        let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
+        let values = asked(reader.values(case), output.limits);
+        let place = Place { case: id, status, reason, values };
+        self.summary.row(&place, parameters)?;
+        self.timings.row(&place, parameters, &shard.cases[case])?;
+        for field in places(output.fields) {
+            if let Some(values) = reader.field(field, case)? {
+                let written = self.results.field(field, at, &values);
+                written.map_err(StoreError::hdf5(self.results_path, "write"))?;
+            }
+        }
+        Ok(place)
+    }
+
+    fn finish(self) -> Result<(), StoreError> {
+        self.results.finish().map_err(StoreError::hdf5(self.results_path, "write"))?;
+        self.summary.finish()?;
+        self.timings.finish()
+    }
 }
 
 /// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.
@@ -210,10 +265,12 @@ impl OpenShards<'_> {
             Some((_, shard)) => shard,
             None => self.store.open_shard(slot.shard)?,
         };
-        if self.shards.len() == OPEN_SHARDS {
+        self.shards.push_back((slot.shard, shard));
+        let cases =
+            |shards: &VecDeque<(u32, OpenShard)>| shards.iter().map(|(_, shard)| shard.cases.len()).sum::<usize>();
+        while self.shards.len() > OPEN_SHARDS || (self.shards.len() > 1 && cases(&self.shards) > OPEN_CASES) {
             self.shards.pop_front();
         }
-        self.shards.push_back((slot.shard, shard));
         let (_, shard) = self.shards.back().expect("just put there");
         let row = usize::from(slot.row);
         if shard.reader.ids().get(row) != Some(&id) {

@@ -1,10 +1,11 @@
 //! `results.h5`: one labelled data set in the style of netCDF-4.
 
+use std::ops::Range;
 use std::path::Path;
 
 use hdf5::types::VarLenUnicode;
 use hdf5::{Dataset, Result};
-use ndarray::{aview1, s};
+use ndarray::{Array2, aview1, s};
 
 use super::contents::{FIELDS, places};
 use super::dimension_scales::{attach, make_scale};
@@ -97,18 +98,20 @@ impl Results {
         Ok(Self { columns, case, status, reason, fields, file })
     }
 
-    /// Writes all but the fields of a row: one place for each β.
-    pub(super) fn row(&mut self, i_f: usize, i_alpha: usize, row: &[Place]) -> Result<()> {
+    /// Writes all but the fields of neighbouring rows: for each α of a range one place for each β.
+    pub(super) fn rows(&mut self, i_f: usize, alphas: Range<usize>, places: &[Place]) -> Result<()> {
+        let shape = (alphas.len(), places.len() / alphas.len());
+        let slice = s![i_f, alphas, ..];
         for (i, variable) in self.columns.iter().enumerate() {
-            let values: Vec<f64> = row.iter().map(|place| place.values[i]).collect();
-            variable.write_slice(aview1(&values), s![i_f, i_alpha, ..])?;
+            let values = places.iter().map(|place| place.values[i]).collect();
+            variable.write_slice(&Array2::from_shape_vec(shape, values)?, slice)?;
         }
-        let cases: Vec<CaseText> = row.iter().map(|place| case_text(place.case)).collect();
-        self.case.write_slice(aview1(&cases), s![i_f, i_alpha, ..])?;
-        let statuses: Vec<i8> = row.iter().map(|place| place.status.code()).collect();
-        self.status.write_slice(aview1(&statuses), s![i_f, i_alpha, ..])?;
-        let reasons = row.iter().map(|place| text(&place.reason)).collect::<Result<Vec<_>>>()?;
-        self.reason.write_slice(aview1(&reasons), s![i_f, i_alpha, ..])
+        let cases = places.iter().map(|place| case_text(place.case)).collect();
+        self.case.write_slice(&Array2::from_shape_vec(shape, cases)?, slice)?;
+        let statuses = places.iter().map(|place| place.status.code()).collect();
+        self.status.write_slice(&Array2::from_shape_vec(shape, statuses)?, slice)?;
+        let reasons = places.iter().map(|place| text(&place.reason)).collect::<Result<Vec<_>>>()?;
+        self.reason.write_slice(&Array2::from_shape_vec(shape, reasons)?, slice)
     }
 
     /// Writes a field of one place. Where this is not called the field is NaN.

@@ -1,4 +1,4 @@
-//! A shard: the cases of one chain in one immutable HDF5 file.
+//! A shard: the cases that were committed together, in one immutable HDF5 file.
 
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ pub(super) fn case_text(id: CaseId) -> CaseText {
     CaseText::from_ascii(&id.to_string()).expect("a case id is 16 hexadecimal digits")
 }
 
-/// Name of the file of a chain: the same in every run that solves the same cases for the same output.
+/// Name of the file of these cases: the same whenever the same cases are committed together for the same output.
 pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents) -> String {
     let mut hasher = blake3::Hasher::new();
     hasher.update(b"stribeck shard 1");
@@ -40,20 +40,20 @@ fn column_names() -> String {
 }
 
 /// Writes a shard. The entries must have been checked: a converged one has each field asked for on all of `x`.
-pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], chain: &[CaseEntry]) -> Result<()> {
+pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[CaseEntry]) -> Result<()> {
     let mut file = NewFile::create(path)?;
     file.set_text("format", "stribeck shard 1")?;
     file.set_text("columns", &column_names())?;
     file.set_text("limits", if contents.limits { "yes" } else { "no" })?;
 
-    let ids: Vec<CaseText> = chain.iter().map(|entry| case_text(entry.id)).collect();
+    let ids: Vec<CaseText> = cases.iter().map(|entry| case_text(entry.id)).collect();
     file.write("case", &ids)?;
-    let statuses: Vec<i8> = chain.iter().map(|entry| entry.outcome.code()).collect();
+    let statuses: Vec<i8> = cases.iter().map(|entry| entry.outcome.code()).collect();
     file.write("status", &statuses)?;
-    let reasons = chain.iter().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
+    let reasons = cases.iter().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
     file.write("reason", &reasons)?;
-    let values: Vec<f64> = chain.iter().flat_map(|entry| entry.values).collect();
-    file.write("values", ArrayView2::from_shape((chain.len(), COLUMNS.len()), &values)?)?;
+    let values: Vec<f64> = cases.iter().flat_map(|entry| entry.values).collect();
+    file.write("values", ArrayView2::from_shape((cases.len(), COLUMNS.len()), &values)?)?;
 
     if !contents.fields.is_empty() {
         file.write("x", x)?;
@@ -66,10 +66,10 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], chain: &[
             .deflate(DEFLATE)
             .fill_value(f64::NAN)
             .empty::<f64>()
-            .shape((chain.len(), x.len()))
+            .shape((cases.len(), x.len()))
             .create(FIELDS[place].name)?;
         let matrix = file.keep(matrix);
-        for (row, entry) in chain.iter().enumerate() {
+        for (row, entry) in cases.iter().enumerate() {
             if let Some(field) = field(&entry.fields, place) {
                 matrix.write_slice(field, s![row, ..])?;
             }

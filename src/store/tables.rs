@@ -1,40 +1,62 @@
 //! `summary.csv` and `timings.csv`.
 
+use std::fmt::{self, Display, Formatter, Write};
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
+use super::StoreError;
 use super::publication::Place;
-use super::{StoreError, Timing};
-use crate::model::COLUMNS;
+use super::record::CaseRecord;
+use crate::model::{COLUMNS, CaseId};
 
 /// A table under a temporary name.
 struct Table {
     writer: csv::Writer<BufWriter<File>>,
     path: PathBuf,
+    /// The text of a field while it is made.
+    text: String,
 }
 
 impl Table {
     fn create(path: &Path, header: &[&str]) -> Result<Self, StoreError> {
         let file = File::create(path).map_err(StoreError::file(path, "create"))?;
-        let mut table = Self { writer: csv::Writer::from_writer(BufWriter::new(file)), path: path.to_owned() };
-        table.row(header.iter().copied())?;
+        let writer = csv::Writer::from_writer(BufWriter::new(file));
+        let mut table = Self { writer, path: path.to_owned(), text: String::new() };
+        for name in header {
+            table.field(name)?;
+        }
+        table.end_row()?;
         Ok(table)
     }
 
-    fn row<T: AsRef<[u8]>>(&mut self, row: impl IntoIterator<Item = T>) -> Result<(), StoreError> {
-        self.writer.write_record(row).map_err(|error| {
-            let source = match error.into_kind() {
-                csv::ErrorKind::Io(source) => source,
-                kind => std::io::Error::other(format!("{kind:?}")),
-            };
-            StoreError::file(&self.path, "write")(source)
-        })
+    fn field(&mut self, field: impl Display) -> Result<(), StoreError> {
+        self.text.clear();
+        write!(self.text, "{field}").expect("writing to memory does not fail");
+        self.writer.write_field(&self.text).map_err(|error| failure(&self.path, error))
+    }
+
+    /// A case and its parameters, as each row begins.
+    fn begin_row(&mut self, case: CaseId, parameters: [f64; 3]) -> Result<(), StoreError> {
+        self.field(case)?;
+        parameters.into_iter().try_for_each(|parameter| self.field(Number(parameter)))
+    }
+
+    fn end_row(&mut self) -> Result<(), StoreError> {
+        self.writer.write_record(None::<&[u8]>).map_err(|error| failure(&self.path, error))
     }
 
     fn finish(mut self) -> Result<(), StoreError> {
         self.writer.flush().map_err(StoreError::file(&self.path, "write"))
     }
+}
+
+fn failure(path: &Path, error: csv::Error) -> StoreError {
+    let source = match error.into_kind() {
+        csv::ErrorKind::Io(source) => source,
+        kind => std::io::Error::other(format!("{kind:?}")),
+    };
+    StoreError::file(path, "write")(source)
 }
 
 /// `summary.csv` while it is written: one row per place of the grid.
@@ -48,12 +70,14 @@ impl Summary {
     }
 
     pub(super) fn row(&mut self, place: &Place, parameters: [f64; 3]) -> Result<(), StoreError> {
-        let mut row = vec![place.case.to_string()];
-        row.extend(parameters.map(number));
-        row.extend([place.status.name().to_owned(), place.reason.clone()]);
-        let shown = COLUMNS.iter().zip(&place.values).filter(|(column, _)| column.in_summary);
-        row.extend(shown.map(|(_, &value)| number(value)));
-        self.0.row(&row)
+        let table = &mut self.0;
+        table.begin_row(place.case, parameters)?;
+        table.field(place.status.name())?;
+        table.field(&place.reason)?;
+        for (_, &value) in COLUMNS.iter().zip(&place.values).filter(|(column, _)| column.in_summary) {
+            table.field(Number(value))?;
+        }
+        table.end_row()
     }
 
     pub(super) fn finish(self) -> Result<(), StoreError> {
@@ -70,12 +94,15 @@ impl Timings {
         Table::create(path, &header).map(Self)
     }
 
-    pub(super) fn row(&mut self, place: &Place, parameters: [f64; 3], timing: &Timing) -> Result<(), StoreError> {
-        let mut row = vec![place.case.to_string()];
-        row.extend(parameters.map(number));
-        row.extend([number(timing.seconds), timing.iterations.to_string(), timing.factorisations.to_string()]);
-        row.extend([timing.seed.clone(), place.status.name().to_owned()]);
-        self.0.row(&row)
+    pub(super) fn row(&mut self, place: &Place, parameters: [f64; 3], case: &CaseRecord) -> Result<(), StoreError> {
+        let table = &mut self.0;
+        table.begin_row(place.case, parameters)?;
+        table.field(Number(case.seconds))?;
+        table.field(case.iterations)?;
+        table.field(case.factorisations)?;
+        table.field(&case.seed)?;
+        table.field(place.status.name())?;
+        table.end_row()
     }
 
     pub(super) fn finish(self) -> Result<(), StoreError> {
@@ -83,23 +110,27 @@ impl Timings {
     }
 }
 
-/// The shortest text that reads back as the same number; empty for NaN.
-fn number(value: f64) -> String {
-    if value.is_nan() { String::new() } else { format!("{value:?}") }
+/// A number as the shortest text that reads back as the same; empty for NaN.
+struct Number(f64);
+
+impl Display for Number {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        if self.0.is_nan() { Ok(()) } else { write!(formatter, "{:?}", self.0) }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
-    use super::number;
+    use super::Number;
 
     proptest! {
         #[test]
         fn numbers_read_back_as_they_were(bits in any::<u64>()) {
             let value = f64::from_bits(bits);
             prop_assume!(!value.is_nan());
-            let text = number(value);
+            let text = Number(value).to_string();
             prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), bits);
             prop_assert!(text.len() <= 24, "{} is not short", text);
         }
@@ -107,6 +138,6 @@ mod tests {
 
     #[test]
     fn no_value_is_empty_and_infinity_is_inf() {
-        assert_eq!([number(f64::NAN), number(f64::INFINITY), number(0.1)], ["", "inf", "0.1"]);
+        assert_eq!([f64::NAN, f64::INFINITY, 0.1].map(|value| Number(value).to_string()), ["", "inf", "0.1"]);
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use super::damage::{Damage, inspect};
 use super::directory::{Directory, files_in, is_temporary};
 use super::holdings::{Claim, Inspection, LogContent, fault, open_checked, read_claims, shard_record};
 use super::{StoreError, Warning};
@@ -22,7 +23,7 @@ pub struct Problem {
 /// What [`verify`] found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct VerifyReport {
-    /// Shards that the log names.
+    /// Shards that the log names; without those that were damaged and replaced by others.
     pub shards: u64,
     /// Cases in them.
     pub cases: u64,
@@ -36,6 +37,8 @@ pub struct VerifyReport {
     pub warnings: Vec<Warning>,
     /// Files in `shards` that no record names; left by a run that was killed. They do no harm.
     pub unreferenced: Vec<PathBuf>,
+    /// Damaged files in `shards` whose cases are all in other shards that are as they were written. They do no harm.
+    pub replaced: Vec<PathBuf>,
 }
 
 impl VerifyReport {
@@ -58,18 +61,23 @@ pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
     let LogContent { warnings, published, claims, .. } = read_claims(&directory)?;
     let mut report = VerifyReport { warnings, ..VerifyReport::default() };
     let mut named = HashSet::new();
-    for claim in &claims {
-        let path = directory.shards().join(&claim.file.file);
+    let path = |claim: &Claim| directory.shards().join(&claim.file.file);
+    let (sound, damaged) = inspect(&directory, claims, |claim| shard_fault(&directory, &path(claim), claim))?;
+    let (lossy, replaced): (Vec<_>, Vec<_>) = damaged.into_iter().partition(|damage| damage.lost > 0);
+    for claim in sound.iter().chain(lossy.iter().map(|damage| &damage.claim)) {
         report.shards += 1;
         report.cases += claim.cases as u64;
         report.bytes += claim.file.bytes;
-        if let Some(what) = shard_fault(&directory, &path, claim)? {
-            report.problems.push(Problem { file: path.clone(), what, remedy: SOLVE_AGAIN });
-        }
-        named.insert(path);
+        named.insert(path(claim));
     }
+    for Damage { claim, what, .. } in lossy {
+        report.problems.push(Problem { file: path(&claim), what, remedy: SOLVE_AGAIN });
+    }
+    let replaced: HashSet<_> = replaced.iter().map(|damage| path(&damage.claim)).collect();
     for path in files_in(&directory.shards())? {
-        if !named.contains(&path) && !is_temporary(&path) {
+        if replaced.contains(&path) {
+            report.replaced.push(path);
+        } else if !named.contains(&path) && !is_temporary(&path) {
             report.unreferenced.push(path);
         }
     }

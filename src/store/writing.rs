@@ -79,32 +79,33 @@ impl Store {
         self.append(&Record::End { ending, time: clock() }).map(drop)
     }
 
-    /// Commits a finished chain: when this returns, its cases survive whatever happens to the process or the power.
+    /// Commits finished chains as one shard: when this returns, their cases survive whatever happens to the process or the
+    /// power. It takes about as long for one case as for a thousand, most of it waiting for the disk.
     ///
     /// Fields that the output does not ask for are left out.
     ///
     /// # Errors
     /// [`StoreError::Entry`] for an entry that cannot be stored (nothing is written then), others if the disk fails.
-    /// After an error the chain is not committed, and the store can be used further.
-    pub fn commit(&mut self, chain: &[CaseEntry]) -> Result<(), StoreError> {
-        if chain.is_empty() {
+    /// After an error nothing is committed, and the store can be used further.
+    pub fn commit(&mut self, cases: &[CaseEntry]) -> Result<(), StoreError> {
+        if cases.is_empty() {
             return Ok(());
         }
         let contents = Contents::of(&self.output);
-        check(chain, &contents, &self.output.x)?;
-        let name = shard_name(chain.iter().map(|entry| entry.id), &contents);
+        check(cases, &contents, &self.output.x)?;
+        let name = shard_name(cases.iter().map(|entry| entry.id), &contents);
         let staged = Staged::new(self.directory.shards().join(&name));
-        write_shard(staged.path(), &contents, &self.output.x, chain)
+        write_shard(staged.path(), &contents, &self.output.x, cases)
             .map_err(StoreError::hdf5(staged.path(), "write"))?;
         let (bytes, hash) = staged.synchronise()?;
         staged.put_in_place()?;
 
         let file = FileRecord { file: name.clone(), bytes, blake3: hash.to_hex().to_string() };
-        let cases = chain.iter().map(CaseRecord::of).collect();
-        let place = self.append(&Record::Shard(ShardRecord::new(file, &contents, clock(), cases)))?;
+        let records = cases.iter().map(CaseRecord::of).collect();
+        let place = self.append(&Record::Shard(ShardRecord::new(file, &contents, clock(), records)))?;
         let index = &mut self.holdings.index;
         let shard = index.add_shard(Shard { name: name.into(), hash, covers: true, record: place });
-        for (row, entry) in (0..).zip(chain) {
+        for (row, entry) in (0..).zip(cases) {
             index.add_case(entry.id, Slot { shard, row, status: entry.outcome });
         }
         Ok(())
@@ -128,15 +129,15 @@ impl Store {
 }
 
 /// Refuses what would not come back as it was given.
-fn check(chain: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), StoreError> {
+fn check(cases: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), StoreError> {
     let mut seen = HashSet::new();
-    for entry in chain {
+    for entry in cases {
         let refuse = |what: String| Err(StoreError::Entry { case: entry.id, what });
-        if chain.len() > usize::from(u16::MAX) {
-            return refuse(format!("a chain of {} cases is too long for a shard", chain.len()));
+        if cases.len() > usize::from(u16::MAX) {
+            return refuse(format!("{} cases are too many for a shard", cases.len()));
         }
         if !seen.insert(entry.id) {
-            return refuse("it is twice in its chain".to_owned());
+            return refuse("it is twice among those committed".to_owned());
         }
         let seconds = entry.timing.seconds;
         if !(seconds.is_finite() && seconds >= 0.0) {
