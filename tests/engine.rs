@@ -10,13 +10,8 @@ use std::sync::{Barrier, Condvar, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
-<<<<<<< HEAD
 use stribeck::continuation::{Effort, Interrupt, Interrupted, Path, Seed, SolvedCase};
-use stribeck::engine::{Engine, Report};
-=======
-use stribeck::continuation::{Effort, Interrupt, Interrupted, Seed, SolvedCase};
 use stribeck::engine::{Engine, Finished, Report};
->>>>>>> throughput
 use stribeck::model::{Failure, Limits};
 
 fn engine(threads: usize) -> Engine {
