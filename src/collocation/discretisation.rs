@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::log_moments::{MOST_MOMENTS, log_moments};
+use super::log_moments::{LANES, MOST_MOMENTS, log_moments, log_moments_together};
 use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::{ReferencePanel, dot};
@@ -99,21 +99,22 @@ fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64])
     let mut elastic = Matrix::zeros(rows, mesh.panels() * degree + 1);
     let first_film_row = (mesh.behind.len() - 1) * degree;
     let mut by_degree = vec![0.0; size * rows];
+    let mut together = [[0.0; LANES]; MOST_MOMENTS];
     for (panel, ends) in mesh.film.windows(2).enumerate() {
         let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        for (block, y) in points.chunks(LANES).enumerate() {
+            // a last block that is not full is filled with its first place
+            let places = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
+            log_moments_together(&places, &mut together[..size]);
+            for (k, moments) in together[..size].iter().enumerate() {
+                let from = k * rows + block * LANES;
+                by_degree[from..from + y.len()].copy_from_slice(&moments[..y.len()]);
+            }
+        }
         let own = first_film_row + panel * degree;
-        let mut moments = [0.0; MOST_MOMENTS];
-        for (row, y) in points.iter().enumerate() {
-            if (own..own + degree).contains(&row) {
-                for k in 0..size {
-                    by_degree[k * rows + row] = reference.own_log_moments[k * degree + row - own];
-                }
-                continue;
-            }
-            log_moments((y - centre) / half, &mut moments[..size]);
-            for (k, moment) in moments[..size].iter().enumerate() {
-                by_degree[k * rows + row] = *moment;
-            }
+        for k in 0..size {
+            let moments = &reference.own_log_moments[k * degree..(k + 1) * degree];
+            by_degree[k * rows + own..k * rows + own + degree].copy_from_slice(moments);
         }
         // ln|y − s| = ln|t − t′| + ln half, and ∫ P_0 = 2
         for moment in &mut by_degree[..rows] {

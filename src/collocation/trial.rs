@@ -71,3 +71,29 @@ fn one() {
     for p in &r.path.points { println!("{p:?}"); }
     println!("{r:?}");
 }
+#[test]
+fn speed() {
+    if std::env::var("SPEED").is_err() { return }
+    let interrupt = Interrupt::new();
+    let output = Output { limits: std::env::var("SPEED").unwrap() == "limits", fields: FieldSelection::default(), ..Output::default() };
+    let solver = CollocationSolver::new(Settings::default());
+    let mut all = Vec::new();
+    for i in 0..7 {
+        let alpha = 10f64.powi(i - 3);
+        let cases: Vec<_> = (0..61).map(|j| Parameters::new(alpha, 10f64.powf(1.0 + j as f64 / 20.0), 100.0)).collect();
+        let t = std::time::Instant::now();
+        let r = solve_chain(&solver, &cases, &output, &interrupt).unwrap();
+        let t = t.elapsed();
+        let mut s: Vec<f64> = r.iter().map(|r| r.effort.seconds * 1e3).collect();
+        all.extend(s.clone());
+        let its: u64 = r.iter().map(|r| r.effort.iterations).sum();
+        let lus: u64 = r.iter().map(|r| r.effort.factorisations).sum();
+        let first = s[0];
+        let seeds: std::collections::BTreeMap<String, usize> = r.iter().fold(Default::default(), |mut m, r| { *m.entry(r.seed.to_string()).or_default() += 1; m });
+        s.sort_by(f64::total_cmp);
+        let errs: f64 = r.iter().map(|r| { let e = &r.outcome.as_ref().unwrap().errors; e.mu_v.max(e.mu_h).max(e.c).ln() }).sum::<f64>() / 61.0;
+        println!("alpha {alpha}: {t:?} its {its} lus {lus} first {first:.2} median {:.3} mean {:.3} max {:.2} err {:.1e} {seeds:?}", s[30], s.iter().sum::<f64>() / 61.0, s[60], errs.exp());
+    }
+    all.sort_by(f64::total_cmp);
+    println!("median {:.3} mean {:.3}", all[all.len() / 2], all.iter().sum::<f64>() / all.len() as f64);
+}
