@@ -30,11 +30,25 @@ pub struct Discretisation {
 }
 
 impl Discretisation {
-    /// Computes what depends on the mesh alone.
-    pub fn new(reference: &Arc<ReferencePanel>, mesh: Arc<Mesh>) -> Self {
+    /// One without panels yet.
+    pub fn new(reference: &Arc<ReferencePanel>) -> Self {
+        Self {
+            mesh: Mesh::new(reference.degree, vec![0.0, 1.0]),
+            reference: Arc::clone(reference),
+            points: Vec::new(),
+            weights: Vec::new(),
+            node_weights: Vec::new(),
+            elastic: Matrix::default(),
+        }
+    }
+
+    /// Computes what depends on the mesh alone, in the memory of the mesh before.
+    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>) {
+        let Self { reference, points, weights, node_weights, elastic, .. } = self;
         let degree = reference.degree;
         assert_eq!(degree, mesh.degree, "a mesh is made for one degree");
-        let (mut points, mut weights) = (Vec::new(), Vec::new());
+        points.clear();
+        weights.clear();
         for ends in mesh.behind.windows(2).chain(mesh.film.windows(2)) {
             let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
             points.extend(reference.points.iter().map(|t| centre + half * t));
@@ -42,14 +56,15 @@ impl Discretisation {
         }
         points.push(0.0);
         weights.push(0.0);
-        let mut node_weights = vec![0.0; mesh.panels() * degree + 1];
+        node_weights.clear();
+        node_weights.resize(mesh.panels() * degree + 1, 0.0);
         for (panel, ends) in mesh.film.windows(2).enumerate() {
             for (j, weight) in reference.node_weights.iter().enumerate() {
                 node_weights[panel * degree + j] += 0.5 * (ends[1] - ends[0]) * weight;
             }
         }
-        let elastic = elastic_displacement(reference, &mesh, &points);
-        Self { mesh, reference: Arc::clone(reference), points, weights, node_weights, elastic }
+        elastic_displacement(reference, mesh, points, elastic);
+        self.mesh = Arc::clone(mesh);
     }
 
     /// Number of nodes of the pressure.
@@ -93,10 +108,10 @@ pub fn film_points<'a>(reference: &'a ReferencePanel, mesh: &'a Mesh) -> impl Do
 }
 
 /// e = (1/π) ∫ p ln|y − s| ds (T7) at `points`, of which those of the film are the Gauss points of its panels.
-fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64]) -> Matrix {
+fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64], elastic: &mut Matrix) {
     let (degree, rows) = (reference.degree, points.len());
     let size = degree + 1;
-    let mut elastic = Matrix::zeros(rows, mesh.panels() * degree + 1);
+    elastic.reset(rows, mesh.panels() * degree + 1);
     let first_film_row = (mesh.behind.len() - 1) * degree;
     let mut by_degree = vec![0.0; size * rows];
     let mut together = [[0.0; LANES]; MOST_MOMENTS];
@@ -130,7 +145,6 @@ fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64])
             }
         }
     }
-    elastic
 }
 
 impl Discretisation {

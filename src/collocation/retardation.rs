@@ -19,25 +19,20 @@ pub struct RetardationFilter {
     panels: Vec<PanelFilter>,
 }
 
-/// What a panel makes of v at its right end and e at its Gauss points.
+/// What a panel makes of v at its right end and e at its Gauss points: v at each, and in the last place at its left end.
 struct PanelFilter {
-    /// Weight of v at the right end in v at each Gauss point.
+    /// Weights of v at the right end, d + 1.
     decay: Vec<f64>,
-    /// Weight of e at the Gauss points in v at each, d × d.
+    /// Weights of e at the Gauss points, (d + 1) × d row by row.
     response: Vec<f64>,
-    /// The same for v at the left end.
-    left_decay: f64,
-    left_response: Vec<f64>,
 }
 
 impl PanelFilter {
     fn new(reference: &ReferencePanel, kappa: f64) -> Self {
-        let row = |t: f64| -> Vec<f64> { response(reference, kappa, t) };
+        let places = || reference.points.iter().copied().chain([-1.0]);
         Self {
-            decay: reference.points.iter().map(|t| (-kappa * (1.0 - t)).exp()).collect(),
-            response: reference.points.iter().flat_map(|&t| row(t)).collect(),
-            left_decay: (-2.0 * kappa).exp(),
-            left_response: row(-1.0),
+            decay: places().map(|t| (-kappa * (1.0 - t)).exp()).collect(),
+            response: places().flat_map(|t| response(reference, kappa, t)).collect(),
         }
     }
 }
@@ -66,38 +61,27 @@ impl RetardationFilter {
         Self { alpha, panels: ends.map(panel).collect() }
     }
 
-    /// v at the rows of a discretisation from p at the nodes, rows × nodes.
-    pub fn apply(&self, discretisation: &Discretisation, retarded: &mut Matrix) {
+    /// v at the rows of a discretisation from p at the nodes, rows × nodes. `panel` is a buffer.
+    pub fn apply(&self, discretisation: &Discretisation, retarded: &mut Matrix, panel: &mut Matrix) {
         let elastic = &discretisation.elastic;
-        retarded.reset(elastic.rows(), elastic.columns());
-        let at_end = far_field(discretisation, self.alpha, discretisation.mesh.reach());
-        for (j, end) in at_end.into_iter().enumerate() {
-            self.run(discretisation, elastic.column(j), end, retarded.column_mut(j), |_, _| {});
-        }
-    }
-
-    /// One run: v at the rows from e at the rows and v at Y. `visit` gets each panel with v at its right end.
-    fn run(
-        &self,
-        discretisation: &Discretisation,
-        e: &[f64],
-        at_end: f64,
-        v: &mut [f64],
-        mut visit: impl FnMut(usize, f64),
-    ) {
         let degree = discretisation.reference.degree;
         let film_starts = discretisation.behind().end / degree;
-        let mut right = at_end;
-        for (index, panel) in self.panels.iter().enumerate().rev() {
-            visit(index, right);
+        retarded.reset(elastic.rows(), elastic.columns());
+        panel.reset(degree + 1, elastic.columns());
+        let mut right = far_field(discretisation, self.alpha, discretisation.mesh.reach());
+        for (index, filter) in self.panels.iter().enumerate().rev() {
             let rows = index * degree..(index + 1) * degree;
-            let e = &e[rows.clone()];
-            for (i, v) in v[rows].iter_mut().enumerate() {
-                *v = panel.decay[i] * right + dot(&panel.response[i * degree..(i + 1) * degree], e);
-            }
-            right = panel.left_decay * right + dot(&panel.left_response, e);
-            if index == film_starts {
-                v[discretisation.outlet()] = right;
+            panel.set_to_product(&filter.response, elastic, rows.clone());
+            for (j, right) in right.iter_mut().enumerate() {
+                let response = panel.column(j);
+                let column = retarded.column_mut(j);
+                for (i, v) in column[rows.clone()].iter_mut().enumerate() {
+                    *v = filter.decay[i] * *right + response[i];
+                }
+                *right = filter.decay[degree] * *right + response[degree];
+                if index == film_starts {
+                    column[discretisation.outlet()] = *right;
+                }
             }
         }
     }
@@ -108,8 +92,12 @@ impl RetardationFilter {
         let mesh = &discretisation.mesh;
         let degree = discretisation.reference.degree;
         let mut at_right = vec![0.0; self.panels.len()];
-        let end = dot(&far_field(discretisation, self.alpha, mesh.reach()), pressure);
-        self.run(discretisation, e, end, &mut vec![0.0; e.len()], |panel, v| at_right[panel] = v);
+        let mut right = dot(&far_field(discretisation, self.alpha, mesh.reach()), pressure);
+        for (index, filter) in self.panels.iter().enumerate().rev() {
+            at_right[index] = right;
+            let e = &e[index * degree..(index + 1) * degree];
+            right = filter.decay[degree] * right + dot(&filter.response[degree * degree..], e);
+        }
         let ends: Vec<f64> = mesh.behind.iter().chain(&mesh.film[1..]).copied().collect();
         let at = |&y: &f64| {
             if y < ends[0] || y > mesh.reach() {

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::discretisation::Discretisation;
 use super::displacement::Displacement;
 use super::mesh::Mesh;
 use super::newton::Corrector;
@@ -23,49 +22,46 @@ pub struct Workspace {
     half_width: f64,
 }
 
-/// One degree: reference panel, displacement on the present mesh, buffers.
+/// One degree: displacement on the present mesh, and Newton's method with its buffers.
 pub struct Level {
-    /// Tables of the degree.
-    pub reference: Arc<ReferencePanel>,
-    /// Newton's method, with its buffers.
-    pub corrector: Corrector,
-    displacement: Option<Displacement>,
+    corrector: Corrector,
+    displacement: Displacement,
+    prepared: bool,
 }
 
 impl Level {
     fn new(reference: &Arc<ReferencePanel>) -> Self {
-        Self { reference: Arc::clone(reference), corrector: Corrector::default(), displacement: None }
+        Self { corrector: Corrector::default(), displacement: Displacement::new(reference), prepared: false }
     }
 
-    /// The displacement for a mesh: the one that is there if it is for these panels.
+    /// The displacement for a mesh, unless it is there already.
     fn prepare(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel) {
-        let present = self.displacement.take();
-        let degree = self.reference.degree;
-        self.displacement = Some(match present {
-            Some(displacement) if displacement.discretisation.mesh.film == mesh.film => displacement,
-            _ => {
-                let mesh =
-                    if mesh.degree == degree { Arc::clone(mesh) } else { Arc::new(Mesh { degree, ..(**mesh).clone() }) };
-                Displacement::new(Arc::new(Discretisation::new(&self.reference, mesh)), kernel)
-            }
-        });
+        let discretisation = &self.displacement.discretisation;
+        let degree = discretisation.reference.degree;
+        if self.prepared && discretisation.mesh.film == mesh.film {
+            return;
+        }
+        let of_degree =
+            if mesh.degree == degree { Arc::clone(mesh) } else { Arc::new(Mesh { degree, ..(**mesh).clone() }) };
+        self.displacement.set_mesh(&of_degree, kernel);
+        self.prepared = true;
     }
 
     /// The same mesh, another substrate.
     fn change(&mut self, kernel: &DisplacementKernel) {
-        if let Some(displacement) = self.displacement.take() {
-            self.displacement = Some(Displacement::new(displacement.discretisation, kernel));
+        if self.prepared {
+            self.displacement.set_substrate(kernel);
         }
     }
 
     /// The corrector and the displacement that was prepared.
     pub fn parts(&mut self) -> (&mut Corrector, &Displacement) {
-        (&mut self.corrector, self.displacement.as_ref().expect("prepared before"))
+        (&mut self.corrector, &self.displacement)
     }
 
     /// The displacement that was prepared.
     pub fn displacement(&self) -> &Displacement {
-        self.displacement.as_ref().expect("prepared before")
+        &self.displacement
     }
 }
 
