@@ -11,8 +11,8 @@ use super::reference::{ReferencePanel, dot};
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///
-/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, and the
-/// outlet itself. Columns are the nodes of the pressure, from the outlet to Y; neighbouring panels share one.
+/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, the ends of
+/// the film's panels, of which the outlet is the first, and the ends of the panels behind it. Columns are the nodes of the pressure, from the outlet to Y; neighbouring panels share one.
 #[derive(Debug)]
 pub struct Discretisation {
     /// The panels.
@@ -21,7 +21,7 @@ pub struct Discretisation {
     pub reference: Arc<ReferencePanel>,
     /// y of each row.
     pub points: Vec<f64>,
-    /// Quadrature weights of the rows, 0 for the outlet.
+    /// Quadrature weights of the rows, 0 for ends.
     pub weights: Vec<f64>,
     /// Weight of each node in ∫ p dy.
     pub node_weights: Vec<f64>,
@@ -54,8 +54,8 @@ impl Discretisation {
             points.extend(reference.points.iter().map(|t| centre + half * t));
             weights.extend(reference.weights.iter().map(|weight| half * weight));
         }
-        points.push(0.0);
-        weights.push(0.0);
+        points.extend(mesh.film.iter().chain(&mesh.behind[..mesh.behind.len() - 1]));
+        weights.resize(points.len(), 0.0);
         node_weights.clear();
         node_weights.resize(mesh.panels() * degree + 1, 0.0);
         for (panel, ends) in mesh.film.windows(2).enumerate() {
@@ -90,7 +90,14 @@ impl Discretisation {
 
     /// The row of the outlet.
     pub fn outlet(&self) -> usize {
-        self.points.len() - 1
+        self.film().end
+    }
+
+    /// The rows of the left and the right end of a panel; panels are counted from the one furthest behind the outlet.
+    pub fn ends(&self, panel: usize) -> (usize, usize) {
+        let (behind, film) = (self.mesh.behind.len() - 1, self.mesh.film.len());
+        let row = |end: usize| self.outlet() + if end < behind { film + end } else { end - behind };
+        (row(panel), row(panel + 1))
     }
 
     /// y at the Gauss points of the film.

@@ -12,44 +12,71 @@ use crate::model::retarded_mode;
 
 /// The filter on all panels of a mesh.
 ///
-/// T8 reads v(y) = e^{−α(y₁ − y)} v(y₁) + ∫_y^{y₁} α e^{−α(s − y)} e(s) ds. With e on a panel as the polynomial through its
-/// Gauss points the integral is exact, however stiff the panel; the material carries v from one panel to the next.
+/// T8 reads v(y) = e^{−α(y₁ − y)} v(y₁) + ∫_y^{y₁} α e^{−α(s − y)} e(s) ds (T30). With e on a panel as the polynomial through
+/// its Gauss points and both ends the integral is exact, however stiff the panel; the material carries v from one panel to
+/// the next. The ends make e continuous, without which v − e would be poor where α is large.
 pub struct RetardationFilter {
     alpha: f64,
     panels: Vec<PanelFilter>,
 }
 
-/// What a panel makes of v at its right end and e at its Gauss points: v at each, and in the last place at its left end.
+/// What a panel makes of v at its right end and of e: v at each Gauss point, and in the last place at its left end.
 struct PanelFilter {
     /// Weights of v at the right end, d + 1.
     decay: Vec<f64>,
     /// Weights of e at the Gauss points, (d + 1) × d row by row.
     response: Vec<f64>,
+    /// Weights of e at the left and the right end, d + 1.
+    end_response: Vec<[f64; 2]>,
 }
 
 impl PanelFilter {
     fn new(reference: &ReferencePanel, kappa: f64) -> Self {
-        let places = || reference.points.iter().copied().chain([-1.0]);
-        Self {
-            decay: places().map(|t| (-kappa * (1.0 - t)).exp()).collect(),
-            response: places().flat_map(|t| response(reference, kappa, t)).collect(),
+        let places = reference.degree + 1;
+        let mut filter = Self {
+            decay: Vec::with_capacity(places),
+            response: vec![0.0; places * reference.degree],
+            end_response: Vec::with_capacity(places),
+        };
+        let rows = filter.response.chunks_exact_mut(reference.degree);
+        for (t, weights) in reference.points.iter().copied().chain([-1.0]).zip(rows) {
+            filter.decay.push((-kappa * (1.0 - t)).exp());
+            filter.end_response.push(response(reference, kappa, t, weights));
         }
+        filter
+    }
+
+    /// What the place with this index has from e, given at the Gauss points and at both ends.
+    fn respond(&self, place: usize, e: &[f64], ends: [f64; 2]) -> f64 {
+        let [left, right] = self.end_response[place];
+        dot(&self.response[place * e.len()..(place + 1) * e.len()], e) + left * ends[0] + right * ends[1]
     }
 }
 
-/// Weights of e at the Gauss points in ∫_t^1 κ e^{−κ(s − t)} e(s) ds.
-fn response(reference: &ReferencePanel, kappa: f64, t: f64) -> Vec<f64> {
+/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds: of its values at the Gauss points, and at both ends.
+///
+/// The polynomial through all of them is the one through the Gauss points, and P_d(s)(a + bs), which vanishes there, for what
+/// is missing at the ends.
+fn response(reference: &ReferencePanel, kappa: f64, t: f64, weights: &mut [f64]) -> [f64; 2] {
     let degree = reference.degree;
     let mut moments = [0.0; MOST_MOMENTS];
-    exponential_moments(kappa, t, &mut moments[..degree]);
-    let mut weights = vec![0.0; degree];
+    exponential_moments(kappa, t, &mut moments[..degree + 2]);
+    let constant = moments[degree];
+    // s P_d = ((d + 1) P_{d+1} + d P_{d−1})/(2d + 1)
+    let d = degree as f64;
+    let linear = ((d + 1.0) * moments[degree + 1] + d * moments[degree - 1]) / (2.0 * d + 1.0);
+    let parity = if degree % 2 == 0 { 1.0 } else { -1.0 };
+    let (left, right) = (0.5 * parity * (constant - linear), 0.5 * (constant + linear));
+    for (i, weight) in weights.iter_mut().enumerate() {
+        *weight = -left * reference.end_values[0][i] - right * reference.end_values[1][i];
+    }
     for (k, moment) in moments[..degree].iter().enumerate() {
         let coefficients = &reference.point_coefficients[k * degree..(k + 1) * degree];
         for (weight, coefficient) in weights.iter_mut().zip(coefficients) {
             *weight += moment * coefficient;
         }
     }
-    weights
+    [left, right]
 }
 
 impl RetardationFilter {
@@ -61,26 +88,32 @@ impl RetardationFilter {
         Self { alpha, panels: ends.map(panel).collect() }
     }
 
-    /// v at the rows of a discretisation from p at the nodes, rows × nodes. `panel` is a buffer.
+    /// v at the Gauss points and the outlet from p at the nodes, rows × nodes; 0 at the other ends. `panel` is a buffer.
     pub fn apply(&self, discretisation: &Discretisation, retarded: &mut Matrix, panel: &mut Matrix) {
         let elastic = &discretisation.elastic;
         let degree = discretisation.reference.degree;
-        let film_starts = discretisation.behind().end / degree;
+        let outlet = discretisation.outlet();
         retarded.reset(elastic.rows(), elastic.columns());
         panel.reset(degree + 1, elastic.columns());
         let mut right = far_field(discretisation, self.alpha, discretisation.mesh.reach());
         for (index, filter) in self.panels.iter().enumerate().rev() {
             let rows = index * degree..(index + 1) * degree;
+            let ends = discretisation.ends(index);
             panel.set_to_product(&filter.response, elastic, rows.clone());
             for (j, right) in right.iter_mut().enumerate() {
+                let (e_left, e_right) = (elastic.column(j)[ends.0], elastic.column(j)[ends.1]);
                 let response = panel.column(j);
+                let at = |i: usize| {
+                    let [left_weight, right_weight] = filter.end_response[i];
+                    filter.decay[i] * *right + response[i] + left_weight * e_left + right_weight * e_right
+                };
                 let column = retarded.column_mut(j);
                 for (i, v) in column[rows.clone()].iter_mut().enumerate() {
-                    *v = filter.decay[i] * *right + response[i];
+                    *v = at(i);
                 }
-                *right = filter.decay[degree] * *right + response[degree];
-                if index == film_starts {
-                    column[discretisation.outlet()] = *right;
+                *right = at(degree);
+                if ends.0 == outlet {
+                    column[outlet] = *right;
                 }
             }
         }
@@ -89,24 +122,30 @@ impl RetardationFilter {
     /// v at any places of one solution: `e` and `pressure` are its elastic displacement at the rows and its pressure at the
     /// nodes.
     pub fn interpolate(&self, discretisation: &Discretisation, e: &[f64], pressure: &[f64], places: &[f64]) -> Vec<f64> {
-        let mesh = &discretisation.mesh;
-        let degree = discretisation.reference.degree;
+        let (mesh, reference) = (&discretisation.mesh, &discretisation.reference);
+        let degree = reference.degree;
+        let on_panel = |index: usize| {
+            let (left, right) = discretisation.ends(index);
+            (&e[index * degree..(index + 1) * degree], [e[left], e[right]])
+        };
         let mut at_right = vec![0.0; self.panels.len()];
         let mut right = dot(&far_field(discretisation, self.alpha, mesh.reach()), pressure);
         for (index, filter) in self.panels.iter().enumerate().rev() {
             at_right[index] = right;
-            let e = &e[index * degree..(index + 1) * degree];
-            right = filter.decay[degree] * right + dot(&filter.response[degree * degree..], e);
+            let (e, e_ends) = on_panel(index);
+            right = filter.decay[degree] * right + filter.respond(degree, e, e_ends);
         }
         let ends: Vec<f64> = mesh.behind.iter().chain(&mesh.film[1..]).copied().collect();
+        let mut weights = vec![0.0; degree];
         let at = |&y: &f64| {
             if y < ends[0] || y > mesh.reach() {
                 return dot(&far_field(discretisation, self.alpha, y), pressure);
             }
             let (panel, t) = locate(&ends, y);
             let kappa = 0.5 * self.alpha * (ends[panel + 1] - ends[panel]);
-            let e = &e[panel * degree..(panel + 1) * degree];
-            (-kappa * (1.0 - t)).exp() * at_right[panel] + dot(&response(&discretisation.reference, kappa, t), e)
+            let (e, e_ends) = on_panel(panel);
+            let [left, right] = response(reference, kappa, t, &mut weights);
+            (-kappa * (1.0 - t)).exp() * at_right[panel] + dot(&weights, e) + left * e_ends[0] + right * e_ends[1]
         };
         places.iter().map(at).collect()
     }

@@ -77,7 +77,7 @@ impl System {
         let discretisation = &displacement.discretisation;
         let (points, film_rows) = (discretisation.film_points(), discretisation.film());
         pressure_gradient(displacement, &state.pressure, &mut self.gradient);
-        // the row after the film's is the outlet
+        // the first row after the film's is the outlet
         self.displacement.resize(points + 1, 0.0);
         displacement.matrix.multiply_rows(film_rows.start, &state.pressure, &mut self.displacement);
         self.outlet_displacement = self.displacement[points];
