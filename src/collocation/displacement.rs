@@ -7,6 +7,7 @@ use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
 use super::retardation::RetardationFilter;
+use super::stages::{Stages, timed};
 use crate::model::DisplacementKernel;
 
 /// w and the part of w′ that does work, both as matrices on the pressure; for all cases with the same mesh, α and f.
@@ -41,9 +42,9 @@ impl Displacement {
     }
 
     /// The displacement on a mesh, in the memory of the one before.
-    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel) {
-        self.discretisation.set_mesh(mesh);
-        self.set_substrate(kernel);
+    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel, stages: &mut Stages) {
+        timed(&mut stages.kernel, || self.discretisation.set_mesh(mesh));
+        timed(&mut stages.filter, || self.set_substrate(kernel));
     }
 
     /// Filters the elastic displacement of the mesh for a substrate.

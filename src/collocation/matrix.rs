@@ -34,7 +34,7 @@ impl Matrix {
 
     /// Number of columns.
     pub fn columns(&self) -> usize {
-        if self.rows == 0 { 0 } else { self.values.len() / self.rows }
+        self.values.len().checked_div(self.rows).unwrap_or(0)
     }
 
     /// A column.

@@ -65,7 +65,7 @@ fn response(reference: &ReferencePanel, kappa: f64, t: f64, weights: &mut [f64])
     // s P_d = ((d + 1) P_{d+1} + d P_{d−1})/(2d + 1)
     let d = degree as f64;
     let linear = ((d + 1.0) * moments[degree + 1] + d * moments[degree - 1]) / (2.0 * d + 1.0);
-    let parity = if degree % 2 == 0 { 1.0 } else { -1.0 };
+    let parity = if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
     let (left, right) = (0.5 * parity * (constant - linear), 0.5 * (constant + linear));
     for (i, weight) in weights.iter_mut().enumerate() {
         *weight = -left * reference.end_values[0][i] - right * reference.end_values[1][i];
@@ -121,7 +121,13 @@ impl RetardationFilter {
 
     /// v at any places of one solution: `e` and `pressure` are its elastic displacement at the rows and its pressure at the
     /// nodes.
-    pub fn interpolate(&self, discretisation: &Discretisation, e: &[f64], pressure: &[f64], places: &[f64]) -> Vec<f64> {
+    pub fn interpolate(
+        &self,
+        discretisation: &Discretisation,
+        e: &[f64],
+        pressure: &[f64],
+        places: &[f64],
+    ) -> Vec<f64> {
         let (mesh, reference) = (&discretisation.mesh, &discretisation.reference);
         let degree = reference.degree;
         let on_panel = |index: usize| {
@@ -156,7 +162,8 @@ fn far_field(discretisation: &Discretisation, alpha: f64, y: f64) -> Vec<f64> {
     let reference = &discretisation.reference;
     let (degree, size) = (reference.degree, reference.degree + 1);
     let mut weights = vec![0.0; discretisation.nodes()];
-    for (i, (s, weight)) in discretisation.film_y().iter().zip(&discretisation.weights[discretisation.film()]).enumerate()
+    for (i, (s, weight)) in
+        discretisation.film_y().iter().zip(&discretisation.weights[discretisation.film()]).enumerate()
     {
         let kernel = weight / PI * retarded_mode(alpha, y - s);
         let (panel, point) = (i / degree, i % degree);
@@ -166,4 +173,88 @@ fn far_field(discretisation: &Discretisation, alpha: f64, y: f64) -> Vec<f64> {
         }
     }
     weights
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::mesh::Mesh;
+    use super::super::reference::evaluate;
+    use super::*;
+    use crate::model::gauss;
+    use std::sync::Arc;
+
+    /// A pressure like that of a film: steep at both sides, with a long tail.
+    fn pressure(y: f64) -> f64 {
+        y * y / (1.0 + y * y) / (1.0 + (y / 2.0).powi(6))
+    }
+
+    /// ∫ p(s) (S(α(y − s)) + ln|y − s|) ds/π (T10) on panels that shrink towards s = y.
+    fn by_kernel(discretisation: &Discretisation, nodes: &[f64], alpha: f64, y: f64) -> f64 {
+        let reference = &discretisation.reference;
+        let (degree, size) = (reference.degree, reference.degree + 1);
+        let mut coefficients = vec![0.0; size];
+        let mut sum = 0.0;
+        for (panel, ends) in discretisation.mesh.film.windows(2).enumerate() {
+            reference.coefficients_of_nodes(&nodes[panel * degree..panel * degree + size], &mut coefficients);
+            let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            let integrand = |s: f64| evaluate(&coefficients, (s - centre) / half) * retarded_mode(alpha, y - s);
+            let near = y.clamp(ends[0], ends[1]);
+            for end in ends {
+                let mut far = *end;
+                while (far - near).abs() > 1e-14 {
+                    let closer = near + 0.5 * (far - near);
+                    sum += gauss::integrate(far.min(closer), far.max(closer), integrand);
+                    far = closer;
+                }
+            }
+        }
+        sum / PI
+    }
+
+    /// The filter (T8) and the kernel (T10) are independent ways to the same v: at Gauss points, and anywhere else.
+    #[test]
+    fn filter_agrees_with_the_exponential_integral_kernel() {
+        let reference = Arc::new(ReferencePanel::new(8));
+        let fine = |from: f64, to: f64| (0..12).map(move |i| from + (to - from) * f64::from(i) / 12.0);
+        let ends = fine(0.0, 1.2)
+            .chain(fine(1.2, 4.0))
+            .chain(fine(4.0, 12.0))
+            .chain([12.0, 14.0, 17.0, 21.0, 26.0, 32.0, 40.0])
+            .collect();
+        let mut discretisation = Discretisation::new(&reference);
+        discretisation.set_mesh(&Mesh::new(8, ends));
+        let nodes: Vec<f64> = discretisation
+            .mesh
+            .film
+            .windows(2)
+            .enumerate()
+            .flat_map(|(panel, ends)| {
+                let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+                reference.nodes.iter().skip(usize::from(panel > 0)).map(move |t| pressure(centre + half * t))
+            })
+            .collect();
+        let mut e = vec![0.0; discretisation.points.len()];
+        discretisation.elastic.multiply_rows(0, &nodes, &mut e);
+        for alpha in [1e-4, 0.05, 1.0, 7.0, 60.0, 1e4] {
+            let filter = RetardationFilter::new(&discretisation, alpha);
+            let (mut retarded, mut buffer) = (Matrix::default(), Matrix::default());
+            filter.apply(&discretisation, &mut retarded, &mut buffer);
+            let mut v = vec![0.0; e.len()];
+            retarded.multiply_rows(0, &nodes, &mut v);
+            let rows = discretisation.film().step_by(11).chain(discretisation.behind().step_by(7));
+            for row in rows.chain([discretisation.outlet()]) {
+                let y = discretisation.points[row];
+                let exact = by_kernel(&discretisation, &nodes, alpha, y);
+                // behind the contact panels grow fast: little depends on the gap there
+                let bound = if y < -1.0 { 1e-9 } else { 1e-10 };
+                assert!((v[row] - exact).abs() < bound, "α {alpha}, y {y}: {} {exact}", v[row]);
+            }
+            let places = [-300.0, -0.33, 0.017, 0.9, 2.0, 77.0];
+            let interpolated = filter.interpolate(&discretisation, &e, &nodes, &places);
+            for (y, v) in places.into_iter().zip(interpolated) {
+                let exact = by_kernel(&discretisation, &nodes, alpha, y);
+                assert!((v - exact).abs() < 1e-10, "α {alpha}, y {y}: {v} {exact}");
+            }
+        }
+    }
 }

@@ -55,7 +55,7 @@ impl CollocationSolver {
 
     /// Newton's method on the mesh of a state.
     fn correct(&self, workspace: &mut Workspace, beta: f64, state: &mut State, work: &mut Work) -> Result<(), Halt> {
-        workspace.prepare_coarse(&state.mesh);
+        workspace.prepare_coarse(&state.mesh, &mut work.effort);
         let (corrector, displacement) = workspace.coarse.parts();
         corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
         state.error = None;
@@ -119,11 +119,12 @@ impl CaseSolver for CollocationSolver {
         &self,
         workspace: &mut Workspace,
         parameters: &Parameters,
-        _: &mut Work,
+        work: &mut Work,
     ) -> Result<(State, Seed), Halt> {
         workspace.enter(parameters);
         let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
-        workspace.prepare_coarse(&thick_film::mesh(self.settings.degree, parameters.beta, reach));
+        let mesh = thick_film::mesh(self.settings.degree, parameters.beta, reach);
+        workspace.prepare_coarse(&mesh, &mut work.effort);
         Ok((thick_film::state(workspace.coarse.displacement(), parameters.beta), Seed::ThickFilm))
     }
 
@@ -186,7 +187,7 @@ impl CaseSolver for CollocationSolver {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
         for _ in 0..ACCURATE_MESHES {
-            workspace.prepare_fine(&state.mesh);
+            workspace.prepare_fine(&state.mesh, &mut work.effort);
             let displacement = workspace.coarse.displacement();
             let (corrector, fine) = workspace.fine.parts();
             let (quantities, errors) =

@@ -86,6 +86,8 @@ pub struct Effort {
     pub iterations: u64,
     /// Matrix factorisations.
     pub factorisations: u64,
+    /// Meshes that a displacement was computed for (collocation).
+    pub meshes: u64,
     /// Wall-clock seconds.
     pub seconds: f64,
 }
