@@ -9,6 +9,7 @@ use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
 use super::state::State;
+use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{CaseSolver, Halt, Seed, Solution, StepControl, Work, secant};
@@ -200,6 +201,7 @@ impl CaseSolver for CollocationSolver {
             let error = worst(&errors) / self.settings.tolerance;
             state.error = Some(error);
             if error <= ACCEPTED && tension >= TENSION {
+                work.effort.unknowns = unknowns(workspace.coarse.displacement());
                 let fields = fields(workspace.coarse.displacement(), beta, state, output);
                 return Ok(Solution { quantities, errors, fields });
             }

@@ -88,6 +88,8 @@ pub struct Effort {
     pub factorisations: u64,
     /// Meshes that a displacement was computed for (collocation).
     pub meshes: u64,
+    /// Numbers that the solution consists of: unknowns of its system (collocation) or points of its grid (relaxation).
+    pub unknowns: usize,
     /// Wall-clock seconds.
     pub seconds: f64,
 }
