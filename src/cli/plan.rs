@@ -99,7 +99,7 @@ fn expected_time(
     let seconds = per_case.seconds() * workload.pending_cases as f64 / busy as f64;
     let source = match per_case {
         CaseSeconds::Logged(_) => "the mean of what the log has",
-        CaseSeconds::Estimated(_) => "guessed from the speed of this machine",
+        CaseSeconds::Estimated(_) => "estimated on this machine",
     };
     format!(
         "about {} on {}; {} per case, {source}",

@@ -109,7 +109,8 @@ impl SolvedProblem<'_> {
             let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
             row(column.name, &value, &error, &limit, column.units, column.long_name);
         }
-        text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
+        text +=
+            "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
         text
     }
 
