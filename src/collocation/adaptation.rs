@@ -117,7 +117,8 @@ struct Sizes<'a> {
 impl<'a> Sizes<'a> {
     /// A factor times the wanted sizes, but no longer than the longest and growing no faster than [`GRADING`].
     fn graded(places: &'a [f64], wanted: &[f64], longest: &[f64], factor: f64) -> Self {
-        let mut sizes: Vec<f64> = wanted.iter().zip(longest).map(|(size, longest)| longest.min(factor * size)).collect();
+        let mut sizes: Vec<f64> =
+            wanted.iter().zip(longest).map(|(size, longest)| longest.min(factor * size)).collect();
         for i in 1..sizes.len() {
             sizes[i] = sizes[i].min(sizes[i - 1] + GRADING * (places[i] - places[i - 1]));
         }

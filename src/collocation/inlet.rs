@@ -27,8 +27,7 @@ impl Inlet {
     /// The inlet from X on, with the film u(X) there and the flow c.
     pub fn new(beta: f64, x: f64, film: f64, c: f64) -> Self {
         let g = film - 0.5 * x * x;
-        let mut inlet =
-            Self { pressure: 0.0, load: 0.0, moment: 0.0, pressure_flow: 0.0, shear: 0.0, gradient: 0.0 };
+        let mut inlet = Self { pressure: 0.0, load: 0.0, moment: 0.0, pressure_flow: 0.0, shear: 0.0, gradient: 0.0 };
         for (t, weight) in gauss::unit_interval() {
             // everything over powers of t, so that nothing overflows: x = X/t, dx = X dt/t², u = scaled/t²
             let scaled = 0.5 * x * x + g * t * t;

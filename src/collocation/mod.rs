@@ -24,10 +24,9 @@ mod state;
 mod system;
 mod thick_film;
 mod transfer;
-mod workspace;
 #[cfg(test)]
 mod trial;
-
+mod workspace;
 
 pub use settings::Settings;
 pub use solver::CollocationSolver;

@@ -104,7 +104,13 @@ impl RetardationFilter {
 
     /// v at any places of one solution: `e` and `pressure` are its elastic displacement at the rows and its pressure at the
     /// nodes.
-    pub fn interpolate(&self, discretisation: &Discretisation, e: &[f64], pressure: &[f64], places: &[f64]) -> Vec<f64> {
+    pub fn interpolate(
+        &self,
+        discretisation: &Discretisation,
+        e: &[f64],
+        pressure: &[f64],
+        places: &[f64],
+    ) -> Vec<f64> {
         let mesh = &discretisation.mesh;
         let degree = discretisation.reference.degree;
         let mut at_right = vec![0.0; self.panels.len()];
@@ -129,7 +135,8 @@ fn far_field(discretisation: &Discretisation, alpha: f64, y: f64) -> Vec<f64> {
     let reference = &discretisation.reference;
     let (degree, size) = (reference.degree, reference.degree + 1);
     let mut weights = vec![0.0; discretisation.nodes()];
-    for (i, (s, weight)) in discretisation.film_y().iter().zip(&discretisation.weights[discretisation.film()]).enumerate()
+    for (i, (s, weight)) in
+        discretisation.film_y().iter().zip(&discretisation.weights[discretisation.film()]).enumerate()
     {
         let kernel = weight / PI * retarded_mode(alpha, y - s);
         let (panel, point) = (i / degree, i % degree);

@@ -115,12 +115,7 @@ impl CaseSolver for CollocationSolver {
         }
     }
 
-    fn start(
-        &self,
-        workspace: &mut Workspace,
-        parameters: &Parameters,
-        _: &mut Work,
-    ) -> Result<(State, Seed), Halt> {
+    fn start(&self, workspace: &mut Workspace, parameters: &Parameters, _: &mut Work) -> Result<(State, Seed), Halt> {
         workspace.enter(parameters);
         let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
         workspace.prepare_coarse(&thick_film::mesh(self.settings.degree, parameters.beta, reach));

@@ -84,11 +84,9 @@ impl System {
 
         self.film_residual.clear();
         let y = discretisation.film_y();
-        self.film_residual.extend(
-            (0..points).map(|i| {
-                state.film[i] - (state.separation + state.outlet * y[i] + 0.5 * y[i] * y[i] - self.displacement[i])
-            }),
-        );
+        self.film_residual.extend((0..points).map(|i| {
+            state.film[i] - (state.separation + state.outlet * y[i] + 0.5 * y[i] * y[i] - self.displacement[i])
+        }));
         let reach = discretisation.mesh.reach();
         let x = state.outlet + reach;
         let last_y = y[points - 1];
@@ -208,8 +206,7 @@ impl System {
         self.step_film.clear();
         let y = discretisation.film_y();
         self.step_film.extend(
-            (0..points)
-                .map(|i| -self.film_residual[i] + separation + outlet * y[i] - self.step_displacement[i]),
+            (0..points).map(|i| -self.film_residual[i] + separation + outlet * y[i] - self.step_displacement[i]),
         );
     }
 
@@ -218,7 +215,10 @@ impl System {
         const LEAST: f64 = 0.2;
         let points = self.step_film.len();
         let pairs = state.film.iter().zip(&self.step_film).chain([(&state.c, &self.right_side[points - 1])]);
-        pairs.fold(1.0, |part: f64, (u, step)| if u + step < LEAST * u { part.min((LEAST - 1.0) * u / step) } else { part })
+        pairs.fold(
+            1.0,
+            |part: f64, (u, step)| if u + step < LEAST * u { part.min((LEAST - 1.0) * u / step) } else { part },
+        )
     }
 
     /// The largest relative change of film and flow, and of pressure over the largest pressure, that the step makes.

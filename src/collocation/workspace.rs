@@ -44,8 +44,11 @@ impl Level {
         self.displacement = Some(match present {
             Some(displacement) if displacement.discretisation.mesh.film == mesh.film => displacement,
             _ => {
-                let mesh =
-                    if mesh.degree == degree { Arc::clone(mesh) } else { Arc::new(Mesh { degree, ..(**mesh).clone() }) };
+                let mesh = if mesh.degree == degree {
+                    Arc::clone(mesh)
+                } else {
+                    Arc::new(Mesh { degree, ..(**mesh).clone() })
+                };
                 Displacement::new(Arc::new(Discretisation::new(&self.reference, mesh)), kernel)
             }
         });
