@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::adaptation::{Panels, equidistributed, indicators};
+use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
 use super::estimate::{ENRICHMENT, estimate, worst};
 use super::fields::fields;
 use super::log_moments::MOST_MOMENTS;
@@ -73,31 +73,36 @@ impl CollocationSolver {
     }
 
     fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
-        let mesh = equidistributed(&self.coarse, state, panels, reach, layer(parameters, state.c));
+        let layer = layer(parameters, state.c);
+        let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
+        let mesh = equidistributed(&self.coarse, state, panels, reach, longest);
         state.on(&self.coarse, &mesh)
     }
 }
 
-/// The smallest pressure over the largest, between the nodes too: where the pressure is low, a polynomial may dip below zero
-/// between positive values.
-fn tension(reference: &ReferencePanel, state: &State) -> f64 {
+/// The smallest pressure over the largest, and the panel it is on; between the nodes too: where the pressure is low, a
+/// polynomial may dip below zero between positive values.
+fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize) {
     const LOW: f64 = 1e-2;
-    const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
-    let (mut least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
+    const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
+    let most = state.pressure.iter().fold(0.0, |a: f64, &p| a.max(p));
     let size = reference.degree + 1;
     let mut coefficients = [0.0; MOST_MOMENTS];
-    for nodes in state.pressure.windows(size).step_by(reference.degree) {
+    let (mut least, mut place) = (0.0, 0);
+    for (panel, nodes) in state.pressure.windows(size).step_by(reference.degree).enumerate() {
         if nodes.iter().all(|&p| p > LOW * most) {
             continue;
         }
         reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
-        for gap in reference.nodes.windows(2) {
-            for part in BETWEEN {
-                least = least.min(evaluate(&coefficients[..size], gap[0] + part * (gap[1] - gap[0])));
+        let between = |gap: &[f64]| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]));
+        let values = reference.nodes.windows(2).flat_map(between).map(|t| evaluate(&coefficients[..size], t));
+        for value in values.chain(nodes.iter().copied()) {
+            if value < least {
+                (least, place) = (value, panel);
             }
         }
     }
-    least / most
+    (least / most, place)
 }
 
 fn tension_failure(tension: f64) -> Halt {
@@ -183,7 +188,7 @@ impl CaseSolver for CollocationSolver {
         let mut state = guess;
         for _ in 0..ROUGH_MESHES {
             self.correct(workspace, parameters.beta, &mut state, work)?;
-            let tension = tension(&self.coarse, &state);
+            let (tension, _) = tension(&self.coarse, &state);
             let roughest = indicators(&self.coarse, &state).into_iter().fold(0.0, f64::max);
             if roughest <= ROUGH {
                 return if tension < ROUGH_TENSION { Err(tension_failure(tension)) } else { Ok(state) };
@@ -210,19 +215,28 @@ impl CaseSolver for CollocationSolver {
             let (corrector, fine) = workspace.fine.parts();
             let (quantities, errors) =
                 estimate(corrector, displacement, fine, beta, state, output.cavity_shear, &mut work.effort);
-            let tension = tension(&self.coarse, state);
+            let (tension, place) = tension(&self.coarse, state);
             if tension < ROUGH_TENSION {
                 return Err(tension_failure(tension));
             }
-            // a little tension is an oscillation that more panels will resolve
-            let error = f64::max(worst(&errors) / self.settings.tolerance, tension / TENSION);
+            let error = worst(&errors) / self.settings.tolerance;
             state.error = Some(error);
-            if error <= ACCEPTED {
+            let free_of_tension = tension >= TENSION;
+            if error <= ACCEPTED && free_of_tension {
                 work.effort.unknowns = unknowns(workspace.coarse.displacement());
                 let fields = fields(workspace.coarse.displacement(), beta, state, output);
                 return Ok(Solution { quantities, errors, fields });
             }
-            let panels = self.panels(state.mesh.panels(), error).max(state.mesh.panels() + 1);
+            // A little tension is an oscillation about p′ = 0 at the outlet that a shorter first panel resolves, or more panels.
+            let mut panels = state.mesh.panels();
+            if !free_of_tension && place == 0 {
+                state.outlet_panel = 0.4 * state.mesh.film[1] / layer(parameters, state.c);
+            } else {
+                panels += 1;
+            }
+            if error > ACCEPTED {
+                panels = self.panels(state.mesh.panels(), error).max(panels);
+            }
             if panels > MOST_PANELS {
                 break;
             }
@@ -230,8 +244,8 @@ impl CaseSolver for CollocationSolver {
             self.correct(workspace, beta, state, work)?;
         }
         let (error, panels) = (state.error.unwrap_or(f64::INFINITY), state.mesh.panels());
-        let tension = tension(&self.coarse, state);
-        if tension / TENSION > ACCEPTED {
+        let (tension, _) = tension(&self.coarse, state);
+        if error <= ACCEPTED {
             return Err(tension_failure(tension));
         }
         let reason = format!(

@@ -20,6 +20,7 @@ impl State {
             separation: self.separation,
             outlet: self.outlet,
             error: None,
+            outlet_panel: self.outlet_panel,
         };
         self.interpolate(reference, &mut onto);
         onto
@@ -83,6 +84,7 @@ impl State {
             separation: self.separation * factor * factor,
             outlet: self.outlet * factor,
             error: None,
+            outlet_panel: self.outlet_panel,
         }
     }
 }

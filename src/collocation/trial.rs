@@ -207,16 +207,26 @@ fn stress() {
 }
 #[test]
 fn dips() {
-    if std::env::var("DIPS").is_err() { return }
+    if std::env::var("DIPS").is_err() {
+        return;
+    }
     let interrupt = Interrupt::new();
     for p in [Parameters::new(1.0, 1e7, 1.0), Parameters::new(1.0, 1e5, 10.0), Parameters::new(0.01, 1e8, 10.0)] {
         let x: Vec<f64> = (0..200001).map(|i| -1.5 + 3.0 * i as f64 / 200000.0).collect();
-        let output = Output { limits: false, x: x.clone().into(), fields: FieldSelection { pressure: true, ..FieldSelection::default() }, ..Output::default() };
+        let output = Output {
+            limits: false,
+            x: x.clone().into(),
+            fields: FieldSelection { pressure: true, ..FieldSelection::default() },
+            ..Output::default()
+        };
         let solver = CollocationSolver::new(Settings::default());
         let r = solve_chain(&solver, &[p.clone()], &output, &interrupt).unwrap().remove(0);
         let s = r.outcome.unwrap();
         let f = s.fields.pressure.unwrap();
         let i = (0..f.len()).min_by(|&i, &j| f[i].total_cmp(&f[j])).unwrap();
-        println!("{p:?} min {:.2e} at {} outlet {} pmax {} unknowns {}", f[i], x[i], s.quantities.x_outlet, s.quantities.p_max, r.effort.unknowns);
+        println!(
+            "{p:?} min {:.2e} at {} outlet {} pmax {} unknowns {}",
+            f[i], x[i], s.quantities.x_outlet, s.quantities.p_max, r.effort.unknowns
+        );
     }
 }
