@@ -116,6 +116,7 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         outcome: Ok(Solution { quantities, errors, fields: Fields::default() }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
+        path: stribeck::continuation::Path::default(),
         effort: Effort { iterations: 5, factorisations: 3, seconds: start.elapsed().as_secs_f64() },
     }
 }
