@@ -117,12 +117,17 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
         path: stribeck::continuation::Path::default(),
-        effort: Effort { iterations: 5, factorisations: 3, seconds: start.elapsed().as_secs_f64() },
+        effort: Effort {
+            iterations: 5,
+            factorisations: 3,
+            seconds: start.elapsed().as_secs_f64(),
+            ..Effort::default()
+        },
     }
 }
 
 fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
-    let Effort { iterations, factorisations, seconds } = case.effort;
+    let Effort { iterations, factorisations, seconds, .. } = case.effort;
     let solution = case.outcome.expect("made-up cases converge");
     CaseEntry {
         id: plan.id(parameters),

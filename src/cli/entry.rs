@@ -9,7 +9,7 @@ use crate::store::{CaseEntry, Status, Timing};
 
 /// A solved case with its id.
 pub fn case_entry(id: CaseId, case: SolvedCase) -> CaseEntry {
-    let Effort { iterations, factorisations, seconds } = case.effort;
+    let Effort { iterations, factorisations, seconds, .. } = case.effort;
     let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string() };
     let (outcome, reason, values, fields) = match case.outcome {
         Ok(solution) => {

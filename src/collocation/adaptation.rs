@@ -21,7 +21,7 @@ const LEAST: f64 = 1e-15;
 /// How many panels a new mesh has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Panels {
-    /// So many.
+    /// So many, or the fewest that sizes which change gradually allow.
     Number(usize),
     /// As many as it takes for each to have this indicator.
     Indicator(f64),
@@ -101,7 +101,8 @@ pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels
                 let middle = 0.5 * (low + high);
                 if count_at(middle) > number as f64 { low = middle } else { high = middle }
             }
-            (number as f64, high)
+            // with fewer panels than gradual sizes need, neighbours would differ too much
+            (f64::max(number as f64, count_at(high).ceil()), high)
         }
     };
     let film = Sizes::graded(&ends, &wanted, &longest, ln_factor.exp()).divide(number as usize);
@@ -117,7 +118,8 @@ struct Sizes<'a> {
 impl<'a> Sizes<'a> {
     /// A factor times the wanted sizes, but no longer than the longest and growing no faster than [`GRADING`].
     fn graded(places: &'a [f64], wanted: &[f64], longest: &[f64], factor: f64) -> Self {
-        let mut sizes: Vec<f64> = wanted.iter().zip(longest).map(|(size, longest)| longest.min(factor * size)).collect();
+        let mut sizes: Vec<f64> =
+            wanted.iter().zip(longest).map(|(size, longest)| longest.min(factor * size)).collect();
         for i in 1..sizes.len() {
             sizes[i] = sizes[i].min(sizes[i - 1] + GRADING * (places[i] - places[i - 1]));
         }
@@ -166,5 +168,63 @@ impl<'a> Sizes<'a> {
         let slope = (self.sizes[interval + 1] - a) / length;
         let y = if (slope * number).abs() < 1e-6 { a * number } else { a / slope * (slope * number).exp_m1() };
         y.clamp(0.0, length)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::displacement::Displacement;
+    use super::super::stages::Stages;
+    use super::super::thick_film;
+    use super::*;
+    use crate::model::{DisplacementKernel, Parameters};
+
+    fn thick_film_state(reference: &Arc<ReferencePanel>) -> State {
+        let mut displacement = Displacement::new(reference);
+        let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
+        displacement.set_mesh(&thick_film::mesh(reference.degree, 1.0, 300.0), &kernel, &mut Stages::default());
+        thick_film::state(&displacement, 1.0)
+    }
+
+    /// From 0 to the reach, as many panels as asked for, neighbours not too different, and none longer than the layer lets it
+    /// be at the outlet.
+    #[test]
+    fn a_mesh_keeps_its_promises() {
+        let reference = Arc::new(ReferencePanel::new(8));
+        let state = thick_film_state(&reference);
+        for panels in [6, 9, 15, 40] {
+            for reach in [100.0, 300.0, 900.0] {
+                for layer in [f64::INFINITY, 1e-3] {
+                    let mesh = equidistributed(&reference, &state, Panels::Number(panels), reach, layer);
+                    assert_eq!((mesh.film[0], mesh.reach()), (0.0, reach));
+                    assert!(mesh.film.windows(2).all(|ends| ends[0] < ends[1]), "{:?}", mesh.film);
+                    let fewest = equidistributed(&reference, &state, Panels::Number(1), reach, layer).panels();
+                    assert_eq!(mesh.panels(), panels.max(fewest));
+                    let sizes: Vec<f64> = mesh.film.windows(2).map(|ends| ends[1] - ends[0]).collect();
+                    let most = (1.01 * GRADING).exp();
+                    for pair in sizes.windows(2) {
+                        assert!(pair[0] / pair[1] < most && pair[1] / pair[0] < most, "{sizes:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// On its own mesh for a number of panels a state comes near to the same indicator everywhere.
+    #[test]
+    fn panels_share_the_indicator() {
+        let reference = Arc::new(ReferencePanel::new(8));
+        let mut state = thick_film_state(&reference);
+        let spread = |state: &State| {
+            let near = indicators(&reference, state);
+            let (least, most) = near.iter().fold((f64::INFINITY, 0.0), |(a, b): (f64, f64), &i| (a.min(i), b.max(i)));
+            most / least
+        };
+        let before = spread(&state);
+        for _ in 0..3 {
+            let mesh = equidistributed(&reference, &state, Panels::Number(14), 300.0, f64::INFINITY);
+            state = state.on(&reference, &mesh);
+        }
+        assert!(spread(&state) < 0.3 * before, "{before:e} {:e}", spread(&state));
     }
 }

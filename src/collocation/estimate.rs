@@ -69,5 +69,7 @@ pub fn estimate(
 
 /// The largest of the three errors; infinite if one is not a number.
 pub fn worst(errors: &RelativeErrors) -> f64 {
-    [errors.mu_v, errors.mu_h, errors.c].into_iter().fold(0.0, |a, error| if error.is_nan() { f64::INFINITY } else { a.max(error) })
+    [errors.mu_v, errors.mu_h, errors.c]
+        .into_iter()
+        .fold(0.0, |a, error| if error.is_nan() { f64::INFINITY } else { a.max(error) })
 }

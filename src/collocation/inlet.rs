@@ -1,7 +1,5 @@
 //! The film ahead of the mesh, integrated to infinity.
 
-use std::f64::consts::PI;
-
 use crate::model::gauss;
 
 /// The film at x ≥ X, where the displacement no longer changes: u = x²/2 + g (T33).
@@ -27,8 +25,7 @@ impl Inlet {
     /// The inlet from X on, with the film u(X) there and the flow c.
     pub fn new(beta: f64, x: f64, film: f64, c: f64) -> Self {
         let g = film - 0.5 * x * x;
-        let mut inlet =
-            Self { pressure: 0.0, load: 0.0, moment: 0.0, pressure_flow: 0.0, shear: 0.0, gradient: 0.0 };
+        let mut inlet = Self { pressure: 0.0, load: 0.0, moment: 0.0, pressure_flow: 0.0, shear: 0.0, gradient: 0.0 };
         for (t, weight) in gauss::unit_interval() {
             // everything over powers of t, so that nothing overflows: x = X/t, dx = X dt/t², u = scaled/t²
             let scaled = 0.5 * x * x + g * t * t;
@@ -42,15 +39,12 @@ impl Inlet {
         inlet.gradient = -(film - c) / (beta * film * film * film);
         inlet
     }
-
-    /// What it adds to F_h,film: ∫ [p′u/π + 1/(3πβu)] dx (Eq. 20).
-    pub fn friction(&self) -> f64 {
-        (self.pressure_flow + self.shear / 3.0) / PI
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use crate::exact::RigidFilm;
     use crate::model::CavityShear;
@@ -81,7 +75,8 @@ mod tests {
             let inside: f64 = (0..panels)
                 .map(|i| gauss::integrate(start + width * f64::from(i), start + width * f64::from(i + 1), shear))
                 .sum();
-            let sum = inside + Inlet::new(beta, x, film.film(x), film.c()).friction();
+            let inlet = Inlet::new(beta, x, film.film(x), film.c());
+            let sum = inside + (inlet.pressure_flow + inlet.shear / 3.0) / PI;
             assert!((sum / whole - 1.0).abs() < 1e-11, "{sum} {whole}");
         }
     }

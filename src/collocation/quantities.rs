@@ -70,7 +70,10 @@ fn at_points(displacement: &Displacement, nodes: &[f64]) -> Vec<f64> {
 /// F_v = (2/π) ∫ p w′ dx (Eq. 22). The elastic part of w′ does no work, as its kernel is odd; what is left is
 /// (2/π) Σ f_j/(1+f) ∫ p v_j′ dx with v_j′ = α_j (v_j − e) (T8).
 fn viscoelastic_friction(displacement: &Displacement, at_points: &[f64], nodes: &[f64]) -> f64 {
-    let Some(slopes) = &displacement.retarded_slope else { return 0.0 };
+    let slopes = &displacement.retarded_slope;
+    if slopes.rows() == 0 {
+        return 0.0;
+    }
     let discretisation = &displacement.discretisation;
     let mut slope = vec![0.0; at_points.len()];
     slopes.multiply_rows(0, nodes, &mut slope);
@@ -99,7 +102,8 @@ fn cavity_friction(displacement: &Displacement, beta: f64, state: &State, cavity
     // beyond, u = x²/2 + g as for the inlet, with x = −X/t
     let x = state.outlet + discretisation.mesh.behind[0];
     let g = gap(0) - 0.5 * (state.outlet + y[0]).powi(2);
-    let beyond = crate::model::gauss::mean(0.0, 1.0, |t| shear((0.5 * x * x + g * t * t) / (t * t)) * x.abs() / (t * t));
+    let beyond =
+        crate::model::gauss::mean(0.0, 1.0, |t| shear((0.5 * x * x + g * t * t) / (t * t)) * x.abs() / (t * t));
     (inside + beyond) / (3.0 * PI * beta)
 }
 
@@ -108,7 +112,8 @@ fn extreme_pressure(displacement: &Displacement, state: &State) -> (f64, f64) {
     let discretisation = &displacement.discretisation;
     let reference = &discretisation.reference;
     let (degree, size) = (reference.degree, reference.degree + 1);
-    let top = (0..state.pressure.len()).fold(0, |best, i| if state.pressure[i] > state.pressure[best] { i } else { best });
+    let top =
+        (0..state.pressure.len()).fold(0, |best, i| if state.pressure[i] > state.pressure[best] { i } else { best });
     let mut coefficients = vec![0.0; size];
     let panels = discretisation.mesh.panels();
     let mut best = (0.0, f64::NEG_INFINITY);

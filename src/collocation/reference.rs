@@ -27,6 +27,8 @@ pub struct ReferencePanel {
     pub node_coefficients: Vec<f64>,
     /// Legendre coefficients from values at the Gauss points, d × d.
     pub point_coefficients: Vec<f64>,
+    /// What each Gauss point contributes to the value at −1, and at 1, of the polynomial through the Gauss points.
+    pub end_values: [Vec<f64>; 2],
     /// ∫ P_k(t) ln|s − t| dt at the Gauss points s of the same panel, (d + 1) × d: all points for k = 0 first.
     pub own_log_moments: Vec<f64>,
 }
@@ -49,12 +51,17 @@ impl ReferencePanel {
         }
         let mut point_coefficients = vec![0.0; degree * degree];
         let mut own_log_moments = vec![0.0; size * degree];
+        let mut end_values = [vec![0.0; degree], vec![0.0; degree]];
         let (mut values, mut derivative) = (vec![0.0; degree * size], vec![0.0; degree * size]);
         let mut moments = vec![0.0; size];
         for (i, (&t, weight)) in points.iter().zip(&weights).enumerate() {
             legendre(t, &mut polynomial);
             for k in 0..degree {
-                point_coefficients[k * degree + i] = weight * polynomial[k] * (2 * k + 1) as f64 / 2.0;
+                let coefficient = weight * polynomial[k] * (2 * k + 1) as f64 / 2.0;
+                point_coefficients[k * degree + i] = coefficient;
+                // P_k(±1) = (±1)^k
+                end_values[0][i] += if k % 2 == 0 { coefficient } else { -coefficient };
+                end_values[1][i] += coefficient;
             }
             let slopes = slopes(&polynomial);
             for j in 0..size {
@@ -77,6 +84,7 @@ impl ReferencePanel {
             values,
             node_coefficients,
             point_coefficients,
+            end_values,
             own_log_moments,
         }
     }

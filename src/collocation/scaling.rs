@@ -47,7 +47,8 @@ pub fn layer(parameters: &Parameters, c: f64) -> f64 {
             let passed = mode.rate * layer * (1.0 + parameters.f);
             mode.strength * instantaneous * passed / (1.0 + passed)
         };
-        let compliance = if modes.is_empty() { instantaneous } else { instantaneous + modes.iter().map(relaxed).sum::<f64>() };
+        let compliance =
+            if modes.is_empty() { instantaneous } else { instantaneous + modes.iter().map(relaxed).sum::<f64>() };
         layer = (parameters.beta * c.powi(3) / compliance).sqrt();
     }
     layer

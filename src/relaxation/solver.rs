@@ -313,6 +313,7 @@ impl CaseSolver for RelaxationSolver {
         output: &Output,
         work: &mut Work,
     ) -> Result<Solution, Halt> {
+        work.effort.unknowns = self.settings.points;
         let fine = Iteration::new(workspace.finest(), parameters.beta, state);
         let quantities = quantities(&fine, output.cavity_shear);
         let errors = match self.settings.estimate {

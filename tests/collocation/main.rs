@@ -1,0 +1,15 @@
+//! Laws of the collocation solver: what it must give whatever it does inside.
+
+mod agreement;
+mod cases;
+mod chains;
+mod efficiency;
+mod fields;
+mod forces;
+mod identities;
+mod limits;
+mod measure;
+mod random;
+mod range;
+mod reference;
+mod tolerance;

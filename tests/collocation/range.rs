@@ -1,0 +1,62 @@
+//! The range in which every case must converge.
+
+use rayon::prelude::*;
+use stribeck::continuation::Solution;
+use stribeck::exact::contact_bounds;
+use stribeck::model::{FieldSelection, Output, Parameters};
+
+use crate::cases::{settings, solution, solutions};
+use crate::measure::worst;
+
+const TOLERANCE: f64 = 1e-5;
+
+/// Chains of eleven β from 10⁻² to 10⁸: α from 10⁻⁴ to 10⁴, 0 and ∞; f from 1 to 10⁴; and f = 0, where α means nothing.
+fn the_box() -> Vec<Vec<Parameters>> {
+    let alphas = (-4..=4).map(|exponent| 10_f64.powi(exponent)).chain([0.0, f64::INFINITY]);
+    let strengths = (0..=4).map(|exponent| 10_f64.powi(exponent));
+    let pairs = alphas.flat_map(|alpha| strengths.clone().map(move |f| (alpha, f))).chain([(1.0, 0.0)]);
+    let betas = (-2..=8).map(|exponent| 10_f64.powi(exponent));
+    pairs.map(|(alpha, f)| betas.clone().map(|beta| Parameters::new(alpha, beta, f)).collect()).collect()
+}
+
+/// The pressure of the cases of a chain, at places that gather at both edges of their dry contact.
+fn pressure(chain: &[Parameters]) -> Output {
+    let (trailing, leading, half_width) = contact_bounds(&chain[0]);
+    let distances = (0..=280).map(|i| half_width * 10_f64.powf(-4.0 + 0.025 * f64::from(i)));
+    let mut x: Vec<f64> =
+        distances.flat_map(|far| [trailing - far, trailing + far, leading - far, leading + far]).collect();
+    x.sort_by(f64::total_cmp);
+    let fields = FieldSelection { pressure: true, ..FieldSelection::default() };
+    Output { fields, x: x.into(), limits: false, ..Output::default() }
+}
+
+fn is_a_solution(case: &Parameters, solution: &Solution) {
+    let quantities = &solution.quantities;
+    assert!(worst(&solution.errors) <= TOLERANCE, "{case:?}: {:?}", solution.errors);
+    assert!(quantities.load_residual <= 1e-10, "{case:?}: load {:.1e}", quantities.load_residual);
+    let pressure = solution.fields.pressure.as_ref().expect("asked for");
+    let (least, most) = pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
+    let least = least / quantities.p_max;
+    assert!(least >= -1e-6, "{case:?}: pressure {least:.1e} of the largest");
+    assert!(most <= quantities.p_max * 1.001 && most > 0.5 * quantities.p_max, "{case:?}: {most} {quantities:?}");
+    assert!(0.0 < quantities.film_min && quantities.film_min < quantities.c, "{case:?}: {quantities:?}");
+}
+
+#[test]
+fn every_case_of_the_box_is_solved_in_chains() {
+    let chains = the_box();
+    assert_eq!(chains.len(), 56);
+    chains.par_iter().with_max_len(1).for_each(|chain| {
+        for (case, solution) in chain.iter().zip(solutions(settings(TOLERANCE), chain, &pressure(chain))) {
+            is_a_solution(case, &solution);
+        }
+    });
+}
+
+#[test]
+fn every_case_of_the_box_is_solved_alone() {
+    the_box().par_iter().flatten_iter().for_each(|case| {
+        let output = pressure(std::slice::from_ref(case));
+        is_a_solution(case, &solution(settings(TOLERANCE), case, &output));
+    });
+}
