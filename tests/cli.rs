@@ -409,6 +409,7 @@ fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &
     assert_eq!(object["seed"], case.seed.to_string());
     assert_eq!(object["iterations"], case.effort.iterations);
     assert_eq!(object["factorisations"], case.effort.factorisations);
+    assert_eq!(object["unknowns"], case.effort.unknowns);
     assert!(object["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0));
     assert_eq!((&object["status"], &object["reason"]), (&"converged".into(), &serde_json::Value::Null));
     let path = object["path"].as_array().expect("an array");
@@ -421,7 +422,7 @@ fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &
     let keys: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
     let mut header: Vec<&str> =
         "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
-         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,path,iterations,factorisations,seconds"
+         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,path,iterations,factorisations,unknowns,seconds"
             .split(',')
             .collect();
     header.sort_unstable();
@@ -471,7 +472,7 @@ fn one_case_as_a_table_has_the_same_numbers_and_no_estimate_is_null() {
             "",
             "",
             true,
-            &["collocation, tolerance 1e-5", "seed march-", " iterations, ", " factorisations, ", "by way of"],
+            &["collocation, tolerance 1e-5", "seed march-", " iterations, ", " factorisations, ", " unknowns\n", "by way of"],
         ),
         (of_relaxation, " --estimate false", false, &["relaxation, 201 points", "seed hertz, ", " passes, "]),
     ];
