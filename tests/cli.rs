@@ -472,7 +472,14 @@ fn one_case_as_a_table_has_the_same_numbers_and_no_estimate_is_null() {
             "",
             "",
             true,
-            &["collocation, tolerance 1e-5", "seed march-", " iterations, ", " factorisations, ", " unknowns\n", "by way of"],
+            &[
+                "collocation, tolerance 1e-5",
+                "seed march-",
+                " iterations, ",
+                " factorisations, ",
+                " unknowns\n",
+                "by way of",
+            ],
         ),
         (of_relaxation, " --estimate false", false, &["relaxation, 201 points", "seed hertz, ", " passes, "]),
     ];
