@@ -10,9 +10,7 @@ use std::time::Instant;
 
 use faer::linalg::solvers::PartialPivLu;
 use stribeck::collocation::{CollocationSolver, Settings, Stages, Workspace};
-use stribeck::continuation::{
-    CaseSolver, Halt, Interrupt, Seed, Solution, SolvedCase, StepControl, Work, solve_chain,
-};
+use stribeck::continuation::{CaseSolver, Halt, Interrupt, Seed, Solution, SolvedCase, StepControl, Work, solve_chain};
 use stribeck::model::{Failure, FieldSelection, Output, Parameters};
 
 const REPEATS: usize = 5;
@@ -94,7 +92,8 @@ fn run(alpha: f64) -> Result<Run, Box<dyn Error>> {
 
 /// Seconds that a bare factorisation of a full matrix of this size takes.
 fn bare_factorisation(unknowns: usize) -> f64 {
-    let matrix = faer::Mat::from_fn(unknowns, unknowns, |i, j| ((i * 37 + j * 91) % 101) as f64 / 101.0 + f64::from(i == j));
+    let matrix =
+        faer::Mat::from_fn(unknowns, unknowns, |i, j| ((i * 37 + j * 91) % 101) as f64 / 101.0 + f64::from(i == j));
     let times = 40;
     let best = (0..5).map(|_| {
         let start = Instant::now();
@@ -111,8 +110,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("collocation, tolerance 1e-5, f = 100, beta = 10 .. 1e4 with 20 points a decade; ms a case");
     println!(
         "{:>8} {:>7} {:>7} {:>7} | {:>7} {:>7} {:>8} {:>7} {:>7} {:>8} {:>6} | {:>6} {:>6} {:>7} {:>6} | {:>9}",
-        "alpha", "median", "mean", "first", "kernel", "filter", "assembly", "LU", "steps", "estimate", "rest",
-        "Newton", "LUs", "meshes", "n", "x bare LU"
+        "alpha",
+        "median",
+        "mean",
+        "first",
+        "kernel",
+        "filter",
+        "assembly",
+        "LU",
+        "steps",
+        "estimate",
+        "rest",
+        "Newton",
+        "LUs",
+        "meshes",
+        "n",
+        "x bare LU"
     );
     let (mut all, mut sum) = (Vec::new(), 0.0);
     for alpha in (-3..=3).map(|i| 10_f64.powi(i)) {

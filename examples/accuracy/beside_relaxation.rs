@@ -36,7 +36,8 @@ fn relaxed(points: usize, chain: &[Parameters]) -> Vec<SolvedCase> {
 /// error is not larger. Both solve the same chains in β.
 pub fn print(points: &[usize], chains: &[&[Parameters]], exact: &[Quantities]) {
     let all = chains.iter().flat_map(|chain| chain.iter());
-    let exact: Vec<Quantities> = all.zip(exact).filter(|(case, _)| is_compared(case)).map(|(_, exact)| *exact).collect();
+    let exact: Vec<Quantities> =
+        all.zip(exact).filter(|(case, _)| is_compared(case)).map(|(_, exact)| *exact).collect();
     let chains: Vec<Vec<Parameters>> =
         chains.iter().map(|chain| chain.iter().filter(|case| is_compared(case)).cloned().collect()).collect();
 
@@ -45,16 +46,26 @@ pub fn print(points: &[usize], chains: &[&[Parameters]], exact: &[Quantities]) {
     };
     let by_tolerance: Vec<Vec<Option<Cost>>> = TOLERANCES
         .iter()
-        .map(|&tolerance| costs(chains.iter().flat_map(|chain| outcomes(collocation::Settings { tolerance, ..Default::default() }, chain)).collect()))
+        .map(|&tolerance| {
+            costs(
+                chains
+                    .iter()
+                    .flat_map(|chain| outcomes(collocation::Settings { tolerance, ..Default::default() }, chain))
+                    .collect(),
+            )
+        })
         .collect();
 
-    println!("| points | solved | error, median | worst | collocation cannot match | error there, median | time ratio: least | median | largest | all cases |");
+    println!(
+        "| points | solved | error, median | worst | collocation cannot match | error there, median | time ratio: least | median | largest | all cases |"
+    );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for &points in points {
         let solved: Vec<Vec<SolvedCase>> =
             chains.par_iter().with_max_len(1).map(|chain| relaxed(points, chain)).collect();
         let relaxed = costs(solved.into_iter().flatten().collect());
-        let reached: Vec<(usize, Cost)> = relaxed.iter().enumerate().filter_map(|(i, cost)| cost.map(|cost| (i, cost))).collect();
+        let reached: Vec<(usize, Cost)> =
+            relaxed.iter().enumerate().filter_map(|(i, cost)| cost.map(|cost| (i, cost))).collect();
         let equal = |&(i, relaxed): &(usize, Cost)| {
             let mut candidates = by_tolerance.iter().filter_map(|costs| costs[i]);
             candidates.find(|cost| cost.error <= relaxed.error).map(|cost| (relaxed, cost))

@@ -56,14 +56,15 @@ fn solve(tolerance: f64, chains: &[&[Parameters]], exact: &[Quantities]) -> Vec<
 /// Prints the table of some chains.
 pub fn print(title: &str, chains: &[&[Parameters]], exact: &[Quantities]) {
     let solved = TOLERANCES.map(|tolerance| solve(tolerance, chains, exact));
-    let median = |cases: &[Measured], number: fn(&Measured) -> f64| {
-        quantile(&cases.iter().map(number).collect::<Vec<_>>(), 0.5)
-    };
+    let median =
+        |cases: &[Measured], number: fn(&Measured) -> f64| quantile(&cases.iter().map(number).collect::<Vec<_>>(), 0.5);
     let usual = TOLERANCES.iter().position(|&tolerance| tolerance == USUAL).expect("one of the tolerances");
     let unit = median(&solved[usual], |case| case.seconds);
 
     println!("{title}:\n");
-    println!("| tolerance | solved | error within | worst error/tolerance | estimate/error: 5 % | median | 95 % | unknowns | iterations | factorisations | time |");
+    println!(
+        "| tolerance | solved | error within | worst error/tolerance | estimate/error: 5 % | median | 95 % | unknowns | iterations | factorisations | time |"
+    );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for (tolerance, cases) in TOLERANCES.iter().zip(&solved) {
         let within = cases.iter().filter(|case| case.error <= *tolerance).count();

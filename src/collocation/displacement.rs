@@ -16,11 +16,12 @@ pub struct Displacement {
     pub discretisation: Discretisation,
     /// w at the rows from p at the nodes (T9), rows × nodes.
     pub matrix: Matrix,
-    /// Σ f_j α_j/(1+f) (v_j − e), which is Σ f_j/(1+f) v_j′ (T8), at the film's points from p at the nodes, points × nodes.
+    /// Σ f_j/(1+f) v_j′ at the film's points from p at the nodes, points × nodes.
     /// Without retardation, where nothing dissipates, it has no rows.
     pub retarded_slope: Matrix,
     /// Buffers.
     retarded: Matrix,
+    slopes: Matrix,
     panel: Matrix,
     /// f_j/(1+f) of each mode, with its filter.
     filters: Vec<(f64, RetardationFilter)>,
@@ -35,6 +36,7 @@ impl Displacement {
             matrix: Matrix::default(),
             retarded_slope: Matrix::default(),
             retarded: Matrix::default(),
+            slopes: Matrix::default(),
             panel: Matrix::default(),
             filters: Vec::new(),
             elastic_weight: 1.0,
@@ -49,7 +51,7 @@ impl Displacement {
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, matrix, retarded_slope, retarded, panel, filters, elastic_weight } = self;
+        let Self { discretisation, matrix, retarded_slope, retarded, slopes, panel, filters, elastic_weight } = self;
         let (film, elastic) = (discretisation.film(), &discretisation.elastic);
         *elastic_weight = kernel.singular_weight();
         filters.clear();
@@ -57,15 +59,15 @@ impl Displacement {
         retarded_slope.reset(if kernel.retarded().is_empty() { 0 } else { film.len() }, elastic.columns());
         for &(weight, alpha) in kernel.retarded() {
             let filter = RetardationFilter::new(discretisation, alpha);
-            filter.apply(discretisation, retarded, panel);
+            filter.apply(discretisation, retarded, slopes, panel);
             for j in 0..elastic.columns() {
                 let v = retarded.column(j);
                 for (w, v) in matrix.column_mut(j).iter_mut().zip(v) {
                     *w += weight * v;
                 }
-                let e = &elastic.column(j)[film.clone()];
-                for ((slope, v), e) in retarded_slope.column_mut(j).iter_mut().zip(&v[film.clone()]).zip(e) {
-                    *slope += weight * alpha * (v - e);
+                let slopes = &slopes.column(j)[film.clone()];
+                for (sum, slope) in retarded_slope.column_mut(j).iter_mut().zip(slopes) {
+                    *sum += weight * slope;
                 }
             }
             filters.push((weight, filter));

@@ -29,6 +29,8 @@ pub struct ReferencePanel {
     pub point_coefficients: Vec<f64>,
     /// What each Gauss point contributes to the value at −1, and at 1, of the polynomial through the Gauss points.
     pub end_values: [Vec<f64>; 2],
+    /// Derivative at −1, the Gauss points and 1 from the values there, (d + 2) × (d + 2).
+    pub rich_derivative: Vec<f64>,
     /// ∫ P_k(t) ln|s − t| dt at the Gauss points s of the same panel, (d + 1) × d: all points for k = 0 first.
     pub own_log_moments: Vec<f64>,
 }
@@ -74,6 +76,8 @@ impl ReferencePanel {
                 own_log_moments[k * degree + i] = *moment;
             }
         }
+        let rich_points: Vec<f64> = std::iter::once(-1.0).chain(points.iter().copied()).chain([1.0]).collect();
+        let rich_derivative = differentiation(&rich_points);
         Self {
             degree,
             nodes,
@@ -85,6 +89,7 @@ impl ReferencePanel {
             node_coefficients,
             point_coefficients,
             end_values,
+            rich_derivative,
             own_log_moments,
         }
     }
@@ -98,6 +103,24 @@ impl ReferencePanel {
     pub fn coefficients_of_points(&self, values: &[f64], coefficients: &mut [f64]) {
         multiply(&self.point_coefficients, values, coefficients);
     }
+}
+
+/// Derivative at some points from the values there, row by row: of the polynomial through all of them.
+fn differentiation(points: &[f64]) -> Vec<f64> {
+    let count = points.len();
+    let others = |i: usize| points.iter().enumerate().filter(move |&(j, _)| j != i).map(|(_, t)| t);
+    let product = |i: usize| others(i).map(|t| points[i] - t).product::<f64>();
+    let mut matrix = vec![0.0; count * count];
+    for i in 0..count {
+        for j in 0..count {
+            matrix[i * count + j] = if i == j {
+                others(i).map(|t| (points[i] - t).recip()).sum()
+            } else {
+                product(i) / product(j) / (points[i] - points[j])
+            };
+        }
+    }
+    matrix
 }
 
 /// Matrix times vector, the matrix row by row.
@@ -152,6 +175,13 @@ mod tests {
                 assert!((values[i] - (t + 0.3).powi(power)).abs() < 1e-13 * scale);
                 let slope = f64::from(power) * (t + 0.3).powi(power - 1);
                 assert!((slopes[i] - slope).abs() < 1e-11 * scale);
+            }
+            let rich: Vec<f64> =
+                [-1.0].iter().chain(&panel.points).chain(&[1.0]).map(|t| (t + 0.3).powi(power)).collect();
+            let mut rich_slopes = vec![0.0; degree + 2];
+            multiply(&panel.rich_derivative, &rich, &mut rich_slopes);
+            for (slope, rich_slope) in slopes.iter().zip(&rich_slopes[1..]) {
+                assert!((slope - rich_slope).abs() < 1e-11 * 1.3_f64.powi(power));
             }
             let mut coefficients = vec![0.0; degree + 1];
             panel.coefficients_of_nodes(&at_nodes, &mut coefficients);

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::adaptation::{Panels, equidistributed, indicators};
 use super::estimate::{ENRICHMENT, estimate, worst};
 use super::fields::fields;
-use super::reference::ReferencePanel;
+use super::log_moments::MOST_MOMENTS;
+use super::reference::{ReferencePanel, evaluate};
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
 use super::state::State;
@@ -77,9 +78,25 @@ impl CollocationSolver {
     }
 }
 
-/// The smallest pressure over the largest.
-fn tension(state: &State) -> f64 {
-    let (least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
+/// The smallest pressure over the largest, between the nodes too: where the pressure is low, a polynomial may dip below zero
+/// between positive values.
+fn tension(reference: &ReferencePanel, state: &State) -> f64 {
+    const LOW: f64 = 1e-2;
+    const BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
+    let (mut least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
+    let size = reference.degree + 1;
+    let mut coefficients = [0.0; MOST_MOMENTS];
+    for nodes in state.pressure.windows(size).step_by(reference.degree) {
+        if nodes.iter().all(|&p| p > LOW * most) {
+            continue;
+        }
+        reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
+        for gap in reference.nodes.windows(2) {
+            for part in BETWEEN {
+                least = least.min(evaluate(&coefficients[..size], gap[0] + part * (gap[1] - gap[0])));
+            }
+        }
+    }
     least / most
 }
 
@@ -166,7 +183,7 @@ impl CaseSolver for CollocationSolver {
         let mut state = guess;
         for _ in 0..ROUGH_MESHES {
             self.correct(workspace, parameters.beta, &mut state, work)?;
-            let tension = tension(&state);
+            let tension = tension(&self.coarse, &state);
             let roughest = indicators(&self.coarse, &state).into_iter().fold(0.0, f64::max);
             if roughest <= ROUGH {
                 return if tension < ROUGH_TENSION { Err(tension_failure(tension)) } else { Ok(state) };
@@ -193,14 +210,14 @@ impl CaseSolver for CollocationSolver {
             let (corrector, fine) = workspace.fine.parts();
             let (quantities, errors) =
                 estimate(corrector, displacement, fine, beta, state, output.cavity_shear, &mut work.effort);
-            let tension = tension(state);
+            let tension = tension(&self.coarse, state);
             if tension < ROUGH_TENSION {
                 return Err(tension_failure(tension));
             }
             // a little tension is an oscillation that more panels will resolve
-            let error = worst(&errors) / self.settings.tolerance;
+            let error = f64::max(worst(&errors) / self.settings.tolerance, tension / TENSION);
             state.error = Some(error);
-            if error <= ACCEPTED && tension >= TENSION {
+            if error <= ACCEPTED {
                 work.effort.unknowns = unknowns(workspace.coarse.displacement());
                 let fields = fields(workspace.coarse.displacement(), beta, state, output);
                 return Ok(Solution { quantities, errors, fields });
@@ -213,8 +230,8 @@ impl CaseSolver for CollocationSolver {
             self.correct(workspace, beta, state, work)?;
         }
         let (error, panels) = (state.error.unwrap_or(f64::INFINITY), state.mesh.panels());
-        let tension = tension(state);
-        if error <= ACCEPTED {
+        let tension = tension(&self.coarse, state);
+        if tension / TENSION > ACCEPTED {
             return Err(tension_failure(tension));
         }
         let reason = format!(

@@ -163,3 +163,60 @@ fn speed() {
     all.sort_by(f64::total_cmp);
     println!("median {:.3} mean {:.3}", all[all.len() / 2], all.iter().sum::<f64>() / all.len() as f64);
 }
+#[test]
+fn stress() {
+    let Ok(n) = std::env::var("STRESS") else { return };
+    use crate::model::{RetardationMode, Substrate};
+    let interrupt = Interrupt::new();
+    let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
+    let solver = CollocationSolver::new(Settings::default());
+    let mut seed = 12345u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (seed >> 33) as f64 / (1u64 << 31) as f64
+    };
+    let (mut failed, mut slowest) = (0, 0.0);
+    let n: usize = n.parse().unwrap();
+    for _ in 0..n {
+        let alpha = 10f64.powf(-8.0 + 16.0 * random());
+        let beta = 10f64.powf(-4.0 + 14.0 * random());
+        let f = 10f64.powf(-2.0 + 8.0 * random());
+        let modes = 1 + (3.0 * random()) as usize;
+        let shares: Vec<f64> = (0..modes).map(|_| 0.1 + random()).collect();
+        let sum: f64 = shares.iter().sum();
+        let mut list: Vec<_> = shares
+            .iter()
+            .map(|s| RetardationMode { share: s / sum, time: 10f64.powf(-3.0 + 6.0 * random()) })
+            .collect();
+        let rest: f64 = list[1..].iter().map(|m| m.share).sum();
+        list[0].share = 1.0 - rest;
+        let p = Parameters { substrate: Substrate::new(list).unwrap(), ..Parameters::new(alpha, beta, f) };
+        let t = std::time::Instant::now();
+        let r = solve_chain(&solver, &[p.clone()], &output, &interrupt).unwrap().remove(0);
+        let t = t.elapsed().as_secs_f64();
+        if t > slowest {
+            slowest = t;
+            println!("slowest {t:.3} {p:?} {:?}", r.outcome.is_ok());
+        }
+        if let Err(e) = r.outcome {
+            failed += 1;
+            println!("FAIL {t:.3} {p:?} {}", e.reason);
+        }
+    }
+    println!("{n} {failed} {slowest}");
+}
+#[test]
+fn dips() {
+    if std::env::var("DIPS").is_err() { return }
+    let interrupt = Interrupt::new();
+    for p in [Parameters::new(1.0, 1e7, 1.0), Parameters::new(1.0, 1e5, 10.0), Parameters::new(0.01, 1e8, 10.0)] {
+        let x: Vec<f64> = (0..200001).map(|i| -1.5 + 3.0 * i as f64 / 200000.0).collect();
+        let output = Output { limits: false, x: x.clone().into(), fields: FieldSelection { pressure: true, ..FieldSelection::default() }, ..Output::default() };
+        let solver = CollocationSolver::new(Settings::default());
+        let r = solve_chain(&solver, &[p.clone()], &output, &interrupt).unwrap().remove(0);
+        let s = r.outcome.unwrap();
+        let f = s.fields.pressure.unwrap();
+        let i = (0..f.len()).min_by(|&i, &j| f[i].total_cmp(&f[j])).unwrap();
+        println!("{p:?} min {:.2e} at {} outlet {} pmax {} unknowns {}", f[i], x[i], s.quantities.x_outlet, s.quantities.p_max, r.effort.unknowns);
+    }
+}

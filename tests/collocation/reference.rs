@@ -1,7 +1,6 @@
 //! The numbers of the reference, column by column.
 
 use rayon::prelude::*;
-use stribeck::exact::contact_bounds;
 use stribeck::model::{CavityShear, Output, Parameters, Quantities};
 
 use crate::cases::{EXACTLY, numbers, relative, settings, solution};
@@ -35,8 +34,12 @@ fn has_a_narrow_peak(case: &Parameters) -> bool {
     [(100.0, 10.0, 1e4), (1000.0, 10.0, 1e3)].contains(&(case.f, case.alpha, case.beta))
 }
 
-/// Every column within 1e-7, u_min within 1e-6. x_out passes through 0: its error is taken over half the width of the dry
-/// contact. F_v vanishes at f = 0. F_v and F_h at β = 10 are as far off as 7e-8, which is what the end of the reference's mesh leaves.
+/// Every column within 1e-7, u_min within 1e-6. Where that needs a word:
+///
+/// - F_v vanishes at f = 0; elsewhere at β = 10 it is as far off as 7e-8, which is what the end of the reference's mesh leaves.
+/// - x_out passes through 0. Its error is taken over the distance from there to the largest pressure.
+/// - The shear in the cavity is a small part of F_h, and the tolerance is about F_h: its error is taken over that. Over itself
+///   it is bounded by 3e-7.
 #[test]
 fn every_column_of_every_row_is_met() {
     let rows = reference();
@@ -48,7 +51,11 @@ fn every_column_of_every_row_is_met() {
             let mut worst: f64 = 0.0;
             for (i, name) in NAMES.into_iter().enumerate() {
                 let error = match name {
-                    "x_out" => (found[i] - row[i]).abs() / contact_bounds(case).2,
+                    "x_out" => (found[i] - row[i]).abs() / (full.x_p_max - row[i]),
+                    "F_h,cavity" | "streamers" => {
+                        assert!(relative(found[i], row[i]) < 3e-7, "{case:?}: {name} {} {}", found[i], row[i]);
+                        (found[i] - row[i]).abs() / (row[5] + row[6])
+                    }
                     "F_v" if case.f == 0.0 => (found[i] - row[i]).abs(),
                     _ => relative(found[i], row[i]),
                 };
