@@ -4,6 +4,7 @@ mod bad_sweeps;
 mod program;
 
 use std::fs;
+use std::path::Path;
 use std::process::Stdio;
 
 use program::{code, err, out, paths, say, stribeck};
@@ -306,6 +307,43 @@ fn another_sweep_in_the_same_directory_is_told() {
     assert_eq!(err(&again), "");
 }
 
+/// Seconds, iterations and factorisations of each row of `timings.csv`.
+fn timings(results: &Path) -> Vec<[f64; 3]> {
+    let table = fs::read_to_string(results.join("timings.csv")).expect("published");
+    let mut lines = table.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let places = ["seconds", "iterations", "factorisations"]
+        .map(|name| header.iter().position(|column| *column == name).expect("a column"));
+    let row = |line: &str| {
+        let values: Vec<&str> = line.split(',').collect();
+        places.map(|place| values[place].parse().expect("a number"))
+    };
+    lines.map(row).collect()
+}
+
+#[test]
+fn errors_and_effort_of_every_case_are_published() {
+    let directory = with_sweep(&SMALL.replace("[output]", "[solver]\ntolerance = 1e-6\n[output]"));
+    let here = directory.path();
+    assert_eq!(code(&say(here, &["run", "small.toml", "--quiet"])), 0);
+    let summary = fs::read_to_string(here.join("results/small/summary.csv")).expect("published");
+    let mut lines = summary.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let errors: Vec<usize> = (0..header.len()).filter(|&i| header[i].starts_with("error_")).collect();
+    assert_eq!(errors.len(), 3);
+    for line in lines {
+        for &place in &errors {
+            let error: f64 = line.split(',').nth(place).and_then(|text| text.parse().ok()).expect("an estimate");
+            assert!((0.0..=1e-6).contains(&error), "{line}");
+        }
+    }
+    for [seconds, iterations, factorisations] in timings(&here.join("results/small")) {
+        assert!(seconds > 0.0 && iterations >= 1.0);
+        // At least one of the estimate; a chord step needs none of its own, and an estimate is no iteration.
+        assert!(factorisations >= 1.0, "{iterations} iterations, {factorisations} factorisations");
+    }
+}
+
 #[test]
 fn what_is_expected_is_about_what_comes() {
     let text = SMALL
@@ -332,6 +370,12 @@ fn what_is_expected_is_about_what_comes() {
         .collect();
     assert_eq!(code(&say(directory.path(), &["run", "small.toml", "--quiet"])), 0);
     let results = directory.path().join("results/small");
+    let time = plan.lines().find(|line| line.starts_with("time ")).expect("plan tells time");
+    let per_case = time.split_once("; ").and_then(|(_, rest)| rest.split_once(" ms per case")).expect("of a case").0;
+    let expected: f64 = per_case.parse().expect("a number");
+    let mean = timings(&results).iter().map(|row| 1e3 * row[0]).sum::<f64>() / timings(&results).len() as f64;
+    // Other programs may be at work now and not then.
+    assert!((expected / mean).ln().abs() < 8_f64.ln(), "expected {expected} ms a case, took {mean}");
     let size = |place: &str| -> f64 {
         let path = results.join(place);
         let files = if path.is_dir() { paths(&path) } else { vec![path.display().to_string()] };
@@ -347,7 +391,7 @@ fn what_is_expected_is_about_what_comes() {
 /// The object that `solve --json` prints.
 fn solved_json(arguments: &str) -> serde_json::Value {
     let directory = tempdir().expect("a temporary directory");
-    let arguments: Vec<&str> = ["solve"].into_iter().chain(arguments.split(' ')).chain(["--json"]).collect();
+    let arguments: Vec<&str> = ["solve"].into_iter().chain(arguments.split_whitespace()).chain(["--json"]).collect();
     let solve = say(directory.path(), &arguments);
     assert_eq!(code(&solve), 0, "{}", err(&solve));
     serde_json::from_str(&out(&solve)).expect("JSON")
@@ -365,6 +409,7 @@ fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &
     assert_eq!(object["seed"], case.seed.to_string());
     assert_eq!(object["iterations"], case.effort.iterations);
     assert_eq!(object["factorisations"], case.effort.factorisations);
+    assert_eq!(object["unknowns"], case.effort.unknowns);
     assert!(object["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0));
     assert_eq!((&object["status"], &object["reason"]), (&"converged".into(), &serde_json::Value::Null));
     let path = object["path"].as_array().expect("an array");
@@ -377,7 +422,7 @@ fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &
     let keys: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
     let mut header: Vec<&str> =
         "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
-         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,path,iterations,factorisations,seconds"
+         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,path,iterations,factorisations,unknowns,seconds"
             .split(',')
             .collect();
     header.sort_unstable();
@@ -427,14 +472,21 @@ fn one_case_as_a_table_has_the_same_numbers_and_no_estimate_is_null() {
             "",
             "",
             true,
-            &["collocation, tolerance 1e-5", "seed march-", " iterations, ", " factorisations, ", "by way of"],
+            &[
+                "collocation, tolerance 1e-5",
+                "seed march-",
+                " iterations, ",
+                " factorisations, ",
+                " unknowns\n",
+                "by way of",
+            ],
         ),
         (of_relaxation, " --estimate false", false, &["relaxation, 201 points", "seed hertz, ", " passes, "]),
     ];
     for (more, for_json, estimated, words) in rows {
         let arguments = format!("solve {case} {more}");
         let table = out(&say(directory.path(), &arguments.split_whitespace().collect::<Vec<_>>()));
-        let object = solved_json(&format!("{case} {more}{for_json}").replace("  ", " ").trim().to_owned());
+        let object = solved_json(&format!("{case} {more}{for_json}"));
         assert_eq!(object["alpha"], "inf");
         assert_eq!(object["error_c"].is_number(), estimated);
         for (symbol, limit) in [("mu_h", Some("approx_mu_h")), ("c", None), ("p_max", None)] {

@@ -8,8 +8,8 @@ use crate::store::Holdings;
 use crate::sweep::{Method, Plan, Sweep};
 
 /// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
-const PRESSURE_VALUE: f64 = 5.0;
-const FIELD_VALUE: f64 = 7.0;
+const PRESSURE_VALUE: f64 = 4.4;
+const FIELD_VALUE: f64 = 6.3;
 /// Bytes beside the values for a field of a case: index of chunks and the like.
 const FIELD: f64 = 350.0;
 /// Bytes of a shard without fields.
@@ -20,7 +20,7 @@ const LOGGED_CASE: f64 = 180.0;
 const PLACE: f64 = 200.0;
 const FRAME: f64 = 25_000.0;
 /// Bytes of a place in the two tables.
-const TABLE_ROW: f64 = 400.0;
+const TABLE_ROW: f64 = 435.0;
 
 /// Bytes that a finished sweep takes.
 #[derive(Clone, Copy, Debug, PartialEq)]

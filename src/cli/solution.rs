@@ -21,6 +21,8 @@ pub struct SolvedProblem<'a> {
     pub entry: &'a CaseEntry,
     /// The points that were solved on the way.
     pub path: &'a Path,
+    /// Unknowns of its system, or points of its grid; 0 if it failed.
+    pub unknowns: usize,
 }
 
 const IN_MEMORY: &str = "writing to memory does not fail";
@@ -58,7 +60,12 @@ impl SolvedProblem<'_> {
             Method::Collocation => {
                 let factorisations = count(timing.factorisations, "factorisation");
                 let iterations = count(timing.iterations, "iteration");
-                (format!("{iterations}, {factorisations}"), format!("tolerance {:e}", settings.tolerance))
+                let unknowns = match self.entry.outcome {
+                    Status::Converged => format!(", {} unknowns", self.unknowns),
+                    Status::Failed => String::new(),
+                };
+                let setting = format!("tolerance {:e}{unknowns}", settings.tolerance);
+                (format!("{iterations}, {factorisations}"), setting)
             }
             Method::Relaxation => {
                 (format!("{} passes", timing.iterations), format!("{} points", settings.relaxation.points))
@@ -147,6 +154,7 @@ impl SolvedProblem<'_> {
         pairs.push(("path", self.path.points.iter().map(point).collect()));
         pairs.push(("iterations", Value::from(entry.timing.iterations)));
         pairs.push(("factorisations", Value::from(entry.timing.factorisations)));
+        pairs.push(("unknowns", Value::from(self.unknowns)));
         pairs.push(("seconds", Value::from(entry.timing.seconds)));
         serde_json::to_string_pretty(&Object(pairs)).expect("strings and numbers can be written") + "\n"
     }

@@ -22,8 +22,8 @@ Examples:
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
 
 Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
-summary.csv and seed, path, iterations, factorisations, seconds; path has the points that were solved on the way to the
-case; a number that is not known is null, an infinite alpha is \"inf\".
+summary.csv and seed, path, iterations, factorisations, unknowns, seconds; path has the points that were solved on the
+way to the case; a number that is not known is null, an infinite alpha is \"inf\".
 Exit code 3: the case failed.")]
 pub struct Arguments {
     /// Slide time over retardation time, at least 0, or inf
@@ -173,10 +173,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let solver = Solver::new(settings);
     let solved = solver.solve_chain(std::slice::from_ref(&parameters), &sweep.output, &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);
-    let path = std::mem::take(&mut case.path);
+    let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
     let entry = case_entry(plan.id(&parameters), case);
     let asked = Parameters::new(arguments.alpha, arguments.beta, arguments.f);
-    let problem = SolvedProblem { asked: &asked, settings, entry: &entry, path: &path };
+    let problem = SolvedProblem { asked: &asked, settings, entry: &entry, path: &path, unknowns };
     console::print(&if arguments.json { problem.json() } else { problem.table() })?;
     Ok(match entry.outcome {
         Status::Converged => Exit::Success,
