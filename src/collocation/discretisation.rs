@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::log_moments::{LANES, MOST_MOMENTS, log_moments, log_moments_together};
+use super::log_moments::{LANES, MOST_MOMENTS, log_moments_together};
 use super::matrix::Matrix;
 use super::mesh::Mesh;
-use super::reference::{ReferencePanel, dot};
+use super::reference::ReferencePanel;
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///
@@ -159,15 +159,19 @@ impl Discretisation {
     pub fn elastic_at(&self, pressure: &[f64], places: &[f64]) -> Vec<f64> {
         let (degree, size) = (self.reference.degree, self.reference.degree + 1);
         let mut displacement = vec![0.0; places.len()];
-        let (mut coefficients, mut moments) = ([0.0; MOST_MOMENTS], [0.0; MOST_MOMENTS]);
+        let (mut coefficients, mut moments) = ([0.0; MOST_MOMENTS], [[0.0; LANES]; MOST_MOMENTS]);
         for (panel, ends) in self.mesh.film.windows(2).enumerate() {
             let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
             let nodes = &pressure[panel * degree..panel * degree + size];
             self.reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
-            for (e, y) in displacement.iter_mut().zip(places) {
-                log_moments((y - centre) / half, &mut moments[..size]);
-                moments[0] += 2.0 * half.ln();
-                *e += half / PI * dot(&coefficients[..size], &moments[..size]);
+            for (e, y) in displacement.chunks_mut(LANES).zip(places.chunks(LANES)) {
+                // a last block that is not full is filled with its first place
+                let block = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
+                log_moments_together(&block, &mut moments[..size]);
+                for (lane, e) in e.iter_mut().enumerate() {
+                    let sum: f64 = coefficients[..size].iter().zip(&moments).map(|(a, moment)| a * moment[lane]).sum();
+                    *e += half / PI * (sum + 2.0 * half.ln() * coefficients[0]);
+                }
             }
         }
         displacement

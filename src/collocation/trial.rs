@@ -230,3 +230,16 @@ fn dips() {
         );
     }
 }
+#[test]
+fn field_speed() {
+    let Ok(which) = std::env::var("FIELDS") else { return };
+    let interrupt = Interrupt::new();
+    let x: Vec<f64> = (0..601).map(|i| -3.0 + 6.0 * i as f64 / 600.0).collect();
+    let all = which == "all";
+    let output = Output { limits: false, x: x.clone().into(), fields: FieldSelection { pressure: true, film_thickness: all, displacement: all }, ..Output::default() };
+    let solver = CollocationSolver::new(Settings::default());
+    let cases: Vec<_> = (0..61).map(|j| Parameters::new(1.0, 10f64.powf(1.0 + j as f64 / 20.0), 100.0)).collect();
+    let t = std::time::Instant::now();
+    solve_chain(&solver, &cases, &output, &interrupt).unwrap();
+    println!("fields {which} {:?} a case", t.elapsed() / 61);
+}
