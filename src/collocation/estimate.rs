@@ -1,4 +1,4 @@
-//! The error estimate: one Newton step with richer panels.
+//! The error estimate: Newton's method with richer panels.
 
 use std::sync::Arc;
 
@@ -12,6 +12,9 @@ use crate::model::{CavityShear, Quantities, RelativeErrors};
 
 /// How many degrees richer the panels of the estimate are.
 pub const ENRICHMENT: usize = 2;
+
+/// Part of the tolerance that the nonlinearity may hide in an estimate.
+const REMAINDER: f64 = 0.01;
 
 /// The state on the same panels of a higher degree: p and ln u by their polynomials.
 ///
@@ -39,8 +42,9 @@ fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State 
 
 /// What is known of a solution, and the estimated errors of it.
 ///
-/// The solution is interpolated to degree d + 2 on its own panels, one Newton step is taken there, and what that changes in
-/// μ_v, μ_h and c is reported. μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
+/// The solution is interpolated to degree d + 2 on its own panels, a Newton step is taken there, and what that changes in
+/// μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step would be
+/// seen in them, chord steps follow. μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
 pub fn estimate(
     corrector: &mut Corrector,
     coarse: &Displacement,
@@ -48,11 +52,12 @@ pub fn estimate(
     beta: f64,
     state: &State,
     cavity_shear: CavityShear,
+    tolerance: f64,
     effort: &mut Effort,
 ) -> (Quantities, RelativeErrors) {
     let solution = quantities(coarse, beta, state, cavity_shear);
     let mut better = enriched(coarse, fine, state);
-    corrector.newton_step(fine, beta, &mut better, effort);
+    corrector.polish(fine, beta, &mut better, REMAINDER * tolerance, effort);
     let corrected = quantities(fine, beta, &better, cavity_shear);
     // extremes lie between the points: the richer polynomials know them better
     let Quantities { film_min, p_max, x_p_max, .. } = corrected;

@@ -111,12 +111,31 @@ impl Corrector {
         });
     }
 
-    /// One full Newton step.
-    pub fn newton_step(&mut self, displacement: &Displacement, beta: f64, state: &mut State, effort: &mut Effort) {
-        self.linearise(displacement, beta, state);
-        self.factorise(displacement, beta, state, effort);
-        self.step(displacement, beta, state);
-        self.system.advance(state, 1.0);
+    /// A full Newton step, and chord steps until what they leave, about the square of the first, is below `remainder`.
+    pub fn polish(
+        &mut self,
+        displacement: &Displacement,
+        beta: f64,
+        state: &mut State,
+        remainder: f64,
+        effort: &mut Effort,
+    ) {
+        const MOST_STEPS: usize = 5;
+        let mut first = None;
+        for _ in 0..MOST_STEPS {
+            self.linearise(displacement, beta, state);
+            if first.is_none() {
+                self.factorise(displacement, beta, state, effort);
+            }
+            self.step(displacement, beta, state);
+            let size = self.system.size(state);
+            self.system.advance(state, 1.0);
+            let contraction = *first.get_or_insert(size);
+            // a chord step leaves about as large a part of itself as the first step was of the solution
+            if size * contraction <= remainder || !size.is_finite() {
+                break;
+            }
+        }
     }
 }
 

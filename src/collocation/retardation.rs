@@ -275,7 +275,8 @@ mod tests {
         let reference = Arc::new(ReferencePanel::new(8));
         let fine = |from: f64, to: f64| (0..12).map(move |i| from + (to - from) * f64::from(i) / 12.0);
         let start = [0.0, 1e-3, 4e-3, 0.012, 0.03, 0.06].into_iter();
-        let ends = start.chain(fine(0.1, 1.2))
+        let ends = start
+            .chain(fine(0.1, 1.2))
             .chain(fine(1.2, 4.0))
             .chain(fine(4.0, 12.0))
             .chain([12.0, 14.0, 17.0, 21.0, 26.0, 32.0, 40.0])

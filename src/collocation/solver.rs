@@ -213,8 +213,10 @@ impl CaseSolver for CollocationSolver {
             workspace.prepare_fine(&state.mesh, &mut work.effort);
             let displacement = workspace.coarse.displacement();
             let (corrector, fine) = workspace.fine.parts();
+            let (tolerance, cavity_shear) = (self.settings.tolerance, output.cavity_shear);
+            let effort = &mut work.effort;
             let (quantities, errors) =
-                estimate(corrector, displacement, fine, beta, state, output.cavity_shear, &mut work.effort);
+                estimate(corrector, displacement, fine, beta, state, cavity_shear, tolerance, effort);
             let (tension, place) = tension(&self.coarse, state);
             if tension < ROUGH_TENSION {
                 return Err(tension_failure(tension));
