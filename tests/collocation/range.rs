@@ -34,10 +34,7 @@ fn is_a_solution(case: &Parameters, solution: &Solution) {
     let quantities = &solution.quantities;
     assert!(worst(&solution.errors) <= TOLERANCE, "{case:?}: {:?}", solution.errors);
     assert!(quantities.load_residual <= 1e-10, "{case:?}: load {:.1e}", quantities.load_residual);
-    let pressure = solution.fields.pressure.as_ref().expect("asked for");
-    let (least, most) = pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
-    let least = least / quantities.p_max;
-    assert!(least >= -1e-6, "{case:?}: pressure {least:.1e} of the largest");
+    let most = solution.fields.pressure.as_ref().expect("asked for").iter().copied().fold(0.0, f64::max);
     assert!(most <= quantities.p_max * 1.001 && most > 0.5 * quantities.p_max, "{case:?}: {most} {quantities:?}");
     assert!(0.0 < quantities.film_min && quantities.film_min < quantities.c, "{case:?}: {quantities:?}");
 }
@@ -59,4 +56,20 @@ fn every_case_of_the_box_is_solved_alone() {
         let output = pressure(std::slice::from_ref(case));
         is_a_solution(case, &solution(settings(TOLERANCE), case, &output));
     });
+}
+
+/// p ≥ 0, but for a millionth of the largest: everywhere, not at the nodes alone.
+#[test]
+fn no_film_of_the_box_is_under_tension() {
+    let chains = the_box();
+    let lacking = chains.par_iter().with_max_len(1).flat_map_iter(|chain| {
+        let solved = solutions(settings(TOLERANCE), chain, &pressure(chain));
+        chain.iter().zip(solved).filter_map(|(case, solution)| {
+            let field = solution.fields.pressure.expect("asked for");
+            let least = field.into_iter().fold(0.0, f64::min) / solution.quantities.p_max;
+            (least < -1e-6).then(|| format!("α = {}, β = {:e}, f = {}: {least:.1e}", case.alpha, case.beta, case.f))
+        })
+    });
+    let lacking: Vec<String> = lacking.collect();
+    assert!(lacking.is_empty(), "{} of {}: {lacking:#?}", lacking.len(), 11 * chains.len());
 }
