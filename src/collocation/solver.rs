@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
-use super::estimate::{ENRICHMENT, estimate, worst};
+use super::estimate::{ENRICHMENT, Estimate, estimate};
 use super::fields::fields;
 use super::log_moments::MOST_MOMENTS;
 use super::reference::{ReferencePanel, evaluate};
@@ -30,7 +30,7 @@ const ACCURATE_MESHES: usize = 12;
 /// third a coarser mesh will do for the next case.
 const ACCEPTED: f64 = 0.9;
 const AIM: f64 = 0.15;
-const IDLE: f64 = 0.01;
+const IDLE: f64 = 0.002;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = 160;
 /// Least pressure over the largest; below it the film would carry tension.
@@ -215,18 +215,18 @@ impl CaseSolver for CollocationSolver {
             let (corrector, fine) = workspace.fine.parts();
             let (tolerance, cavity_shear) = (self.settings.tolerance, output.cavity_shear);
             let effort = &mut work.effort;
-            let (quantities, errors) =
-                estimate(corrector, displacement, fine, beta, state, cavity_shear, tolerance, effort);
+            let estimate = estimate(corrector, displacement, fine, beta, state, cavity_shear, tolerance, effort);
             let (tension, place) = tension(&self.coarse, state);
             if tension < ROUGH_TENSION {
                 return Err(tension_failure(tension));
             }
-            let error = worst(&errors) / self.settings.tolerance;
+            let error = estimate.worst() / self.settings.tolerance;
             state.error = Some(error);
             let free_of_tension = tension >= TENSION;
             if error <= ACCEPTED && free_of_tension {
                 work.effort.unknowns = unknowns(workspace.coarse.displacement());
                 let fields = fields(workspace.coarse.displacement(), beta, state, output);
+                let Estimate { quantities, errors, .. } = estimate;
                 return Ok(Solution { quantities, errors, fields });
             }
             // A little tension is an oscillation about p′ = 0 at the outlet that a shorter first panel resolves, or more panels.

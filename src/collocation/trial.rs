@@ -250,20 +250,40 @@ fn field_speed() {
 }
 #[test]
 fn rough() {
-    if std::env::var("ROUGH").is_err() { return }
+    if std::env::var("ROUGH").is_err() {
+        return;
+    }
     let interrupt = Interrupt::new();
     let text = include_str!("../../tests/reference/single_mode.csv");
     let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
-    let rows: Vec<Vec<f64>> = text.lines().skip(1).map(|line| line.split(',').map(|t| t.parse().unwrap()).collect()).collect();
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|line| line.split(',').map(|t| t.parse().unwrap()).collect()).collect();
     let solver = CollocationSolver::new(Settings { tolerance: 1e-3, ..Settings::default() });
     for chain in rows.chunk_by(|a, b| a[0] == b[0] && a[1] == b[1]) {
-        let cases: Vec<_> = chain.iter().map(|v| if v[0] == 0.0 { Parameters::elastic(v[2]) } else { Parameters::new(v[1], v[2], v[0]) }).collect();
+        let cases: Vec<_> = chain
+            .iter()
+            .map(|v| if v[0] == 0.0 { Parameters::elastic(v[2]) } else { Parameters::new(v[1], v[2], v[0]) })
+            .collect();
         for (r, v) in solve_chain(&solver, &cases, &output, &interrupt).unwrap().iter().zip(chain) {
-            let s = r.outcome.as_ref().unwrap(); let q = &s.quantities;
-            let mu_h = v[8] + v[9]; let tot = v[7] + mu_h;
-            let e = [(q.friction.viscoelastic - v[7]).abs() / v[7].max(1e-3 * tot), q.friction.hydrodynamic() / mu_h - 1.0, q.c / v[3] - 1.0];
+            let s = r.outcome.as_ref().unwrap();
+            let q = &s.quantities;
+            let mu_h = v[8] + v[9];
+            let tot = v[7] + mu_h;
+            let e = [
+                (q.friction.viscoelastic - v[7]).abs() / v[7].max(1e-3 * tot),
+                q.friction.hydrodynamic() / mu_h - 1.0,
+                q.c / v[3] - 1.0,
+            ];
             let est = [s.errors.mu_v, s.errors.mu_h, s.errors.c];
-            if e.iter().any(|e| e.abs() > 2e-5) { println!("{:?} {} est {} n {}", &v[..3], e.map(|e| format!("{e:.0e}")).join(" "), est.map(|e| format!("{e:.0e}")).join(" "), r.effort.unknowns); }
+            if e.iter().any(|e| e.abs() > 2e-5) {
+                println!(
+                    "{:?} {} est {} n {}",
+                    &v[..3],
+                    e.map(|e| format!("{e:.0e}")).join(" "),
+                    est.map(|e| format!("{e:.0e}")).join(" "),
+                    r.effort.unknowns
+                );
+            }
         }
     }
 }
