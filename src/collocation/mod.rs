@@ -43,8 +43,6 @@ mod state;
 mod system;
 mod thick_film;
 mod transfer;
-#[cfg(test)]
-mod trial;
 mod workspace;
 
 pub use settings::Settings;
