@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::displacement::Displacement;
-use super::newton::Corrector;
 use super::quantities::quantities;
 use super::reference::evaluate;
 use super::state::State;
+use super::workspace::Level;
 use crate::continuation::Effort;
 use crate::model::{CavityShear, Quantities, RelativeErrors};
 
@@ -70,15 +70,15 @@ impl Estimate {
 /// μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step would be
 /// seen in them, chord steps follow. μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
 pub fn estimate(
-    corrector: &mut Corrector,
     coarse: &Displacement,
-    fine: &Displacement,
+    fine: &mut Level,
     beta: f64,
     state: &State,
     cavity_shear: CavityShear,
     tolerance: f64,
     effort: &mut Effort,
 ) -> Estimate {
+    let (corrector, fine) = fine.parts();
     let solution = quantities(coarse, beta, state, cavity_shear);
     let mut better = enriched(coarse, fine, state);
     corrector.polish(fine, beta, &mut better, REMAINDER * tolerance, effort);

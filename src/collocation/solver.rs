@@ -212,10 +212,9 @@ impl CaseSolver for CollocationSolver {
         for _ in 0..ACCURATE_MESHES {
             workspace.prepare_fine(&state.mesh, &mut work.effort);
             let displacement = workspace.coarse.displacement();
-            let (corrector, fine) = workspace.fine.parts();
             let (tolerance, cavity_shear) = (self.settings.tolerance, output.cavity_shear);
             let effort = &mut work.effort;
-            let estimate = estimate(corrector, displacement, fine, beta, state, cavity_shear, tolerance, effort);
+            let estimate = estimate(displacement, &mut workspace.fine, beta, state, cavity_shear, tolerance, effort);
             let (tension, place) = tension(&self.coarse, state);
             if tension < ROUGH_TENSION {
                 return Err(tension_failure(tension));
