@@ -116,12 +116,18 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         outcome: Ok(Solution { quantities, errors, fields: Fields::default() }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
-        effort: Effort { iterations: 5, factorisations: 3, seconds: start.elapsed().as_secs_f64() },
+        path: stribeck::continuation::Path::default(),
+        effort: Effort {
+            iterations: 5,
+            factorisations: 3,
+            seconds: start.elapsed().as_secs_f64(),
+            ..Effort::default()
+        },
     }
 }
 
 fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
-    let Effort { iterations, factorisations, seconds } = case.effort;
+    let Effort { iterations, factorisations, seconds, .. } = case.effort;
     let solution = case.outcome.expect("made-up cases converge");
     CaseEntry {
         id: plan.id(parameters),

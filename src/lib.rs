@@ -15,9 +15,10 @@
 //! | module | what it holds | may know |
 //! | --- | --- | --- |
 //! | [`cli`] | one file per command | everything below |
-//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`model`], [`relaxation::Settings`] |
+//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`model`], [`collocation::Settings`], [`relaxation::Settings`] |
 //! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
+//! | [`collocation`] | the default solver: panels fitted to the cavitation boundary, Newton's method, error estimate | [`model`], [`exact`], [`continuation`] |
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |

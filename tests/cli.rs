@@ -4,22 +4,22 @@ mod bad_sweeps;
 mod program;
 
 use std::fs;
+use std::path::Path;
 use std::process::Stdio;
 
 use program::{code, err, out, paths, say, stribeck};
-use stribeck::continuation::{Interrupt, solve_chain};
+use stribeck::collocation::{self, CollocationSolver};
+use stribeck::continuation::{CaseSolver, Interrupt, solve_chain};
 use stribeck::model::{COLUMNS, Parameters};
 use stribeck::relaxation::{RelaxationSolver, Settings};
 use tempfile::{TempDir, tempdir};
 
-/// Three rows, the elastic one at two places; three cases of one of them fail, as the domain does not hold the contact.
+/// Three rows, the elastic one at two places.
 const SMALL: &str = r#"
 [axes]
 f = [0.0, 10.0]
 alpha = [1.0, 100.0]
 beta = [10.0, 20.0, 40.0]
-[solver.relaxation]
-points = 101
 [output]
 fields = ["pressure"]
 x = { from = -2.0, to = 2.0, points = 41 }
@@ -123,13 +123,22 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
         (case("--alpha 1 --beta ten"), "finite number above 0"),
         (case("--alpha 1 --beta 10 --points 800"), "odd whole number"),
         (case("--alpha 1 --beta 10 --points 49"), "odd whole number from 51"),
-        (case("--alpha 1 --beta 10 --tolerance 0"), "1e-12 to 1e-2"),
-        (case("--alpha 1 --beta 10 --tolerance nan"), "1e-12 to 1e-2"),
-        (case("--alpha 1 --beta 10 --method collocation"), "not in this version; use relaxation"),
-        (case("--alpha 1 --beta 10 --method newton"), "relaxation"),
-        (case("--alpha 1 --beta 10 --acceleration fast"), "anderson or none"),
-        (case("--alpha 1 --beta 10 --points 199 --estimate true"), "give more points, or --estimate false"),
-        (case("--alpha 1 --beta 10 --estimate maybe"), "true, false"),
+        (case("--alpha 1 --beta 10 --tolerance 0"), "a number above 0"),
+        (case("--alpha 1 --beta 10 --tolerance nan"), "a number above 0"),
+        (
+            case("--alpha 1 --beta 10 --tolerance 1e-11"),
+            "relative error wanted in mu_v, mu_h and c; give a number from",
+        ),
+        (case("--alpha 1 --beta 10 --tolerance 0.2"), "from 1e-10 to 1e-1, not 0.2"),
+        (case("--alpha 1 --beta 10 --method relaxation --tolerance 0.02"), "the residual at which"),
+        (case("--alpha 1 --beta 10 --method relaxation --tolerance 1e-13"), "from 1e-12 to 1e-2"),
+        (case("--alpha 1 --beta 10 --method newton"), "collocation or relaxation"),
+        (case("--alpha 1 --beta 10 --points 801"), "--points is an option of the relaxation method; leave it out"),
+        (case("--alpha 1 --beta 10 --acceleration none"), "--acceleration is an option of the relaxation method"),
+        (case("--alpha 1 --beta 10 --estimate true"), "or add --method relaxation"),
+        (case("--alpha 1 --beta 10 --method relaxation --acceleration fast"), "anderson or none"),
+        (case("--alpha 1 --beta 10 --method relaxation --points 199 --estimate true"), "or --estimate false"),
+        (case("--alpha 1 --beta 10 --method relaxation --estimate maybe"), "true, false"),
         (vec!["solve", "--alpha", "1", "--beta", "10", "--f", "inf"], "at least 0; 0 is an elastic"),
         (vec!["solve", "--alpha", "1", "--beta", "10"], "--f <F>"),
     ];
@@ -261,8 +270,10 @@ fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
 
 #[test]
 fn cases_that_fail_end_with_3_and_are_told() {
-    let text =
-        SMALL.replace("points = 101", "points = 101\ndomain = [-3.0, 1.05]").replace("[0.0, 10.0]", "[0.0, 1e-3]");
+    // The uniform grid neither holds the wide contact nor resolves the thin film.
+    let solver =
+        "[solver]\nmethod = \"relaxation\"\n[solver.relaxation]\npoints = 101\ndomain = [-3.0, 1.05]\n[output]";
+    let text = SMALL.replace("[output]", solver).replace("[0.0, 10.0]", "[0.0, 1e-3]");
     let text = text.replace("beta = [10.0, 20.0, 40.0]", "beta = [10.0, 3e9]");
     let directory = with_sweep(&text);
     let here = directory.path();
@@ -296,6 +307,43 @@ fn another_sweep_in_the_same_directory_is_told() {
     assert_eq!(err(&again), "");
 }
 
+/// Seconds, iterations and factorisations of each row of `timings.csv`.
+fn timings(results: &Path) -> Vec<[f64; 3]> {
+    let table = fs::read_to_string(results.join("timings.csv")).expect("published");
+    let mut lines = table.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let places = ["seconds", "iterations", "factorisations"]
+        .map(|name| header.iter().position(|column| *column == name).expect("a column"));
+    let row = |line: &str| {
+        let values: Vec<&str> = line.split(',').collect();
+        places.map(|place| values[place].parse().expect("a number"))
+    };
+    lines.map(row).collect()
+}
+
+#[test]
+fn errors_and_effort_of_every_case_are_published() {
+    let directory = with_sweep(&SMALL.replace("[output]", "[solver]\ntolerance = 1e-6\n[output]"));
+    let here = directory.path();
+    assert_eq!(code(&say(here, &["run", "small.toml", "--quiet"])), 0);
+    let summary = fs::read_to_string(here.join("results/small/summary.csv")).expect("published");
+    let mut lines = summary.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let errors: Vec<usize> = (0..header.len()).filter(|&i| header[i].starts_with("error_")).collect();
+    assert_eq!(errors.len(), 3);
+    for line in lines {
+        for &place in &errors {
+            let error: f64 = line.split(',').nth(place).and_then(|text| text.parse().ok()).expect("an estimate");
+            assert!((0.0..=1e-6).contains(&error), "{line}");
+        }
+    }
+    for [seconds, iterations, factorisations] in timings(&here.join("results/small")) {
+        assert!(seconds > 0.0 && iterations >= 1.0);
+        // At least one of the estimate; a chord step needs none of its own, and an estimate is no iteration.
+        assert!(factorisations >= 1.0, "{iterations} iterations, {factorisations} factorisations");
+    }
+}
+
 #[test]
 fn what_is_expected_is_about_what_comes() {
     let text = SMALL
@@ -322,6 +370,12 @@ fn what_is_expected_is_about_what_comes() {
         .collect();
     assert_eq!(code(&say(directory.path(), &["run", "small.toml", "--quiet"])), 0);
     let results = directory.path().join("results/small");
+    let time = plan.lines().find(|line| line.starts_with("time ")).expect("plan tells time");
+    let per_case = time.split_once("; ").and_then(|(_, rest)| rest.split_once(" ms per case")).expect("of a case").0;
+    let expected: f64 = per_case.parse().expect("a number");
+    let mean = timings(&results).iter().map(|row| 1e3 * row[0]).sum::<f64>() / timings(&results).len() as f64;
+    // Other programs may be at work now and not then.
+    assert!((expected / mean).ln().abs() < 8_f64.ln(), "expected {expected} ms a case, took {mean}");
     let size = |place: &str| -> f64 {
         let path = results.join(place);
         let files = if path.is_dir() { paths(&path) } else { vec![path.display().to_string()] };
@@ -334,18 +388,18 @@ fn what_is_expected_is_about_what_comes() {
     }
 }
 
-#[test]
-fn one_case_is_what_the_library_solves() {
+/// The object that `solve --json` prints.
+fn solved_json(arguments: &str) -> serde_json::Value {
     let directory = tempdir().expect("a temporary directory");
-    let arguments = "solve --alpha 2 --beta 50 --f 10 --points 201 --json";
-    let solve = say(directory.path(), &arguments.split(' ').collect::<Vec<_>>());
+    let arguments: Vec<&str> = ["solve"].into_iter().chain(arguments.split_whitespace()).chain(["--json"]).collect();
+    let solve = say(directory.path(), &arguments);
     assert_eq!(code(&solve), 0, "{}", err(&solve));
-    let object: serde_json::Value = serde_json::from_str(&out(&solve)).expect("JSON");
+    serde_json::from_str(&out(&solve)).expect("JSON")
+}
 
-    let settings = Settings { points: 201, estimate: true, ..Settings::default() };
-    let parameters = [Parameters::new(2.0, 50.0, 10.0)];
-    let output = stribeck::model::Output::default();
-    let solved = solve_chain(&RelaxationSolver::new(settings), &parameters, &output, &Interrupt::new());
+/// Whether an object of `solve --json` says what the library gives for the same case.
+fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &S, parameters: Parameters) {
+    let solved = solve_chain(solver, &[parameters], &stribeck::model::Output::default(), &Interrupt::new());
     let case = solved.expect("not interrupted").remove(0);
     let solution = case.outcome.expect("converged");
     let row = solution.quantities.row(&solution.errors, &case.limits);
@@ -354,12 +408,21 @@ fn one_case_is_what_the_library_solves() {
     }
     assert_eq!(object["seed"], case.seed.to_string());
     assert_eq!(object["iterations"], case.effort.iterations);
+    assert_eq!(object["factorisations"], case.effort.factorisations);
+    assert_eq!(object["unknowns"], case.effort.unknowns);
     assert!(object["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0));
     assert_eq!((&object["status"], &object["reason"]), (&"converged".into(), &serde_json::Value::Null));
+    let path = object["path"].as_array().expect("an array");
+    assert_eq!(path.len(), case.path.points.len());
+    for (shown, point) in path.iter().zip(&case.path.points) {
+        let numbers = ["alpha", "beta", "f"].map(|name| shown[name].as_f64().map(f64::to_bits));
+        assert_eq!(numbers, [point.alpha, point.beta, point.f].map(|value| Some(value.to_bits())));
+        assert_eq!((&shown["iterations"], &shown["accepted"]), (&point.iterations.into(), &point.accepted.into()));
+    }
     let keys: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
     let mut header: Vec<&str> =
         "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
-         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,iterations,seconds"
+         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,path,iterations,factorisations,unknowns,seconds"
             .split(',')
             .collect();
     header.sort_unstable();
@@ -367,30 +430,85 @@ fn one_case_is_what_the_library_solves() {
 }
 
 #[test]
+fn one_case_is_what_the_library_solves() {
+    let parameters = || Parameters::new(2.0, 50.0, 10.0);
+    let by_collocation = solved_json("--alpha 2 --beta 50 --f 10 --tolerance 1e-6");
+    let settings = collocation::Settings { tolerance: 1e-6, ..collocation::Settings::default() };
+    assert_is_of_the_library(&by_collocation, &CollocationSolver::new(settings), parameters());
+    assert!(!by_collocation["path"].as_array().expect("an array").is_empty(), "a single case is reached by a march");
+
+    let by_relaxation = solved_json("--alpha 2 --beta 50 --f 10 --method relaxation --points 201");
+    let settings = Settings { points: 201, estimate: true, ..Settings::default() };
+    assert_is_of_the_library(&by_relaxation, &RelaxationSolver::new(settings), parameters());
+
+    // The two discretise the same problem: they agree within what each says of itself.
+    for (name, error) in [("mu_v", "error_mu_v"), ("mu_h", "error_mu_h"), ("c", "error_c")] {
+        let value = |object: &serde_json::Value, name: &str| object[name].as_f64().expect("a number");
+        let (exact, coarse) = (value(&by_collocation, name), value(&by_relaxation, name));
+        let allowed = 3.0 * (value(&by_relaxation, error) + value(&by_collocation, error));
+        assert!((coarse / exact - 1.0).abs() < allowed, "{name}: {coarse} and {exact}, {allowed:.1e}");
+    }
+}
+
+#[test]
+fn the_tolerance_asked_for_bounds_the_errors_shown() {
+    for tolerance in ["1e-3", "1e-5", "1e-8"] {
+        let object = solved_json(&format!("--alpha 1 --beta 300 --f 100 --tolerance {tolerance}"));
+        let most: f64 = tolerance.parse().expect("a number");
+        for error in ["error_mu_v", "error_mu_h", "error_c"] {
+            let error = object[error].as_f64().expect("collocation estimates its errors");
+            assert!((0.0..=most).contains(&error), "{tolerance}: {error:e}");
+        }
+    }
+}
+
+#[test]
 fn one_case_as_a_table_has_the_same_numbers_and_no_estimate_is_null() {
     let directory = tempdir().expect("a temporary directory");
-    let case = ["solve", "--alpha", "inf", "--beta", "50", "--f", "10", "--points", "201"];
-    let table = out(&say(directory.path(), &case));
-    let json = out(&say(directory.path(), &[&case[..], &["--json", "--estimate", "false"]].concat()));
-    let object: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-    assert_eq!(object["alpha"], "inf");
-    assert!(object["error_c"].is_null());
-    for (symbol, limit) in [("mu_h", Some("approx_mu_h")), ("c", None), ("p_max", None)] {
-        let row = table.lines().find(|line| line.starts_with(&format!("{symbol} "))).expect("a row");
-        let shown = |name: &str| format!("{:.6e}", object[name].as_f64().expect("a number"));
-        assert!(row.contains(&shown(symbol)), "{table}");
-        assert!(limit.is_none_or(|limit| row.contains(&shown(limit))), "{table}");
-    }
-    for word in ["seed hertz", " passes, ", "201 points", "elastic: depends on beta alone", "estimated relative error"]
-    {
-        assert!(table.contains(word), "{word}: {table}");
+    let case = "--alpha inf --beta 50 --f 10";
+    let of_relaxation = "--method relaxation --points 201";
+    let rows: [(&str, &str, bool, &[&str]); 2] = [
+        (
+            "",
+            "",
+            true,
+            &[
+                "collocation, tolerance 1e-5",
+                "seed march-",
+                " iterations, ",
+                " factorisations, ",
+                " unknowns\n",
+                "by way of",
+            ],
+        ),
+        (of_relaxation, " --estimate false", false, &["relaxation, 201 points", "seed hertz, ", " passes, "]),
+    ];
+    for (more, for_json, estimated, words) in rows {
+        let arguments = format!("solve {case} {more}");
+        let table = out(&say(directory.path(), &arguments.split_whitespace().collect::<Vec<_>>()));
+        let object = solved_json(&format!("{case} {more}{for_json}"));
+        assert_eq!(object["alpha"], "inf");
+        assert_eq!(object["error_c"].is_number(), estimated);
+        for (symbol, limit) in [("mu_h", Some("approx_mu_h")), ("c", None), ("p_max", None)] {
+            let row = table.lines().find(|line| line.starts_with(&format!("{symbol} "))).expect("a row");
+            let shown = |name: &str| format!("{:.6e}", object[name].as_f64().expect("a number"));
+            assert!(row.contains(&shown(symbol)), "{table}");
+            assert!(limit.is_none_or(|limit| row.contains(&shown(limit))), "{table}");
+        }
+        for word in words.iter().chain(&["elastic: depends on beta alone", "estimated relative error"]) {
+            assert!(table.contains(word), "{word}: {table}");
+        }
+        // A line for each point that was solved on the way.
+        let points = object["path"].as_array().expect("an array").len();
+        let shown = table.lines().skip_while(|line| !line.starts_with("by way of")).skip(1);
+        assert_eq!(shown.take_while(|line| !line.is_empty()).count(), points, "{table}");
     }
 }
 
 #[test]
 fn a_case_that_fails_ends_with_3_and_has_its_reason() {
     let directory = tempdir().expect("a temporary directory");
-    let case = ["solve", "--alpha", "1", "--beta", "3e9", "--f", "10", "--points", "51"];
+    let case = ["solve", "--alpha", "1", "--beta", "3e9", "--f", "10", "--method", "relaxation", "--points", "51"];
     let table = say(directory.path(), &case);
     assert_eq!(code(&table), 3, "{}", out(&table));
     assert!(err(&table).contains("no errors are estimated; that takes 201 points"), "{}", err(&table));

@@ -20,6 +20,13 @@ fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
     }
 }
 
+/// The settings of a sweep that is solved by a method.
+fn by(method: Method) -> SolverSettings {
+    SolverSettings { method, ..SolverSettings::default() }
+}
+
+const METHODS: [Method; 2] = [Method::Collocation, Method::Relaxation];
+
 fn two_modes() -> Substrate {
     let modes = vec![RetardationMode { share: 0.7, time: 1.0 }, RetardationMode { share: 0.3, time: 100.0 }];
     Substrate::new(modes).expect("valid")
@@ -58,9 +65,11 @@ fn axis(zero: bool, infinity: bool, longest: usize) -> impl Strategy<Value = Vec
 }
 
 fn sweeps() -> impl Strategy<Value = Sweep> {
-    (axis(true, false, 5), axis(true, true, 6), axis(false, false, 120), any::<bool>()).prop_map(
-        |(f, alpha, beta, several)| {
+    let method = prop_oneof![Just(Method::Collocation), Just(Method::Relaxation)];
+    (axis(true, false, 5), axis(true, true, 6), axis(false, false, 160), any::<bool>(), method).prop_map(
+        |(f, alpha, beta, several, method)| {
             let mut sweep = sweep(&f, &alpha, &beta);
+            sweep.solver.method = method;
             if several {
                 sweep.substrate = two_modes();
             }
@@ -192,80 +201,139 @@ fn modes_count_where_the_substrate_retards_and_only_there() {
     }
 }
 
-#[test]
-fn an_id_changes_with_all_that_changes_numbers() {
-    let base = sweep(&[10.0], &[1.0], &[100.0]);
-    let mut variants: Vec<Sweep> = vec![base.clone()];
-    let mut vary = |change: &dyn Fn(&mut Sweep)| {
+/// Changes of a sweep.
+type Changes<'a> = &'a [&'a dyn Fn(&mut Sweep)];
+
+/// A sweep of one case, and what each of the changes makes of it.
+fn changed(method: Method, changes: Changes) -> Vec<Sweep> {
+    let mut base = sweep(&[10.0], &[1.0], &[100.0]);
+    base.solver.method = method;
+    let with = |change: &&dyn Fn(&mut Sweep)| {
         let mut changed = base.clone();
         change(&mut changed);
-        variants.push(changed);
+        changed
     };
-    vary(&|sweep| sweep.axes.f = vec![10.0f64.next_up()]);
-    vary(&|sweep| sweep.axes.alpha = vec![1.0f64.next_up()]);
-    vary(&|sweep| sweep.axes.beta = vec![100.0f64.next_up()]);
-    vary(&|sweep| {
-        (sweep.axes.f, sweep.axes.alpha) = (vec![1.0], vec![10.0]);
-    });
-    vary(&|sweep| sweep.substrate = two_modes());
-    vary(&|sweep| {
-        let modes = vec![RetardationMode { share: 0.3, time: 1.0 }, RetardationMode { share: 0.7, time: 100.0 }];
-        sweep.substrate = Substrate::new(modes).expect("valid");
-    });
-    vary(&|sweep| sweep.solver.relaxation.domain = Domain::Fixed { x_min: -3.0, x_max: 4.0 });
-    vary(&|sweep| sweep.solver.relaxation.domain = Domain::Fixed { x_min: -3.0, x_max: 5.0 });
-    vary(&|sweep| sweep.solver.relaxation.points = 803);
-    vary(&|sweep| sweep.solver.relaxation.tolerance = 1e-9);
-    vary(&|sweep| sweep.solver.relaxation.acceleration = Acceleration::None);
-    vary(&|sweep| sweep.solver.relaxation.estimate = true);
-    vary(&|sweep| sweep.output.cavity_shear = CavityShear::Streamers);
-    vary(&|sweep| sweep.output.cavity_shear = CavityShear::None);
-    let ids: HashSet<CaseId> = variants.iter().map(|sweep| Plan::new(sweep).case_at(0, 0, 0)).collect();
-    assert_eq!(ids.len(), variants.len());
+    let changed: Vec<Sweep> = changes.iter().map(with).collect();
+    [vec![base], changed].concat()
+}
+
+fn distinct_ids(sweeps: &[Sweep]) -> usize {
+    sweeps.iter().map(|sweep| Plan::new(sweep).case_at(0, 0, 0)).collect::<HashSet<_>>().len()
+}
+
+/// Changes of what the relaxation method is told.
+const OF_RELAXATION: Changes = &[
+    &|sweep| sweep.solver.relaxation.domain = Domain::Fixed { x_min: -3.0, x_max: 4.0 },
+    &|sweep| sweep.solver.relaxation.domain = Domain::Fixed { x_min: -3.0, x_max: 5.0 },
+    &|sweep| sweep.solver.relaxation.points = 803,
+    &|sweep| sweep.solver.relaxation.tolerance = 1e-9,
+    &|sweep| sweep.solver.relaxation.acceleration = Acceleration::None,
+    &|sweep| sweep.solver.relaxation.estimate = true,
+];
+
+/// Changes of what the collocation method is told.
+const OF_COLLOCATION: Changes =
+    &[&|sweep| sweep.solver.tolerance = 1e-5_f64.next_up(), &|sweep| sweep.solver.tolerance = 1e-8];
+
+#[test]
+fn an_id_changes_with_all_that_changes_numbers() {
+    let common: Changes = &[
+        &|sweep| sweep.axes.f = vec![10.0f64.next_up()],
+        &|sweep| sweep.axes.alpha = vec![1.0f64.next_up()],
+        &|sweep| sweep.axes.beta = vec![100.0f64.next_up()],
+        &|sweep| (sweep.axes.f, sweep.axes.alpha) = (vec![1.0], vec![10.0]),
+        &|sweep| sweep.substrate = two_modes(),
+        &|sweep| {
+            let modes = vec![RetardationMode { share: 0.3, time: 1.0 }, RetardationMode { share: 0.7, time: 100.0 }];
+            sweep.substrate = Substrate::new(modes).expect("valid");
+        },
+        &|sweep| sweep.output.cavity_shear = CavityShear::Streamers,
+        &|sweep| sweep.output.cavity_shear = CavityShear::None,
+    ];
+    let of_either: Vec<Sweep> = [(Method::Collocation, OF_COLLOCATION), (Method::Relaxation, OF_RELAXATION)]
+        .into_iter()
+        .flat_map(|(method, own)| changed(method, &[common, own].concat()))
+        .collect();
+    assert_eq!(distinct_ids(&of_either), of_either.len());
+}
+
+#[test]
+fn an_id_stays_whatever_the_other_method_is_told() {
+    assert_eq!(distinct_ids(&changed(Method::Collocation, OF_RELAXATION)), 1);
+    assert_eq!(distinct_ids(&changed(Method::Relaxation, OF_COLLOCATION)), 1);
 }
 
 #[test]
 fn an_id_stays_whatever_is_kept_of_the_case() {
-    let base = sweep(&[0.0, 10.0], &[0.0, 1.0], &[100.0]);
-    let mut other = base.clone();
-    other.title = "another title".into();
-    other.name = "another-name".into();
-    other.text = "# another text".into();
-    other.output.fields = FieldSelection::default();
-    other.output.x = vec![0.0].into();
-    other.output.limits = false;
-    // The accuracy wanted of the collocation method means nothing to the relaxation method.
-    other.solver.tolerance = 1e-3;
-    let (base_plan, other_plan) = (Plan::new(&base), Plan::new(&other));
-    for (i_f, i_alpha, i_beta) in places(&base) {
-        assert_eq!(base_plan.case_at(i_f, i_alpha, i_beta), other_plan.case_at(i_f, i_alpha, i_beta));
+    for method in METHODS {
+        let mut base = sweep(&[0.0, 10.0], &[0.0, 1.0], &[100.0]);
+        base.solver.method = method;
+        let mut other = base.clone();
+        other.title = "another title".into();
+        other.name = "another-name".into();
+        other.text = "# another text".into();
+        other.output.fields = FieldSelection::default();
+        other.output.x = vec![0.0].into();
+        other.output.limits = false;
+        let (base_plan, other_plan) = (Plan::new(&base), Plan::new(&other));
+        for (i_f, i_alpha, i_beta) in places(&base) {
+            assert_eq!(base_plan.case_at(i_f, i_alpha, i_beta), other_plan.case_at(i_f, i_alpha, i_beta));
+        }
     }
 }
 
 #[test]
 fn minus_zero_is_the_same_case() {
-    let fingerprint = Fingerprint::new(&SolverSettings::default(), CavityShear::Full);
-    assert_eq!(fingerprint.id(&Parameters::new(-0.0, 10.0, 5.0)), fingerprint.id(&Parameters::new(0.0, 10.0, 5.0)));
-    assert_eq!(fingerprint.id(&Parameters::new(1.0, 10.0, -0.0)), fingerprint.id(&Parameters::elastic(10.0)));
+    for method in METHODS {
+        let fingerprint = Fingerprint::new(&by(method), CavityShear::Full);
+        assert_eq!(fingerprint.id(&Parameters::new(-0.0, 10.0, 5.0)), fingerprint.id(&Parameters::new(0.0, 10.0, 5.0)));
+        assert_eq!(fingerprint.id(&Parameters::new(1.0, 10.0, -0.0)), fingerprint.id(&Parameters::elastic(10.0)));
+    }
 }
 
-#[test]
-fn an_id_is_the_documented_hash() {
-    // The bytes of the table in the documentation of `Fingerprint`, put together by hand.
-    let mut bytes = b"stribeck case 1\nrelaxation\n".to_vec();
-    bytes.extend(stribeck::relaxation::RESULTS_VERSION.to_le_bytes());
-    bytes.push(0);
-    bytes.extend(801u64.to_le_bytes());
-    bytes.extend(1e-8f64.to_le_bytes());
-    bytes.extend([1, 0, 0]);
+/// The bytes of the table in the documentation of `Fingerprint`, put together by hand for f = 5, α = 2, β = 10 and one
+/// mode, from those of the method on.
+fn documented_id(method: &[u8]) -> String {
+    let mut bytes = [b"stribeck case 1\n", method, &[0]].concat();
     for value in [5.0f64, 2.0, 10.0] {
         bytes.extend(value.to_le_bytes());
     }
     bytes.extend(1u64.to_le_bytes());
     bytes.extend([1.0f64.to_le_bytes(), 1.0f64.to_le_bytes()].concat());
-    let hexadecimal = blake3::hash(&bytes).to_hex();
-    let id = Fingerprint::new(&SolverSettings::default(), CavityShear::Full).id(&Parameters::new(2.0, 10.0, 5.0));
-    assert_eq!(id.to_string(), hexadecimal[..16]);
+    blake3::hash(&bytes).to_hex()[..16].to_owned()
+}
+
+#[test]
+fn an_id_is_the_documented_hash() {
+    let mut collocation = b"collocation\n".to_vec();
+    collocation.extend(stribeck::collocation::RESULTS_VERSION.to_le_bytes());
+    collocation.extend(1e-5f64.to_le_bytes());
+    collocation.extend(8u64.to_le_bytes());
+
+    let mut relaxation = b"relaxation\n".to_vec();
+    relaxation.extend(stribeck::relaxation::RESULTS_VERSION.to_le_bytes());
+    relaxation.push(0);
+    relaxation.extend(801u64.to_le_bytes());
+    relaxation.extend(1e-8f64.to_le_bytes());
+    relaxation.extend([1, 0]);
+
+    for (method, bytes) in [(Method::Collocation, collocation), (Method::Relaxation, relaxation)] {
+        let id = Fingerprint::new(&by(method), CavityShear::Full).id(&Parameters::new(2.0, 10.0, 5.0));
+        assert_eq!(id.to_string(), documented_id(&bytes), "{method}");
+    }
+}
+
+/// A chain is what an interruption can cost: as many quick cases as chains may have, few of those that take long.
+#[test]
+fn chains_are_as_long_as_the_method_is_quick() {
+    let beta: Vec<f64> = (1..=130).map(f64::from).collect();
+    for (method, chains, longest) in [(Method::Collocation, 3, 44), (Method::Relaxation, 9, 15)] {
+        let mut sweep = sweep(&[10.0], &[1.0], &beta);
+        sweep.solver.method = method;
+        let lengths: Vec<usize> = Plan::new(&sweep).chains().map(|chain| chain.beta.len()).collect();
+        assert_eq!((lengths.len(), lengths.iter().max()), (chains, Some(&longest)), "{method}");
+    }
+    assert_eq!(METHODS.map(Method::chain_limit), [MAX_CHAIN, 16]);
 }
 
 #[test]
@@ -274,7 +342,7 @@ fn a_billion_cases_are_planned_at_once() {
     let start = Instant::now();
     let plan = Plan::new(&sweep(&thousand, &thousand, &thousand));
     assert_eq!((plan.cases(), plan.rows(), plan.problems()), (1_000_000_000, 1_000_000, 1_000_000_000));
-    assert_eq!(plan.chains().len(), 1_000_000 * 1000usize.div_ceil(Method::Relaxation.chain_limit()));
+    assert_eq!(plan.chains().len(), 1_000_000 * 1000usize.div_ceil(Method::default().chain_limit()));
     let last = plan.chains().next_back().expect("there are chains");
     assert_eq!((last.row, last.beta.end), (999_999, 1000));
     assert_eq!(plan.parameters(&last).last(), Some(&Parameters::new(1000.0, 1000.0, 1000.0)));

@@ -15,20 +15,20 @@ use stribeck::store::Holdings;
 use stribeck::sweep::{Plan, Sweep};
 use tempfile::{TempDir, tempdir};
 
-/// 4 rows (the elastic one stands at 3 places) of 3 chains each.
+/// 4 rows (the elastic one stands at 3 places) of 4 chains each; a tolerance that takes some time.
 const SWEEP: &str = r#"
 title = "Resumed"
 [axes]
 f = [0.0, 10.0]
 alpha = [1.0, 10.0, 100.0]
-beta = { from = 10.0, to = 100.0, points = 40, scale = "log" }
-[solver.relaxation]
-points = 201
+beta = { from = 10.0, to = 100.0, points = 200, scale = "log" }
+[solver]
+tolerance = 1e-8
 [output]
 fields = ["pressure", "film_thickness"]
 x = { from = -2.0, to = 2.0, points = 81 }
 "#;
-const CASES: u64 = 160;
+const CASES: u64 = 800;
 
 /// The published files that are the same in every run.
 type Bytes = [Vec<u8>; 2];
@@ -97,6 +97,34 @@ fn next_random(state: &mut u64) -> f64 {
 fn two_threads_publish_the_bytes_of_one() {
     let directory = with_sweep(SWEEP);
     assert_same(&run(directory.path(), &["--threads", "2"]), &reference().0);
+}
+
+#[test]
+fn neither_tables_nor_fields_depend_on_the_threads_of_the_relaxation_method() {
+    let solver = "[solver]\nmethod = \"relaxation\"\n[solver.relaxation]\npoints = 101\n";
+    let text = SWEEP.replace("points = 200", "points = 20").replace("[solver]\ntolerance = 1e-8\n", solver);
+    let [one, two] = ["1", "2"].map(|threads| run(with_sweep(&text).path(), &["--threads", threads]));
+    assert_same(&two, &one);
+}
+
+#[test]
+fn two_modes_publish_the_same_bytes_on_any_threads_and_differ_from_one() {
+    let small = SWEEP.replace("points = 200", "points = 70");
+    let modes = "[substrate]\nmodes = [{ share = 0.6, time = 1.0 }, { share = 0.4, time = 0.1 }]\n[solver]";
+    let text = small.replace("[solver]", modes);
+    let [one, two] = ["1", "2"].map(|threads| run(with_sweep(&text).path(), &["--threads", threads]));
+    assert_same(&two, &one);
+    let single = run(with_sweep(&small).path(), &[]);
+    // Where the substrate is elastic the modes mean nothing; elsewhere they change every row.
+    let ids_and_rows = rows(&one).into_iter().zip(rows(&single)).skip(1);
+    let mut differing = 0;
+    for (with_two, with_one) in ids_and_rows {
+        let elastic = with_two.split(',').nth(1) == Some("0.0");
+        assert_eq!(with_two == with_one, elastic, "{with_two}\n{with_one}");
+        differing += usize::from(!elastic);
+        assert!(with_two.contains(",converged,"), "{with_two}");
+    }
+    assert_eq!(differing, 3 * 70);
 }
 
 #[test]
@@ -232,8 +260,8 @@ fn values_added_to_an_axis_reuse_what_is_there() {
     let mut before = run(directory.path(), &[]);
     let wider_alpha = SWEEP.replace("10.0, 100.0]", "10.0, 30.0, 100.0]");
     // Doubled intervals keep the old points, and cut the rows into other chains.
-    let finer_beta = wider_alpha.replace("points = 40", "points = 79");
-    for (text, reused, new) in [(wider_alpha, 160, 40), (finer_beta, 200, 5 * 39)] {
+    let finer_beta = wider_alpha.replace("points = 200", "points = 399");
+    for (text, reused, new) in [(wider_alpha, CASES, 200), (finer_beta, 1000, 5 * 199)] {
         fs::write(&file, &text).expect("written");
         let plan = out(&say(directory.path(), &["plan", "sweep.toml", "-o", "out"]));
         assert!(plan.contains(&format!("{reused} reused, {new} new, 0 failed before")), "{plan}");
@@ -241,7 +269,7 @@ fn values_added_to_an_axis_reuse_what_is_there() {
         let new_rows = rows(&after);
         assert!(rows(&before).iter().all(|row| new_rows.contains(row)), "an old row has changed");
         let places = text.matches("30.0,").count() + 3;
-        let betas = if text.contains("79") { 79 } else { 40 };
+        let betas = if text.contains("399") { 399 } else { 200 };
         assert_eq!(new_rows.len(), 1 + 2 * places * betas);
         before = after;
     }
@@ -255,7 +283,7 @@ fn fields_asked_for_later_are_computed() {
     let without = run(directory.path(), &[]);
     fs::write(directory.path().join("sweep.toml"), SWEEP).expect("written");
     let plan = out(&say(directory.path(), &["plan", "sweep.toml", "-o", "out"]));
-    assert!(plan.contains("0 reused, 160 new"), "{plan}");
+    assert!(plan.contains("0 reused, 800 new"), "{plan}");
     let with = run(directory.path(), &[]);
     assert_same(&with, &reference().0);
     assert!(with[0] == without[0], "fields do not change the numbers");
@@ -267,7 +295,7 @@ fn fields_asked_for_later_are_computed() {
 
 #[test]
 fn published_files_of_an_earlier_state_stay_while_a_sweep_is_unfinished() {
-    let directory = with_sweep(&SWEEP.replace("points = 40", "points = 3"));
+    let directory = with_sweep(&SWEEP.replace("points = 200", "points = 3"));
     let results: PathBuf = directory.path().join("out");
     let before = run(directory.path(), &[]);
     fs::write(directory.path().join("sweep.toml"), SWEEP).expect("written");

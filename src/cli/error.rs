@@ -7,7 +7,7 @@ use miette::MietteHandlerOpts;
 
 use crate::engine::ThreadsError;
 use crate::store::StoreError;
-use crate::sweep::{ESTIMATE_POINTS, SweepError};
+use crate::sweep::{ESTIMATE_POINTS, Method, SweepError};
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
@@ -26,6 +26,26 @@ pub enum CliError {
     Estimate {
         /// The points asked for.
         points: usize,
+    },
+    /// An option of the relaxation method with another one.
+    #[error("{option} is an option of the relaxation method; leave it out, or add --method relaxation")]
+    OtherMethod {
+        /// The option.
+        option: &'static str,
+    },
+    /// A tolerance that the method cannot keep.
+    #[error("with --method {method}, --tolerance is {meaning}; give a number from {least:e} to {most:e}, not {given}")]
+    Tolerance {
+        /// The method.
+        method: Method,
+        /// What the tolerance is of.
+        meaning: &'static str,
+        /// The smallest that is allowed.
+        least: f64,
+        /// The largest.
+        most: f64,
+        /// What was given.
+        given: f64,
     },
     /// A results directory cannot be read or written.
     #[error(transparent)]
@@ -58,7 +78,11 @@ impl CliError {
     /// The exit code: 2 for bad input, 4 for the disk and the system.
     pub fn code(&self) -> u8 {
         match self {
-            CliError::Sweep(_) | CliError::Threads(_) | CliError::Estimate { .. } => 2,
+            CliError::Sweep(_)
+            | CliError::Threads(_)
+            | CliError::Estimate { .. }
+            | CliError::OtherMethod { .. }
+            | CliError::Tolerance { .. } => 2,
             CliError::Store(_)
             | CliError::NotADirectory { .. }
             | CliError::Stopped { .. }

@@ -1,14 +1,15 @@
 //! What a run is expected to cost.
 
+use super::solver::Solver;
+use super::workload::Workload;
+use crate::continuation::Interrupt;
 use crate::relaxation;
 use crate::store::Holdings;
 use crate::sweep::{Method, Plan, Sweep};
 
-use super::workload::Workload;
-
 /// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
-const PRESSURE_VALUE: f64 = 5.0;
-const FIELD_VALUE: f64 = 7.0;
+const PRESSURE_VALUE: f64 = 4.4;
+const FIELD_VALUE: f64 = 6.3;
 /// Bytes beside the values for a field of a case: index of chunks and the like.
 const FIELD: f64 = 350.0;
 /// Bytes of a shard without fields.
@@ -19,7 +20,7 @@ const LOGGED_CASE: f64 = 180.0;
 const PLACE: f64 = 200.0;
 const FRAME: f64 = 25_000.0;
 /// Bytes of a place in the two tables.
-const TABLE_ROW: f64 = 400.0;
+const TABLE_ROW: f64 = 435.0;
 
 /// Bytes that a finished sweep takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +44,10 @@ impl Size {
     }
 }
 
+/// Chains that are tried, and neighbouring cases of each, to see how long a case of a quick method takes.
+const TRIED_CHAINS: usize = 3;
+const TRIED_CASES: usize = 4;
+
 /// Seconds that a thread needs for a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CaseSeconds {
@@ -53,11 +58,13 @@ pub enum CaseSeconds {
 }
 
 impl CaseSeconds {
-    /// From the log if cases of this sweep were solved there, else from the settings.
-    pub fn expected(sweep: &Sweep, workload: &Workload, held: Option<&Holdings>) -> Self {
+    /// From the log if cases of this sweep were solved there, else measured here and now: relaxation takes long, so that
+    /// only its passes are timed, while a collocation case is solved in about the time that a guess would take.
+    pub fn expected(sweep: &Sweep, plan: &Plan, workload: &Workload, held: Option<&Holdings>) -> Self {
         let logged = held.filter(|_| workload.reused() > 0).and_then(mean_seconds);
         logged.map(Self::Logged).unwrap_or_else(|| {
             Self::Estimated(match sweep.solver.method {
+                Method::Collocation => tried_seconds(sweep, plan, workload),
                 Method::Relaxation => relaxation::expected_seconds(&sweep.solver.relaxation),
             })
         })
@@ -69,6 +76,26 @@ impl CaseSeconds {
             Self::Logged(seconds) | Self::Estimated(seconds) => seconds,
         }
     }
+}
+
+/// Seconds of a case, from some cases of the sweep that are left to do, with the output it asks for. Of each chain tried
+/// the first case is dearer, as it has no neighbour to start from; it counts once for the whole chain.
+fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
+    let solver = Solver::new(&sweep.solver);
+    let tried = TRIED_CHAINS.min(workload.pending.len());
+    let of_chain = |place: usize| {
+        // spread over the rows: the middles of as many equal parts
+        let index = workload.pending[(2 * place + 1) * workload.pending.len() / (2 * tried)];
+        let cases = plan.parameters(&plan.chain(index as usize));
+        let start = (cases.len() - TRIED_CASES.min(cases.len())) / 2;
+        let sample = &cases[start..cases.len().min(start + TRIED_CASES)];
+        let solved = solver.solve_chain(sample, &sweep.output, &Interrupt::new()).expect("no one asks it to stop");
+        let mut seconds = solved.iter().map(|case| case.effort.seconds);
+        let first = seconds.next().expect("a chain has cases");
+        let others = seconds.sum::<f64>() / (sample.len() - 1).max(1) as f64;
+        (first + (cases.len() - 1) as f64 * others) / cases.len() as f64
+    };
+    (0..tried).map(of_chain).sum::<f64>() / tried as f64
 }
 
 fn mean_seconds(held: &Holdings) -> Option<f64> {

@@ -8,6 +8,8 @@
 //! | `entry` | from a solved case to what the store keeps |
 //! | `expectation` | what a run is expected to cost |
 //! | `failures` | failed cases, listed and by region |
+//! | `solution` | one solved case as a table and as JSON |
+//! | `solver` | the solver that a sweep asks for |
 //! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
 
 mod console;
@@ -19,7 +21,9 @@ mod failures;
 mod plan;
 mod run;
 mod shell;
+mod solution;
 mod solve;
+mod solver;
 mod status;
 mod threads;
 mod verify;

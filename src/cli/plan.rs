@@ -79,21 +79,27 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         others => format!("; {others} of the reused cases are solved again to seed the new ones"),
     };
     line("to do", format!("{} in {}{seeding}", count(new, "case"), count(pending, "chain")));
-    line("time", expected_time(&sweep, &workload, held.as_ref(), arguments));
+    line("time", expected_time(&sweep, &plan, &workload, held.as_ref(), arguments));
     let size = Size::of(&sweep, &plan, workload.new, pending);
     line("disk", format!("about {} to store, {} published", bytes(size.stored), bytes(size.published)));
     console::print(&text)?;
     Ok(Exit::Success)
 }
 
-fn expected_time(sweep: &Sweep, workload: &Workload, held: Option<&Holdings>, arguments: &Arguments) -> String {
+fn expected_time(
+    sweep: &Sweep,
+    plan: &Plan,
+    workload: &Workload,
+    held: Option<&Holdings>,
+    arguments: &Arguments,
+) -> String {
     let threads = threads::number(arguments.threads).get();
-    let per_case = CaseSeconds::expected(sweep, workload, held);
+    let per_case = CaseSeconds::expected(sweep, plan, workload, held);
     let busy = threads.min(workload.pending.len());
     let seconds = per_case.seconds() * workload.pending_cases as f64 / busy as f64;
     let source = match per_case {
         CaseSeconds::Logged(_) => "the mean of what the log has",
-        CaseSeconds::Estimated(_) => "guessed from the speed of this machine",
+        CaseSeconds::Estimated(_) => "estimated on this machine",
     };
     format!(
         "about {} on {}; {} per case, {source}",

@@ -10,15 +10,15 @@ use clap::Args;
 
 use super::destination::{destination, had_other_sweep};
 use super::entry::{case_entry, panicked};
+use super::solver::Solver;
 use super::wording::{count, duration};
 use super::workload::Workload;
 use super::{CliError, Exit, console, failures, shell, threads};
-use crate::continuation::{Interrupt, solve_chain};
+use crate::continuation::Interrupt;
 use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report, Signals, rate};
 use crate::model::Output;
-use crate::relaxation::RelaxationSolver;
 use crate::store::{Ending, Publication, Published, Store, StoreError};
-use crate::sweep::{MAX_CHAIN, Method, Plan, Sweep};
+use crate::sweep::{MAX_CHAIN, Plan, Sweep};
 
 /// Failed cases that are listed at the end of a run.
 const LISTED_FAILURES: usize = 5;
@@ -111,9 +111,7 @@ fn solve(
     store: &mut Store,
 ) -> Result<Report, CliError> {
     store.begin(workload.new, threads::number(arguments.threads).get() as u64)?;
-    let solver = match sweep.solver.method {
-        Method::Relaxation => RelaxationSolver::new(sweep.solver.relaxation),
-    };
+    let solver = Solver::new(&sweep.solver);
     let output = &sweep.output;
     let cases = |&index: &u32| plan.parameters(&plan.chain(index as usize));
     let progress = Progress::start(workload.new, ProgressStyle::detect(arguments.quiet))
@@ -121,7 +119,7 @@ fn solve(
     let report = engine.run(
         &workload.pending,
         interrupt,
-        |index, interrupt| solve_chain(&solver, &cases(index), output, interrupt),
+        |index, interrupt| solver.solve_chain(&cases(index), output, interrupt),
         |index, message| panicked(&cases(index), output, message),
         |group| -> Result<(), StoreError> {
             let mut entries = Vec::new();

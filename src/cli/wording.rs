@@ -6,10 +6,11 @@ pub fn count(number: u64, noun: &str) -> String {
     format!("{number} {noun}{plural}")
 }
 
-/// A duration with the precision that matters: `0.42 s`, `12.3 s`, `4 min 05 s`, `3 h 20 min`, `5 d 04 h`.
+/// A duration with the precision that matters: `3.1 ms`, `0.42 s`, `12.3 s`, `4 min 05 s`, `3 h 20 min`, `5 d 04 h`.
 pub fn duration(seconds: f64) -> String {
     let whole = seconds.round() as u64;
     match whole {
+        _ if seconds < 0.0995 => format!("{:.1} ms", 1e3 * seconds),
         0..10 => format!("{seconds:.2} s"),
         10..100 => format!("{seconds:.1} s"),
         100..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
@@ -82,8 +83,8 @@ mod tests {
             ["0 B", "999 B", "1.0 kB", "10.0 kB", "1.0 MB", "12 MB"]
         );
         assert_eq!(
-            [0.424, 12.34, 245.0, 12_000.0, 450_000.0].map(duration),
-            ["0.42 s", "12.3 s", "4 min 05 s", "3 h 20 min", "5 d 05 h"]
+            [0.00312, 0.0994, 0.0996, 0.424, 12.34, 245.0, 12_000.0, 450_000.0].map(duration),
+            ["3.1 ms", "99.4 ms", "0.10 s", "0.42 s", "12.3 s", "4 min 05 s", "3 h 20 min", "5 d 05 h"]
         );
         assert_eq!([0, 1, 99, 100].map(whole_seconds), ["under 1 s", "1 s", "99 s", "1 min 40 s"]);
     }

@@ -13,15 +13,26 @@ const GRADING: f64 = 1.7;
 /// Indicators fall about as the (d/CONVERGENCE)-th power of the size of a panel: more slowly than the d-th, because the
 /// peaks that matter are only just resolved.
 const CONVERGENCE: f64 = 1.7;
-/// Panels at the outlet and at the inlet are at most so many times as long as the layer there.
-const LAYER_PANEL: f64 = 8.0;
+/// Panels at the outlet and at the inlet are at most so many times as long as the layer there; at the outlet to begin with.
+pub const OUTLET_PANEL: f64 = 8.0;
+/// The same at the inlet.
+pub const INLET_PANEL: f64 = 8.0;
 /// The smallest indicator that counts; below it is rounding.
 const LEAST: f64 = 1e-15;
+
+/// How long panels may be where the film leaves and enters the contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Longest {
+    /// At the outlet.
+    pub at_outlet: f64,
+    /// At the inlet.
+    pub at_inlet: f64,
+}
 
 /// How many panels a new mesh has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Panels {
-    /// So many.
+    /// So many, or the fewest that sizes which change gradually allow.
     Number(usize),
     /// As many as it takes for each to have this indicator.
     Indicator(f64),
@@ -68,9 +79,15 @@ fn inlet(reference: &ReferencePanel, state: &State) -> f64 {
 
 /// A mesh from 0 to `reach` on which each panel of the state would have the same indicator; sizes change gradually along y.
 ///
-/// The film leaves and enters the contact over lengths of about `layer`. If they are not resolved the solution oscillates all
-/// over the contact, and the indicators no longer tell where that came from; so panels there are never much longer.
-pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels, reach: f64, layer: f64) -> Arc<Mesh> {
+/// The film leaves and enters the contact over short lengths. If they are not resolved the solution oscillates all
+/// over the contact, and the indicators no longer tell where that came from; so panels there are never `longest` or more.
+pub fn equidistributed(
+    reference: &ReferencePanel,
+    state: &State,
+    panels: Panels,
+    reach: f64,
+    longest: Longest,
+) -> Arc<Mesh> {
     let exponent = CONVERGENCE / reference.degree as f64;
     let old = &state.mesh.film;
     // the size at which the indicator would be 1, at the ends of the old panels
@@ -85,9 +102,12 @@ pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels
     wanted.resize(kept, 0.0);
     wanted.push(f64::INFINITY);
 
-    let most = LAYER_PANEL * layer;
     let inlet = inlet(reference, state);
-    let longest: Vec<f64> = ends.iter().map(|y| most + GRADING * y.min((y - inlet).abs())).collect();
+    let longest_at = |y: &f64| {
+        let (from_outlet, from_inlet) = (GRADING * y, GRADING * (y - inlet).abs());
+        f64::min(longest.at_outlet + from_outlet, longest.at_inlet + from_inlet)
+    };
+    let longest: Vec<f64> = ends.iter().map(longest_at).collect();
     let count_at = |ln_factor: f64| Sizes::graded(&ends, &wanted, &longest, ln_factor.exp()).count();
     let (number, ln_factor) = match panels {
         Panels::Indicator(indicator) => {
@@ -101,7 +121,8 @@ pub fn equidistributed(reference: &ReferencePanel, state: &State, panels: Panels
                 let middle = 0.5 * (low + high);
                 if count_at(middle) > number as f64 { low = middle } else { high = middle }
             }
-            (number as f64, high)
+            // with fewer panels than gradual sizes need, neighbours would differ too much
+            (f64::max(number as f64, count_at(high).ceil()), high)
         }
     };
     let film = Sizes::graded(&ends, &wanted, &longest, ln_factor.exp()).divide(number as usize);
@@ -167,5 +188,65 @@ impl<'a> Sizes<'a> {
         let slope = (self.sizes[interval + 1] - a) / length;
         let y = if (slope * number).abs() < 1e-6 { a * number } else { a / slope * (slope * number).exp_m1() };
         y.clamp(0.0, length)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::displacement::Displacement;
+    use super::super::stages::Stages;
+    use super::super::thick_film;
+    use super::*;
+    use crate::model::{DisplacementKernel, Parameters};
+
+    fn thick_film_state(reference: &Arc<ReferencePanel>) -> State {
+        let mut displacement = Displacement::new(reference);
+        let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
+        displacement.set_mesh(&thick_film::mesh(reference.degree, 1.0, 300.0), &kernel, &mut Stages::default());
+        thick_film::state(&displacement, 1.0)
+    }
+
+    /// From 0 to the reach, as many panels as asked for, neighbours not too different, and none longer than the layer lets it
+    /// be at the outlet.
+    #[test]
+    fn a_mesh_keeps_its_promises() {
+        let reference = Arc::new(ReferencePanel::new(8));
+        let state = thick_film_state(&reference);
+        for panels in [6, 9, 15, 40] {
+            for reach in [100.0, 300.0, 900.0] {
+                for layer in [f64::INFINITY, 1e-3] {
+                    let longest = Longest { at_outlet: layer, at_inlet: layer };
+                    let mesh = equidistributed(&reference, &state, Panels::Number(panels), reach, longest);
+                    assert_eq!((mesh.film[0], mesh.reach()), (0.0, reach));
+                    assert!(mesh.film.windows(2).all(|ends| ends[0] < ends[1]), "{:?}", mesh.film);
+                    let fewest = equidistributed(&reference, &state, Panels::Number(1), reach, longest).panels();
+                    assert_eq!(mesh.panels(), panels.max(fewest));
+                    let sizes: Vec<f64> = mesh.film.windows(2).map(|ends| ends[1] - ends[0]).collect();
+                    let most = (1.01 * GRADING).exp();
+                    for pair in sizes.windows(2) {
+                        assert!(pair[0] / pair[1] < most && pair[1] / pair[0] < most, "{sizes:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// On its own mesh for a number of panels a state comes near to the same indicator everywhere.
+    #[test]
+    fn panels_share_the_indicator() {
+        let reference = Arc::new(ReferencePanel::new(8));
+        let mut state = thick_film_state(&reference);
+        let spread = |state: &State| {
+            let near = indicators(&reference, state);
+            let (least, most) = near.iter().fold((f64::INFINITY, 0.0), |(a, b): (f64, f64), &i| (a.min(i), b.max(i)));
+            most / least
+        };
+        let before = spread(&state);
+        let free = Longest { at_outlet: f64::INFINITY, at_inlet: f64::INFINITY };
+        for _ in 0..3 {
+            let mesh = equidistributed(&reference, &state, Panels::Number(14), 300.0, free);
+            state = state.on(&reference, &mesh);
+        }
+        assert!(spread(&state) < 0.3 * before, "{before:e} {:e}", spread(&state));
     }
 }

@@ -4,15 +4,15 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::log_moments::{MOST_MOMENTS, log_moments};
+use super::log_moments::{LANES, MOST_MOMENTS, log_moments_together};
 use super::matrix::Matrix;
 use super::mesh::Mesh;
-use super::reference::{ReferencePanel, dot};
+use super::reference::ReferencePanel;
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///
-/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, and the
-/// outlet itself. Columns are the nodes of the pressure, from the outlet to Y; neighbouring panels share one.
+/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, the ends of
+/// the film's panels, of which the outlet is the first, and the ends of the panels behind it. Columns are the nodes of the pressure, from the outlet to Y; neighbouring panels share one.
 #[derive(Debug)]
 pub struct Discretisation {
     /// The panels.
@@ -21,7 +21,7 @@ pub struct Discretisation {
     pub reference: Arc<ReferencePanel>,
     /// y of each row.
     pub points: Vec<f64>,
-    /// Quadrature weights of the rows, 0 for the outlet.
+    /// Quadrature weights of the rows, 0 for ends.
     pub weights: Vec<f64>,
     /// Weight of each node in ∫ p dy.
     pub node_weights: Vec<f64>,
@@ -30,26 +30,41 @@ pub struct Discretisation {
 }
 
 impl Discretisation {
-    /// Computes what depends on the mesh alone.
-    pub fn new(reference: &Arc<ReferencePanel>, mesh: Arc<Mesh>) -> Self {
+    /// One without panels yet.
+    pub fn new(reference: &Arc<ReferencePanel>) -> Self {
+        Self {
+            mesh: Mesh::new(reference.degree, vec![0.0, 1.0]),
+            reference: Arc::clone(reference),
+            points: Vec::new(),
+            weights: Vec::new(),
+            node_weights: Vec::new(),
+            elastic: Matrix::default(),
+        }
+    }
+
+    /// Computes what depends on the mesh alone, in the memory of the mesh before.
+    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>) {
+        let Self { reference, points, weights, node_weights, elastic, .. } = self;
         let degree = reference.degree;
         assert_eq!(degree, mesh.degree, "a mesh is made for one degree");
-        let (mut points, mut weights) = (Vec::new(), Vec::new());
+        points.clear();
+        weights.clear();
         for ends in mesh.behind.windows(2).chain(mesh.film.windows(2)) {
             let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
             points.extend(reference.points.iter().map(|t| centre + half * t));
             weights.extend(reference.weights.iter().map(|weight| half * weight));
         }
-        points.push(0.0);
-        weights.push(0.0);
-        let mut node_weights = vec![0.0; mesh.panels() * degree + 1];
+        points.extend(mesh.film.iter().chain(&mesh.behind[..mesh.behind.len() - 1]));
+        weights.resize(points.len(), 0.0);
+        node_weights.clear();
+        node_weights.resize(mesh.panels() * degree + 1, 0.0);
         for (panel, ends) in mesh.film.windows(2).enumerate() {
             for (j, weight) in reference.node_weights.iter().enumerate() {
                 node_weights[panel * degree + j] += 0.5 * (ends[1] - ends[0]) * weight;
             }
         }
-        let elastic = elastic_displacement(reference, &mesh, &points);
-        Self { mesh, reference: Arc::clone(reference), points, weights, node_weights, elastic }
+        elastic_displacement(reference, mesh, points, elastic);
+        self.mesh = Arc::clone(mesh);
     }
 
     /// Number of nodes of the pressure.
@@ -75,7 +90,14 @@ impl Discretisation {
 
     /// The row of the outlet.
     pub fn outlet(&self) -> usize {
-        self.points.len() - 1
+        self.film().end
+    }
+
+    /// The rows of the left and the right end of a panel; panels are counted from the one furthest behind the outlet.
+    pub fn ends(&self, panel: usize) -> (usize, usize) {
+        let (behind, film) = (self.mesh.behind.len() - 1, self.mesh.film.len());
+        let row = |end: usize| self.outlet() + if end < behind { film + end } else { end - behind };
+        (row(panel), row(panel + 1))
     }
 
     /// y at the Gauss points of the film.
@@ -93,27 +115,28 @@ pub fn film_points<'a>(reference: &'a ReferencePanel, mesh: &'a Mesh) -> impl Do
 }
 
 /// e = (1/π) ∫ p ln|y − s| ds (T7) at `points`, of which those of the film are the Gauss points of its panels.
-fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64]) -> Matrix {
+fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64], elastic: &mut Matrix) {
     let (degree, rows) = (reference.degree, points.len());
     let size = degree + 1;
-    let mut elastic = Matrix::zeros(rows, mesh.panels() * degree + 1);
+    elastic.reset(rows, mesh.panels() * degree + 1);
     let first_film_row = (mesh.behind.len() - 1) * degree;
     let mut by_degree = vec![0.0; size * rows];
+    let mut together = [[0.0; LANES]; MOST_MOMENTS];
     for (panel, ends) in mesh.film.windows(2).enumerate() {
         let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        for (block, y) in points.chunks(LANES).enumerate() {
+            // a last block that is not full is filled with its first place
+            let places = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
+            log_moments_together(&places, &mut together[..size]);
+            for (k, moments) in together[..size].iter().enumerate() {
+                let from = k * rows + block * LANES;
+                by_degree[from..from + y.len()].copy_from_slice(&moments[..y.len()]);
+            }
+        }
         let own = first_film_row + panel * degree;
-        let mut moments = [0.0; MOST_MOMENTS];
-        for (row, y) in points.iter().enumerate() {
-            if (own..own + degree).contains(&row) {
-                for k in 0..size {
-                    by_degree[k * rows + row] = reference.own_log_moments[k * degree + row - own];
-                }
-                continue;
-            }
-            log_moments((y - centre) / half, &mut moments[..size]);
-            for (k, moment) in moments[..size].iter().enumerate() {
-                by_degree[k * rows + row] = *moment;
-            }
+        for k in 0..size {
+            let moments = &reference.own_log_moments[k * degree..(k + 1) * degree];
+            by_degree[k * rows + own..k * rows + own + degree].copy_from_slice(moments);
         }
         // ln|y − s| = ln|t − t′| + ln half, and ∫ P_0 = 2
         for moment in &mut by_degree[..rows] {
@@ -129,7 +152,6 @@ fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64])
             }
         }
     }
-    elastic
 }
 
 impl Discretisation {
@@ -137,15 +159,19 @@ impl Discretisation {
     pub fn elastic_at(&self, pressure: &[f64], places: &[f64]) -> Vec<f64> {
         let (degree, size) = (self.reference.degree, self.reference.degree + 1);
         let mut displacement = vec![0.0; places.len()];
-        let (mut coefficients, mut moments) = ([0.0; MOST_MOMENTS], [0.0; MOST_MOMENTS]);
+        let (mut coefficients, mut moments) = ([0.0; MOST_MOMENTS], [[0.0; LANES]; MOST_MOMENTS]);
         for (panel, ends) in self.mesh.film.windows(2).enumerate() {
             let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
             let nodes = &pressure[panel * degree..panel * degree + size];
             self.reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
-            for (e, y) in displacement.iter_mut().zip(places) {
-                log_moments((y - centre) / half, &mut moments[..size]);
-                moments[0] += 2.0 * half.ln();
-                *e += half / PI * dot(&coefficients[..size], &moments[..size]);
+            for (e, y) in displacement.chunks_mut(LANES).zip(places.chunks(LANES)) {
+                // a last block that is not full is filled with its first place
+                let block = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
+                log_moments_together(&block, &mut moments[..size]);
+                for (lane, e) in e.iter_mut().enumerate() {
+                    let sum: f64 = coefficients[..size].iter().zip(&moments).map(|(a, moment)| a * moment[lane]).sum();
+                    *e += half / PI * (sum + 2.0 * half.ln() * coefficients[0]);
+                }
             }
         }
         displacement

@@ -4,54 +4,74 @@ use std::sync::Arc;
 
 use super::discretisation::Discretisation;
 use super::matrix::Matrix;
+use super::mesh::Mesh;
+use super::reference::ReferencePanel;
 use super::retardation::RetardationFilter;
+use super::stages::{Stages, timed};
 use crate::model::DisplacementKernel;
 
 /// w and the part of w′ that does work, both as matrices on the pressure; for all cases with the same mesh, α and f.
 pub struct Displacement {
     /// The mesh it is for.
-    pub discretisation: Arc<Discretisation>,
+    pub discretisation: Discretisation,
     /// w at the rows from p at the nodes (T9), rows × nodes.
     pub matrix: Matrix,
-    /// Σ f_j/(1+f) (v_j′ − e′ f-part) as it enters F_v: Σ f_j α_j/(1+f) (v_j − e) at the film's rows, film points × nodes;
-    /// `None` without retardation, where nothing dissipates.
-    pub retarded_slope: Option<Matrix>,
+    /// Σ f_j/(1+f) v_j′ at the film's points from p at the nodes, points × nodes.
+    /// Without retardation, where nothing dissipates, it has no rows.
+    pub retarded_slope: Matrix,
+    /// Buffers.
+    retarded: Matrix,
+    slopes: Matrix,
+    panel: Matrix,
+    /// f_j/(1+f) of each mode, with its filter.
     filters: Vec<(f64, RetardationFilter)>,
     elastic_weight: f64,
 }
 
 impl Displacement {
-    /// Filters the elastic displacement of a mesh.
-    pub fn new(discretisation: Arc<Discretisation>, kernel: &DisplacementKernel) -> Self {
-        let elastic_weight = kernel.singular_weight();
-        let mut matrix = Matrix::default();
-        matrix.reset(discretisation.elastic.rows(), discretisation.elastic.columns());
-        for j in 0..matrix.columns() {
-            for (w, e) in matrix.column_mut(j).iter_mut().zip(discretisation.elastic.column(j)) {
-                *w = elastic_weight * e;
-            }
+    /// One without panels yet.
+    pub fn new(reference: &Arc<ReferencePanel>) -> Self {
+        Self {
+            discretisation: Discretisation::new(reference),
+            matrix: Matrix::default(),
+            retarded_slope: Matrix::default(),
+            retarded: Matrix::default(),
+            slopes: Matrix::default(),
+            panel: Matrix::default(),
+            filters: Vec::new(),
+            elastic_weight: 1.0,
         }
-        let film = discretisation.film();
-        let mut retarded_slope = None;
-        let mut retarded = Matrix::default();
-        let mut filters = Vec::with_capacity(kernel.retarded().len());
+    }
+
+    /// The displacement on a mesh, in the memory of the one before.
+    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel, stages: &mut Stages) {
+        timed(&mut stages.kernel, || self.discretisation.set_mesh(mesh));
+        timed(&mut stages.filter, || self.set_substrate(kernel));
+    }
+
+    /// Filters the elastic displacement of the mesh for a substrate.
+    pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
+        let Self { discretisation, matrix, retarded_slope, retarded, slopes, panel, filters, elastic_weight } = self;
+        let (film, elastic) = (discretisation.film(), &discretisation.elastic);
+        *elastic_weight = kernel.singular_weight();
+        filters.clear();
+        matrix.copy_scaled(elastic, *elastic_weight);
+        retarded_slope.reset(if kernel.retarded().is_empty() { 0 } else { film.len() }, elastic.columns());
         for &(weight, alpha) in kernel.retarded() {
-            let filter = RetardationFilter::new(&discretisation, alpha);
-            filter.apply(&discretisation, &mut retarded);
-            let slope = retarded_slope.get_or_insert_with(|| Matrix::zeros(film.len(), matrix.columns()));
-            for j in 0..matrix.columns() {
+            let filter = RetardationFilter::new(discretisation, alpha);
+            filter.apply(discretisation, retarded, slopes, panel);
+            for j in 0..elastic.columns() {
                 let v = retarded.column(j);
                 for (w, v) in matrix.column_mut(j).iter_mut().zip(v) {
                     *w += weight * v;
                 }
-                let e = &discretisation.elastic.column(j)[film.clone()];
-                for ((slope, v), e) in slope.column_mut(j).iter_mut().zip(&v[film.clone()]).zip(e) {
-                    *slope += weight * alpha * (v - e);
+                let slopes = &slopes.column(j)[film.clone()];
+                for (sum, slope) in retarded_slope.column_mut(j).iter_mut().zip(slopes) {
+                    *sum += weight * slope;
                 }
             }
             filters.push((weight, filter));
         }
-        Self { discretisation, matrix, retarded_slope, filters, elastic_weight }
     }
 
     /// w at any places from p at the nodes.

@@ -1,4 +1,4 @@
-//! The error estimate: one Newton step with richer panels.
+//! The error estimate: Newton's method with richer panels.
 
 use std::sync::Arc;
 
@@ -12,6 +12,13 @@ use crate::model::{CavityShear, Quantities, RelativeErrors};
 
 /// How many degrees richer the panels of the estimate are.
 pub const ENRICHMENT: usize = 2;
+
+/// How much more than the tolerance the largest pressure may change when panels get richer, and the smallest film. The richer
+/// value is the one that is published, and is better by far.
+const PRESSURE_SLACK: f64 = 50.0;
+const FILM_SLACK: f64 = 500.0;
+/// Part of the tolerance that the nonlinearity may hide in an estimate.
+const REMAINDER: f64 = 0.01;
 
 /// The state on the same panels of a higher degree: p and ln u by their polynomials.
 ///
@@ -37,10 +44,31 @@ fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State 
     State { mesh: Arc::clone(&fine.discretisation.mesh), pressure, film, error: None, ..*state }
 }
 
-/// What is known of a solution, and the estimated errors of it.
+/// What is known of a solution.
+pub struct Estimate {
+    /// Its numbers.
+    pub quantities: Quantities,
+    /// Their estimated errors.
+    pub errors: RelativeErrors,
+    /// How much richer panels change the largest pressure and the smallest film, relative to what is let pass: they lie
+    /// between the points, and converge more slowly than integrals and flow.
+    pub extremes: f64,
+}
+
+impl Estimate {
+    /// The largest error of μ_v, μ_h and c, or `extremes` if that is larger; infinite if one is not a number.
+    pub fn worst(&self) -> f64 {
+        let RelativeErrors { mu_v, mu_h, c } = self.errors;
+        let larger = |a: f64, error: f64| if error.is_nan() { f64::INFINITY } else { a.max(error) };
+        [mu_v, mu_h, c, self.extremes].into_iter().fold(0.0, larger)
+    }
+}
+
+/// What is known of a solution, and how well.
 ///
-/// The solution is interpolated to degree d + 2 on its own panels, one Newton step is taken there, and what that changes in
-/// μ_v, μ_h and c is reported. μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
+/// The solution is interpolated to degree d + 2 on its own panels, a Newton step is taken there, and what that changes in
+/// μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step would be
+/// seen in them, chord steps follow. μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
 pub fn estimate(
     corrector: &mut Corrector,
     coarse: &Displacement,
@@ -48,14 +76,17 @@ pub fn estimate(
     beta: f64,
     state: &State,
     cavity_shear: CavityShear,
+    tolerance: f64,
     effort: &mut Effort,
-) -> (Quantities, RelativeErrors) {
+) -> Estimate {
     let solution = quantities(coarse, beta, state, cavity_shear);
     let mut better = enriched(coarse, fine, state);
-    corrector.newton_step(fine, beta, &mut better, effort);
+    corrector.polish(fine, beta, &mut better, REMAINDER * tolerance, effort);
     let corrected = quantities(fine, beta, &better, cavity_shear);
     // extremes lie between the points: the richer polynomials know them better
     let Quantities { film_min, p_max, x_p_max, .. } = corrected;
+    let pressure_change = (solution.p_max / p_max - 1.0).abs() / PRESSURE_SLACK;
+    let film_change = (solution.film_min / film_min - 1.0).abs() / FILM_SLACK;
     let solution = Quantities { film_min, p_max, x_p_max, ..solution };
     let (before, after) = (&solution.friction, &corrected.friction);
     let scale = before.viscoelastic.abs().max(1e-3 * before.total());
@@ -64,12 +95,5 @@ pub fn estimate(
         mu_h: (after.hydrodynamic() / before.hydrodynamic() - 1.0).abs(),
         c: (corrected.c / solution.c - 1.0).abs(),
     };
-    (solution, errors)
-}
-
-/// The largest of the three errors; infinite if one is not a number.
-pub fn worst(errors: &RelativeErrors) -> f64 {
-    [errors.mu_v, errors.mu_h, errors.c]
-        .into_iter()
-        .fold(0.0, |a, error| if error.is_nan() { f64::INFINITY } else { a.max(error) })
+    Estimate { quantities: solution, errors, extremes: pressure_change.max(film_change) }
 }

@@ -1,7 +1,5 @@
 //! The film ahead of the mesh, integrated to infinity.
 
-use std::f64::consts::PI;
-
 use crate::model::gauss;
 
 /// The film at x ≥ X, where the displacement no longer changes: u = x²/2 + g (T33).
@@ -41,15 +39,12 @@ impl Inlet {
         inlet.gradient = -(film - c) / (beta * film * film * film);
         inlet
     }
-
-    /// What it adds to F_h,film: ∫ [p′u/π + 1/(3πβu)] dx (Eq. 20).
-    pub fn friction(&self) -> f64 {
-        (self.pressure_flow + self.shear / 3.0) / PI
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use crate::exact::RigidFilm;
     use crate::model::CavityShear;
@@ -80,7 +75,8 @@ mod tests {
             let inside: f64 = (0..panels)
                 .map(|i| gauss::integrate(start + width * f64::from(i), start + width * f64::from(i + 1), shear))
                 .sum();
-            let sum = inside + Inlet::new(beta, x, film.film(x), film.c()).friction();
+            let inlet = Inlet::new(beta, x, film.film(x), film.c());
+            let sum = inside + (inlet.pressure_flow + inlet.shear / 3.0) / PI;
             assert!((sum / whole - 1.0).abs() < 1e-11, "{sum} {whole}");
         }
     }

@@ -1,5 +1,10 @@
 //! A dense matrix, column by column.
 
+use std::ops::Range;
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
+
 /// A dense matrix, stored column by column as the factorisation wants it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Matrix {
@@ -8,16 +13,18 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// All zeros.
-    pub fn zeros(rows: usize, columns: usize) -> Self {
-        Self { rows, values: vec![0.0; rows * columns] }
-    }
-
     /// Makes it all zeros and of this shape; what it holds already is used again.
     pub fn reset(&mut self, rows: usize, columns: usize) {
         self.rows = rows;
         self.values.clear();
         self.values.resize(rows * columns, 0.0);
+    }
+
+    /// Makes it a multiple of another one; what it holds already is used again.
+    pub fn copy_scaled(&mut self, other: &Self, factor: f64) {
+        self.rows = other.rows;
+        self.values.clear();
+        self.values.extend(other.values.iter().map(|value| factor * value));
     }
 
     /// Number of rows.
@@ -27,7 +34,7 @@ impl Matrix {
 
     /// Number of columns.
     pub fn columns(&self) -> usize {
-        if self.rows == 0 { 0 } else { self.values.len() / self.rows }
+        self.values.len().checked_div(self.rows).unwrap_or(0)
     }
 
     /// A column.
@@ -48,6 +55,15 @@ impl Matrix {
     /// All values, column by column, to change them.
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
+    }
+
+    /// Makes it the product of a matrix, given row by row, with some rows of another.
+    pub fn set_to_product(&mut self, left: &[f64], right: &Self, rows: Range<usize>) {
+        let (count, columns) = (self.rows, self.columns());
+        let left = MatRef::from_row_major_slice(left, count, rows.len());
+        let right = MatRef::from_column_major_slice(&right.values, right.rows, columns).subrows(rows.start, rows.len());
+        let product = MatMut::from_column_major_slice_mut(&mut self.values, count, columns);
+        matmul(product, Accum::Replace, left, right, 1.0, Par::Seq);
     }
 
     /// The rows `from..from + product.len()` of the product with a vector.

@@ -28,7 +28,7 @@ impl Mesh {
         while at < reach {
             at = if at + (1.0 + GROWTH_BEHIND) * size > reach { reach } else { at + size };
             behind.push(-at);
-            size = GROWTH_BEHIND * size;
+            size *= GROWTH_BEHIND;
         }
         behind.reverse();
         Arc::new(Self { degree, film, behind })

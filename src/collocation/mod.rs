@@ -1,5 +1,23 @@
-//! The collocation method: fitted to the cavitation boundary, of high order, with its own error estimate.
-#![allow(missing_docs, dead_code)]
+//! The collocation method: coordinates fitted to the cavitation boundary, high order, and its own error estimate.
+//!
+//! In y = x − x_out the free boundary is at rest (T12), and the mesh never has to follow it. The pressure is a polynomial on
+//! each of a dozen panels; Reynolds' equation (T2) holds at their Gauss points; the displacement of the panels is known in
+//! closed form (T31), and retardation is a filter along the surface (T30). What remains is a dense system of about a hundred
+//! unknowns for Newton's method.
+//!
+//! | file | idea |
+//! | --- | --- |
+//! | `system.rs` | the equations: Reynolds, film, load, outlet; residuals and matrix |
+//! | `newton.rs`, `factorisation.rs` | the corrector: Newton and chord steps |
+//! | `legendre.rs`, `reference.rs`, `mesh.rs` | polynomials, the reference panel, panels |
+//! | `log_moments.rs`, `discretisation.rs` | the logarithmic kernel, and e of a mesh |
+//! | `exponential_moments.rs`, `retardation.rs` | the retardation filter |
+//! | `displacement.rs`, `matrix.rs` | w of a mesh and a substrate |
+//! | `inlet.rs` | the film ahead of the mesh |
+//! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
+//! | `adaptation.rs`, `estimate.rs` | where panels are wanted, and how large the error is |
+//! | `quantities.rs`, `fields.rs` | what comes out |
+//! | `workspace.rs`, `solver.rs`, `settings.rs`, `state.rs`, `stages.rs` | how it is run, and where the time goes |
 
 mod adaptation;
 mod discretisation;
@@ -20,16 +38,17 @@ mod retardation;
 mod scaling;
 mod settings;
 mod solver;
+mod stages;
 mod state;
 mod system;
 mod thick_film;
 mod transfer;
-#[cfg(test)]
-mod trial;
 mod workspace;
 
 pub use settings::Settings;
 pub use solver::CollocationSolver;
+pub use stages::Stages;
+pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other numbers for
 /// the same case and settings: cases of older results are then solved again instead of being reused.

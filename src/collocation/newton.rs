@@ -2,6 +2,7 @@
 
 use super::displacement::Displacement;
 use super::factorisation::Factorisation;
+use super::stages::{Stages, timed};
 use super::state::State;
 use super::system::System;
 use crate::continuation::{Effort, Halt, Work};
@@ -21,6 +22,8 @@ const ROUNDING: f64 = 2e-15;
 pub struct Corrector {
     system: System,
     factorisation: Factorisation,
+    /// Where the time went.
+    pub stages: Stages,
 }
 
 impl Corrector {
@@ -45,7 +48,7 @@ impl Corrector {
                 return Err(Halt::Interrupted);
             }
             work.effort.iterations += 1;
-            self.system.linearise(displacement, beta, state);
+            self.linearise(displacement, beta, state);
             if !fresh {
                 self.factorise(displacement, beta, state, &mut work.effort);
             }
@@ -58,7 +61,7 @@ impl Corrector {
             let floor = ROUNDING / thinnest;
             if fresh && size > CHORD_RATE * before && size > floor {
                 // about the same state again, with its own matrix
-                self.system.linearise(displacement, beta, state);
+                self.linearise(displacement, beta, state);
                 self.factorise(displacement, beta, state, &mut work.effort);
                 self.step(displacement, beta, state);
                 size = self.system.size(state);
@@ -87,28 +90,123 @@ impl Corrector {
         )))
     }
 
+    fn linearise(&mut self, displacement: &Displacement, beta: f64, state: &State) {
+        timed(&mut self.stages.assembly, || self.system.linearise(displacement, beta, state));
+    }
+
     fn factorise(&mut self, displacement: &Displacement, beta: f64, state: &State, effort: &mut Effort) {
-        self.system.matrix(displacement, beta, state, &mut self.factorisation.matrix);
-        self.factorisation.factorise();
+        let Self { system, factorisation, stages } = self;
+        timed(&mut stages.assembly, || system.matrix(displacement, beta, state, &mut factorisation.matrix));
+        timed(&mut stages.factorisation, || factorisation.factorise());
         effort.factorisations += 1;
     }
 
     /// One step about a linearised state, not yet gone.
     fn step(&mut self, displacement: &Displacement, beta: f64, state: &State) {
-        self.system.fold_end(displacement, beta, state);
-        self.factorisation.solve(&mut self.system.right_side);
-        self.system.expand(displacement);
+        let Self { system, factorisation, stages } = self;
+        timed(&mut stages.step, || {
+            system.fold_end(displacement, beta, state);
+            factorisation.solve(&mut system.right_side);
+            system.expand(displacement);
+        });
     }
 
-    /// One full Newton step.
-    pub fn newton_step(&mut self, displacement: &Displacement, beta: f64, state: &mut State, effort: &mut Effort) {
-        self.system.linearise(displacement, beta, state);
-        self.factorise(displacement, beta, state, effort);
-        self.step(displacement, beta, state);
-        self.system.advance(state, 1.0);
+    /// A full Newton step, and chord steps until what they leave, about the square of the first, is below `remainder`.
+    pub fn polish(
+        &mut self,
+        displacement: &Displacement,
+        beta: f64,
+        state: &mut State,
+        remainder: f64,
+        effort: &mut Effort,
+    ) {
+        const MOST_STEPS: usize = 5;
+        let mut first = None;
+        for _ in 0..MOST_STEPS {
+            self.linearise(displacement, beta, state);
+            if first.is_none() {
+                self.factorise(displacement, beta, state, effort);
+            }
+            self.step(displacement, beta, state);
+            let size = self.system.size(state);
+            self.system.advance(state, 1.0);
+            let contraction = *first.get_or_insert(size);
+            // a chord step leaves about as large a part of itself as the first step was of the solution
+            if size * contraction <= remainder || !size.is_finite() {
+                break;
+            }
+        }
     }
 }
 
 fn failed(reason: String) -> Halt {
     Halt::Failed(Failure::new(reason))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::reference::ReferencePanel;
+    use super::super::thick_film;
+    use super::*;
+    use crate::continuation::Interrupt;
+    use crate::model::{DisplacementKernel, Parameters};
+
+    fn prepared(beta: f64) -> (Displacement, State) {
+        let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(8)));
+        let kernel = DisplacementKernel::new(&Parameters::new(1.0, beta, 10.0));
+        displacement.set_mesh(&thick_film::mesh(8, beta, 1e3), &kernel, &mut Stages::default());
+        let state = thick_film::state(&displacement, beta);
+        (displacement, state)
+    }
+
+    #[test]
+    fn nothing_is_allocated_once_the_buffers_are_there() {
+        let (displacement, start) = prepared(0.02);
+        let interrupt = Interrupt::new();
+        let (mut corrector, mut work) = (Corrector::default(), Work::new(&interrupt));
+        corrector.correct(&displacement, 0.02, &mut start.clone(), 1e-10, &mut work).expect("a thick film");
+        let mut state = start.clone();
+        let mut converged = false;
+        let count = allocation_counter::measure(|| {
+            converged = corrector.correct(&displacement, 0.03, &mut state, 1e-10, &mut work).is_ok();
+        });
+        assert!(converged && work.effort.iterations > 4);
+        assert_eq!(count.count_total, 0);
+    }
+
+    /// Newton's steps square; chord steps do not, but cost no factorisation.
+    #[test]
+    fn a_good_guess_needs_one_factorisation() {
+        let (displacement, mut state) = prepared(0.02);
+        let interrupt = Interrupt::new();
+        let (mut corrector, mut work) = (Corrector::default(), Work::new(&interrupt));
+        corrector.correct(&displacement, 0.02, &mut state, 1e-12, &mut work).expect("a thick film");
+        let before = work.effort;
+        corrector.correct(&displacement, 0.0201, &mut state, 1e-12, &mut work).expect("a thick film");
+        assert_eq!(work.effort.factorisations - before.factorisations, 1);
+        assert!(work.effort.iterations - before.iterations <= 6);
+    }
+
+    #[test]
+    fn an_interrupt_is_seen_at_every_iteration() {
+        let (displacement, mut state) = prepared(0.02);
+        let interrupt = Interrupt::new();
+        interrupt.request();
+        let mut work = Work::new(&interrupt);
+        let result = Corrector::default().correct(&displacement, 0.02, &mut state, 1e-12, &mut work);
+        assert_eq!(result, Err(Halt::Interrupted));
+        assert_eq!(work.effort.iterations, 0);
+    }
+
+    #[test]
+    fn a_hopeless_guess_ends_as_a_failure() {
+        let (displacement, mut state) = prepared(0.02);
+        state.c = f64::NAN;
+        let interrupt = Interrupt::new();
+        let mut work = Work::new(&interrupt);
+        let result = Corrector::default().correct(&displacement, 0.02, &mut state, 1e-12, &mut work);
+        assert!(matches!(result, Err(Halt::Failed(_))));
+    }
 }

@@ -70,7 +70,10 @@ fn at_points(displacement: &Displacement, nodes: &[f64]) -> Vec<f64> {
 /// F_v = (2/π) ∫ p w′ dx (Eq. 22). The elastic part of w′ does no work, as its kernel is odd; what is left is
 /// (2/π) Σ f_j/(1+f) ∫ p v_j′ dx with v_j′ = α_j (v_j − e) (T8).
 fn viscoelastic_friction(displacement: &Displacement, at_points: &[f64], nodes: &[f64]) -> f64 {
-    let Some(slopes) = &displacement.retarded_slope else { return 0.0 };
+    let slopes = &displacement.retarded_slope;
+    if slopes.rows() == 0 {
+        return 0.0;
+    }
     let discretisation = &displacement.discretisation;
     let mut slope = vec![0.0; at_points.len()];
     slopes.multiply_rows(0, nodes, &mut slope);

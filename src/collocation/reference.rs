@@ -27,6 +27,10 @@ pub struct ReferencePanel {
     pub node_coefficients: Vec<f64>,
     /// Legendre coefficients from values at the Gauss points, d × d.
     pub point_coefficients: Vec<f64>,
+    /// What each Gauss point contributes to the value at −1, and at 1, of the polynomial through the Gauss points.
+    pub end_values: [Vec<f64>; 2],
+    /// Derivative at −1, the Gauss points and 1 from the values there, (d + 2) × (d + 2).
+    pub rich_derivative: Vec<f64>,
     /// ∫ P_k(t) ln|s − t| dt at the Gauss points s of the same panel, (d + 1) × d: all points for k = 0 first.
     pub own_log_moments: Vec<f64>,
 }
@@ -49,12 +53,17 @@ impl ReferencePanel {
         }
         let mut point_coefficients = vec![0.0; degree * degree];
         let mut own_log_moments = vec![0.0; size * degree];
+        let mut end_values = [vec![0.0; degree], vec![0.0; degree]];
         let (mut values, mut derivative) = (vec![0.0; degree * size], vec![0.0; degree * size]);
         let mut moments = vec![0.0; size];
         for (i, (&t, weight)) in points.iter().zip(&weights).enumerate() {
             legendre(t, &mut polynomial);
             for k in 0..degree {
-                point_coefficients[k * degree + i] = weight * polynomial[k] * (2 * k + 1) as f64 / 2.0;
+                let coefficient = weight * polynomial[k] * (2 * k + 1) as f64 / 2.0;
+                point_coefficients[k * degree + i] = coefficient;
+                // P_k(±1) = (±1)^k
+                end_values[0][i] += if k % 2 == 0 { coefficient } else { -coefficient };
+                end_values[1][i] += coefficient;
             }
             let slopes = slopes(&polynomial);
             for j in 0..size {
@@ -67,6 +76,8 @@ impl ReferencePanel {
                 own_log_moments[k * degree + i] = *moment;
             }
         }
+        let rich_points: Vec<f64> = std::iter::once(-1.0).chain(points.iter().copied()).chain([1.0]).collect();
+        let rich_derivative = differentiation(&rich_points);
         Self {
             degree,
             nodes,
@@ -77,6 +88,8 @@ impl ReferencePanel {
             values,
             node_coefficients,
             point_coefficients,
+            end_values,
+            rich_derivative,
             own_log_moments,
         }
     }
@@ -90,6 +103,24 @@ impl ReferencePanel {
     pub fn coefficients_of_points(&self, values: &[f64], coefficients: &mut [f64]) {
         multiply(&self.point_coefficients, values, coefficients);
     }
+}
+
+/// Derivative at some points from the values there, row by row: of the polynomial through all of them.
+fn differentiation(points: &[f64]) -> Vec<f64> {
+    let count = points.len();
+    let others = |i: usize| points.iter().enumerate().filter(move |&(j, _)| j != i).map(|(_, t)| t);
+    let product = |i: usize| others(i).map(|t| points[i] - t).product::<f64>();
+    let mut matrix = vec![0.0; count * count];
+    for i in 0..count {
+        for j in 0..count {
+            matrix[i * count + j] = if i == j {
+                others(i).map(|t| (points[i] - t).recip()).sum()
+            } else {
+                product(i) / product(j) / (points[i] - points[j])
+            };
+        }
+    }
+    matrix
 }
 
 /// Matrix times vector, the matrix row by row.
@@ -144,6 +175,13 @@ mod tests {
                 assert!((values[i] - (t + 0.3).powi(power)).abs() < 1e-13 * scale);
                 let slope = f64::from(power) * (t + 0.3).powi(power - 1);
                 assert!((slopes[i] - slope).abs() < 1e-11 * scale);
+            }
+            let rich: Vec<f64> =
+                [-1.0].iter().chain(&panel.points).chain(&[1.0]).map(|t| (t + 0.3).powi(power)).collect();
+            let mut rich_slopes = vec![0.0; degree + 2];
+            multiply(&panel.rich_derivative, &rich, &mut rich_slopes);
+            for (slope, rich_slope) in slopes.iter().zip(&rich_slopes[1..]) {
+                assert!((slope - rich_slope).abs() < 1e-11 * 1.3_f64.powi(power));
             }
             let mut coefficients = vec![0.0; degree + 1];
             panel.coefficients_of_nodes(&at_nodes, &mut coefficients);

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::adaptation::{Panels, equidistributed, indicators};
-use super::estimate::{ENRICHMENT, estimate, worst};
+use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
+use super::estimate::{ENRICHMENT, Estimate, estimate};
 use super::fields::fields;
-use super::reference::ReferencePanel;
+use super::log_moments::MOST_MOMENTS;
+use super::reference::{ReferencePanel, evaluate};
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
 use super::state::State;
@@ -13,7 +14,7 @@ use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{CaseSolver, Halt, Seed, Solution, StepControl, Work, secant};
-use crate::model::{Failure, Output, Parameters, Quantities, RelativeErrors};
+use crate::model::{Failure, Output, Parameters};
 
 /// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
 const THICK: f64 = 0.01;
@@ -29,7 +30,7 @@ const ACCURATE_MESHES: usize = 12;
 /// third a coarser mesh will do for the next case.
 const ACCEPTED: f64 = 0.9;
 const AIM: f64 = 0.15;
-const IDLE: f64 = 0.01;
+const IDLE: f64 = 0.002;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = 160;
 /// Least pressure over the largest; below it the film would carry tension.
@@ -56,30 +57,52 @@ impl CollocationSolver {
 
     /// Newton's method on the mesh of a state.
     fn correct(&self, workspace: &mut Workspace, beta: f64, state: &mut State, work: &mut Work) -> Result<(), Halt> {
-        workspace.prepare_coarse(&state.mesh);
+        workspace.prepare_coarse(&state.mesh, &mut work.effort);
         let (corrector, displacement) = workspace.coarse.parts();
         corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
         state.error = None;
         Ok(())
     }
 
-    /// The panels that would bring the error from so many times the tolerance to [`AIM`] times.
+    /// The panels that would bring the error from so many times the tolerance to [`AIM`] times. Friction and flow converge
+    /// faster than the pressure, about as the power 3d/2 of the number of panels.
     fn panels(&self, present: usize, error: f64) -> usize {
-        let factor = (error / AIM).powf(1.0 / self.settings.degree as f64).clamp(0.6, 1.8);
+        let factor = (error / AIM).powf(1.0 / (1.5 * self.settings.degree as f64)).clamp(0.6, 1.8);
         let wanted = (present as f64 * factor).round() as usize;
-        if error > ACCEPTED { wanted.max(present + 1) } else { wanted.max(4) }
+        wanted.max(4)
     }
 
     fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
-        let mesh = equidistributed(&self.coarse, state, panels, reach, layer(parameters, state.c));
+        let layer = layer(parameters, state.c);
+        let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
+        let mesh = equidistributed(&self.coarse, state, panels, reach, longest);
         state.on(&self.coarse, &mesh)
     }
 }
 
-/// The smallest pressure over the largest.
-fn tension(state: &State) -> f64 {
-    let (least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
-    least / most
+/// The smallest pressure over the largest, and the panel it is on; between the nodes too: where the pressure is low, a
+/// polynomial may dip below zero between positive values.
+fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize) {
+    const LOW: f64 = 1e-2;
+    const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
+    let most = state.pressure.iter().fold(0.0, |a: f64, &p| a.max(p));
+    let size = reference.degree + 1;
+    let mut coefficients = [0.0; MOST_MOMENTS];
+    let (mut least, mut place) = (0.0, 0);
+    for (panel, nodes) in state.pressure.windows(size).step_by(reference.degree).enumerate() {
+        if nodes.iter().all(|&p| p > LOW * most) {
+            continue;
+        }
+        reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
+        let between = |gap: &[f64]| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]));
+        let values = reference.nodes.windows(2).flat_map(between).map(|t| evaluate(&coefficients[..size], t));
+        for value in values.chain(nodes.iter().copied()) {
+            if value < least {
+                (least, place) = (value, panel);
+            }
+        }
+    }
+    (least / most, place)
 }
 
 fn tension_failure(tension: f64) -> Halt {
@@ -115,10 +138,16 @@ impl CaseSolver for CollocationSolver {
         }
     }
 
-    fn start(&self, workspace: &mut Workspace, parameters: &Parameters, _: &mut Work) -> Result<(State, Seed), Halt> {
+    fn start(
+        &self,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        work: &mut Work,
+    ) -> Result<(State, Seed), Halt> {
         workspace.enter(parameters);
         let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
-        workspace.prepare_coarse(&thick_film::mesh(self.settings.degree, parameters.beta, reach));
+        let mesh = thick_film::mesh(self.settings.degree, parameters.beta, reach);
+        workspace.prepare_coarse(&mesh, &mut work.effort);
         Ok((thick_film::state(workspace.coarse.displacement(), parameters.beta), Seed::ThickFilm))
     }
 
@@ -159,7 +188,7 @@ impl CaseSolver for CollocationSolver {
         let mut state = guess;
         for _ in 0..ROUGH_MESHES {
             self.correct(workspace, parameters.beta, &mut state, work)?;
-            let tension = tension(&state);
+            let (tension, _) = tension(&self.coarse, &state);
             let roughest = indicators(&self.coarse, &state).into_iter().fold(0.0, f64::max);
             if roughest <= ROUGH {
                 return if tension < ROUGH_TENSION { Err(tension_failure(tension)) } else { Ok(state) };
@@ -181,47 +210,50 @@ impl CaseSolver for CollocationSolver {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
         for _ in 0..ACCURATE_MESHES {
-            workspace.prepare_fine(&state.mesh);
+            workspace.prepare_fine(&state.mesh, &mut work.effort);
             let displacement = workspace.coarse.displacement();
             let (corrector, fine) = workspace.fine.parts();
-            let (quantities, errors) =
-                estimate(corrector, displacement, fine, beta, state, output.cavity_shear, &mut work.effort);
-            let error = worst(&errors) / self.settings.tolerance;
-            state.error = Some(error);
-            if error <= ACCEPTED {
-                work.effort.unknowns = unknowns(workspace.coarse.displacement());
-                return self.accepted(workspace, beta, state, quantities, errors, output);
+            let (tolerance, cavity_shear) = (self.settings.tolerance, output.cavity_shear);
+            let effort = &mut work.effort;
+            let estimate = estimate(corrector, displacement, fine, beta, state, cavity_shear, tolerance, effort);
+            let (tension, place) = tension(&self.coarse, state);
+            if tension < ROUGH_TENSION {
+                return Err(tension_failure(tension));
             }
-            let panels = self.panels(state.mesh.panels(), error);
+            let error = estimate.worst() / self.settings.tolerance;
+            state.error = Some(error);
+            let free_of_tension = tension >= TENSION;
+            if error <= ACCEPTED && free_of_tension {
+                work.effort.unknowns = unknowns(workspace.coarse.displacement());
+                let fields = fields(workspace.coarse.displacement(), beta, state, output);
+                let Estimate { quantities, errors, .. } = estimate;
+                return Ok(Solution { quantities, errors, fields });
+            }
+            // A little tension is an oscillation about p′ = 0 at the outlet that a shorter first panel resolves, or more panels.
+            let mut panels = state.mesh.panels();
+            if !free_of_tension && place == 0 {
+                state.outlet_panel = 0.4 * state.mesh.film[1] / layer(parameters, state.c);
+            } else {
+                panels += 1;
+            }
+            if error > ACCEPTED {
+                panels = self.panels(state.mesh.panels(), error).max(panels);
+            }
             if panels > MOST_PANELS {
                 break;
             }
             *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
             self.correct(workspace, beta, state, work)?;
         }
-        let reason = format!(
-            "the estimated error stays above the tolerance {:e} with {} panels; ask for a larger tolerance",
-            self.settings.tolerance,
-            state.mesh.panels()
-        );
-        Err(Halt::Failed(Failure::new(reason)))
-    }
-}
-
-impl CollocationSolver {
-    fn accepted(
-        &self,
-        workspace: &Workspace,
-        beta: f64,
-        state: &State,
-        quantities: Quantities,
-        errors: RelativeErrors,
-        output: &Output,
-    ) -> Result<Solution, Halt> {
-        let tension = tension(state);
-        if tension < TENSION {
+        let (error, panels) = (state.error.unwrap_or(f64::INFINITY), state.mesh.panels());
+        let (tension, _) = tension(&self.coarse, state);
+        if error <= ACCEPTED {
             return Err(tension_failure(tension));
         }
-        Ok(Solution { quantities, errors, fields: fields(workspace.coarse.displacement(), beta, state, output) })
+        let reason = format!(
+            "the estimated error is still {error:.1} times the tolerance {:e} with {panels} panels; ask for a larger tolerance",
+            self.settings.tolerance
+        );
+        Err(Halt::Failed(Failure::new(reason)))
     }
 }

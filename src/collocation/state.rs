@@ -21,4 +21,6 @@ pub struct State {
     pub outlet: f64,
     /// The estimated error over the tolerance, once it is known: it tells how the next mesh should be.
     pub error: Option<f64>,
+    /// The longest first panel that the next mesh may have, over the length of the layer at the outlet.
+    pub outlet_panel: f64,
 }

@@ -77,7 +77,7 @@ impl System {
         let discretisation = &displacement.discretisation;
         let (points, film_rows) = (discretisation.film_points(), discretisation.film());
         pressure_gradient(displacement, &state.pressure, &mut self.gradient);
-        // the row after the film's is the outlet
+        // the first row after the film's is the outlet
         self.displacement.resize(points + 1, 0.0);
         displacement.matrix.multiply_rows(film_rows.start, &state.pressure, &mut self.displacement);
         self.outlet_displacement = self.displacement[points];
@@ -107,11 +107,6 @@ impl System {
         self.right_side.push(-load);
         self.right_side.push((state.c - state.separation + self.outlet_displacement) / state.c);
         self.inlet = Some(inlet);
-    }
-
-    /// The load that the state lacks or has too much, over π/2.
-    pub fn load_residual(displacement: &Displacement, state: &State, inlet: &Inlet) -> f64 {
-        (dot(&displacement.discretisation.node_weights, &state.pressure) + inlet.load) / FRAC_PI_2 - 1.0
     }
 
     /// The matrix about the state of the last [`System::linearise`]; also takes the known part of p(Y) to the right side,
@@ -248,4 +243,67 @@ impl System {
 /// The larger of two numbers; NaN if one of them is.
 fn nan_max(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::newton::Corrector;
+    use super::super::reference::ReferencePanel;
+    use super::super::stages::Stages;
+    use super::super::thick_film;
+    use super::*;
+    use crate::continuation::{Interrupt, Work};
+    use crate::model::{DisplacementKernel, Parameters};
+
+    /// The matrix times a step against central differences of the residuals, about a solution. The step in p(Y) and u is the
+    /// one that keeps to the inlet and to the film equation.
+    #[test]
+    fn matrix_is_the_derivative_of_the_residuals() {
+        for (alpha, beta, f) in [(f64::INFINITY, 0.05, 0.0), (1.0, 0.05, 30.0), (0.01, 1.0, 1e3)] {
+            let parameters = Parameters::new(alpha, beta, f);
+            let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(6)));
+            displacement.set_mesh(
+                &thick_film::mesh(6, beta, 500.0),
+                &DisplacementKernel::new(&parameters),
+                &mut Stages::default(),
+            );
+            let mut state = thick_film::state(&displacement, beta);
+            let interrupt = Interrupt::new();
+            let mut work = Work::new(&interrupt);
+            Corrector::default().correct(&displacement, beta, &mut state, 1e-13, &mut work).expect("a thick film");
+
+            let mut system = System::default();
+            system.linearise(&displacement, beta, &state);
+            let n = unknowns(&displacement);
+            let mut matrix = Matrix::default();
+            system.matrix(&displacement, beta, &state, &mut matrix);
+            let scales: Vec<f64> = (0..n).map(|i| if i < n - 3 { 0.1 } else { state.c }).collect();
+            let direction: Vec<f64> =
+                scales.iter().enumerate().map(|(i, s)| s * (0.3 + 1.7 * i as f64).sin()).collect();
+            let mut predicted = vec![0.0; n];
+            matrix.multiply_rows(0, &direction, &mut predicted);
+
+            let residuals = |part: f64| {
+                let mut there = state.clone();
+                let mut step = System::default();
+                step.linearise(&displacement, beta, &state);
+                step.right_side.copy_from_slice(&direction);
+                step.expand(&displacement);
+                step.advance(&mut there, part);
+                step.linearise(&displacement, beta, &there);
+                step.right_side
+            };
+            let epsilon = 1e-4 / (1.0 + f);
+            let (ahead, behind) = (residuals(epsilon), residuals(-epsilon));
+            let largest = predicted.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            for i in 0..n {
+                // the right side is minus the residual
+                let difference = (behind[i] - ahead[i]) / (2.0 * epsilon);
+                let error = (difference - predicted[i]).abs();
+                assert!(error < 3e-6 * largest.max(predicted[i].abs()), "row {i}: {} {difference}", predicted[i]);
+            }
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::adaptation::OUTLET_PANEL;
 use super::displacement::Displacement;
 use super::mesh::Mesh;
 use super::state::State;
@@ -47,5 +48,6 @@ pub fn state(displacement: &Displacement, beta: f64) -> State {
         separation: film.c() + displaced[0],
         outlet,
         error: None,
+        outlet_panel: OUTLET_PANEL,
     }
 }

@@ -20,6 +20,7 @@ impl State {
             separation: self.separation,
             outlet: self.outlet,
             error: None,
+            outlet_panel: self.outlet_panel,
         };
         self.interpolate(reference, &mut onto);
         onto
@@ -83,6 +84,7 @@ impl State {
             separation: self.separation * factor * factor,
             outlet: self.outlet * factor,
             error: None,
+            outlet_panel: self.outlet_panel,
         }
     }
 }
@@ -105,4 +107,50 @@ impl State {
 /// The place on a panel.
 fn at(ends: &[f64], t: f64) -> f64 {
     0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * t
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::displacement::Displacement;
+    use super::super::stages::Stages;
+    use super::super::thick_film;
+    use super::*;
+    use crate::model::{DisplacementKernel, Parameters};
+
+    #[test]
+    fn a_finer_mesh_holds_the_same_polynomials() {
+        let reference = Arc::new(ReferencePanel::new(7));
+        let mut displacement = Displacement::new(&reference);
+        let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
+        displacement.set_mesh(&thick_film::mesh(7, 1.0, 300.0), &kernel, &mut Stages::default());
+        let state = thick_film::state(&displacement, 1.0);
+        let ends = &state.mesh.film;
+        let halved = ends.windows(2).flat_map(|ends| [ends[0], 0.5 * (ends[0] + ends[1])]).chain([state.mesh.reach()]);
+        let there = state.on(&reference, &Mesh::new(7, halved.collect()));
+        let back = there.on(&reference, &state.mesh);
+        let largest = state.pressure.iter().fold(0.0, |a: f64, b| a.max(*b));
+        for (before, after) in state.pressure.iter().zip(&back.pressure) {
+            assert!((before - after).abs() < 1e-13 * largest);
+        }
+        for (before, after) in state.film.iter().zip(&back.film) {
+            assert!((after / before - 1.0).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn stretching_keeps_the_load() {
+        let reference = Arc::new(ReferencePanel::new(7));
+        let mut displacement = Displacement::new(&reference);
+        let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
+        displacement.set_mesh(&thick_film::mesh(7, 1.0, 300.0), &kernel, &mut Stages::default());
+        let state = thick_film::state(&displacement, 1.0);
+        let stretched = state.scaled(3.0);
+        let load = |displacement: &Displacement, state: &State| -> f64 {
+            let weights = &displacement.discretisation.node_weights;
+            weights.iter().zip(&state.pressure).map(|(weight, p)| weight * p).sum()
+        };
+        let before = load(&displacement, &state);
+        displacement.set_mesh(&stretched.mesh, &kernel, &mut Stages::default());
+        assert!((load(&displacement, &stretched) / before - 1.0).abs() < 1e-14);
+    }
 }

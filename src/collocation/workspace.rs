@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use super::discretisation::Discretisation;
 use super::displacement::Displacement;
 use super::mesh::Mesh;
 use super::newton::Corrector;
 use super::reference::ReferencePanel;
+use super::stages::{Stages, timed};
+use crate::continuation::Effort;
 use crate::exact;
 use crate::model::{DisplacementKernel, Parameters};
 
@@ -14,67 +15,73 @@ use crate::model::{DisplacementKernel, Parameters};
 /// buffers of Newton's method on both.
 pub struct Workspace {
     /// Panels of the solution.
-    pub coarse: Level,
+    pub(super) coarse: Level,
     /// The same panels, of a higher degree, for the estimate.
-    pub fine: Level,
+    pub(super) fine: Level,
     /// f, α and substrate of `kernel` and `half_width`; β does not count.
     substrate: Parameters,
     kernel: DisplacementKernel,
     half_width: f64,
 }
 
-/// One degree: reference panel, displacement on the present mesh, buffers.
-pub struct Level {
-    /// Tables of the degree.
-    pub reference: Arc<ReferencePanel>,
-    /// Newton's method, with its buffers.
-    pub corrector: Corrector,
-    displacement: Option<Displacement>,
+/// One degree: displacement on the present mesh, and Newton's method with its buffers.
+pub(super) struct Level {
+    corrector: Corrector,
+    displacement: Displacement,
+    prepared: bool,
+    stages: Stages,
 }
 
 impl Level {
     fn new(reference: &Arc<ReferencePanel>) -> Self {
-        Self { reference: Arc::clone(reference), corrector: Corrector::default(), displacement: None }
+        Self {
+            corrector: Corrector::default(),
+            displacement: Displacement::new(reference),
+            prepared: false,
+            stages: Stages::default(),
+        }
     }
 
-    /// The displacement for a mesh: the one that is there if it is for these panels.
-    fn prepare(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel) {
-        let present = self.displacement.take();
-        let degree = self.reference.degree;
-        self.displacement = Some(match present {
-            Some(displacement) if displacement.discretisation.mesh.film == mesh.film => displacement,
-            _ => {
-                let mesh = if mesh.degree == degree {
-                    Arc::clone(mesh)
-                } else {
-                    Arc::new(Mesh { degree, ..(**mesh).clone() })
-                };
-                Displacement::new(Arc::new(Discretisation::new(&self.reference, mesh)), kernel)
-            }
-        });
+    /// Computes the displacement for a mesh, unless it is there already; tells whether it was not.
+    fn prepare(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel) -> bool {
+        let discretisation = &self.displacement.discretisation;
+        let degree = discretisation.reference.degree;
+        if self.prepared && discretisation.mesh.film == mesh.film {
+            return false;
+        }
+        let of_degree =
+            if mesh.degree == degree { Arc::clone(mesh) } else { Arc::new(Mesh { degree, ..(**mesh).clone() }) };
+        self.displacement.set_mesh(&of_degree, kernel, &mut self.stages);
+        self.prepared = true;
+        true
     }
 
     /// The same mesh, another substrate.
     fn change(&mut self, kernel: &DisplacementKernel) {
-        if let Some(displacement) = self.displacement.take() {
-            self.displacement = Some(Displacement::new(displacement.discretisation, kernel));
+        if self.prepared {
+            timed(&mut self.stages.filter, || self.displacement.set_substrate(kernel));
         }
+    }
+
+    /// Where the time went.
+    fn stages(&self) -> Stages {
+        self.stages.and(self.corrector.stages)
     }
 
     /// The corrector and the displacement that was prepared.
     pub fn parts(&mut self) -> (&mut Corrector, &Displacement) {
-        (&mut self.corrector, self.displacement.as_ref().expect("prepared before"))
+        (&mut self.corrector, &self.displacement)
     }
 
     /// The displacement that was prepared.
     pub fn displacement(&self) -> &Displacement {
-        self.displacement.as_ref().expect("prepared before")
+        &self.displacement
     }
 }
 
 impl Workspace {
     /// An empty workspace for a chain that begins with a case.
-    pub fn new(coarse: &Arc<ReferencePanel>, fine: &Arc<ReferencePanel>, parameters: &Parameters) -> Self {
+    pub(super) fn new(coarse: &Arc<ReferencePanel>, fine: &Arc<ReferencePanel>, parameters: &Parameters) -> Self {
         Self {
             coarse: Level::new(coarse),
             fine: Level::new(fine),
@@ -85,7 +92,7 @@ impl Workspace {
     }
 
     /// Makes all that follows be about a case.
-    pub fn enter(&mut self, parameters: &Parameters) {
+    pub(super) fn enter(&mut self, parameters: &Parameters) {
         let known = &self.substrate;
         if known.alpha == parameters.alpha && known.f == parameters.f && known.substrate == parameters.substrate {
             return;
@@ -98,17 +105,22 @@ impl Workspace {
     }
 
     /// Computes the displacement for a mesh, if it is not there.
-    pub fn prepare_coarse(&mut self, mesh: &Arc<Mesh>) {
-        self.coarse.prepare(mesh, &self.kernel);
+    pub(super) fn prepare_coarse(&mut self, mesh: &Arc<Mesh>, effort: &mut Effort) {
+        effort.meshes += u64::from(self.coarse.prepare(mesh, &self.kernel));
     }
 
     /// The same for the estimate.
-    pub fn prepare_fine(&mut self, mesh: &Arc<Mesh>) {
-        self.fine.prepare(mesh, &self.kernel);
+    pub(super) fn prepare_fine(&mut self, mesh: &Arc<Mesh>, effort: &mut Effort) {
+        effort.meshes += u64::from(self.fine.prepare(mesh, &self.kernel));
+    }
+
+    /// Where the time went so far: for the solutions, and for their error estimates.
+    pub fn stages(&self) -> [Stages; 2] {
+        [self.coarse.stages(), self.fine.stages()]
     }
 
     /// Half the width of the dry contact of the case.
-    pub fn half_width(&self) -> f64 {
+    pub(super) fn half_width(&self) -> f64 {
         self.half_width
     }
 }

@@ -86,6 +86,8 @@ pub struct Effort {
     pub iterations: u64,
     /// Matrix factorisations.
     pub factorisations: u64,
+    /// Meshes that a displacement was computed for (collocation).
+    pub meshes: u64,
     /// Numbers that the solution consists of: unknowns of its system (collocation) or points of its grid (relaxation).
     pub unknowns: usize,
     /// Wall-clock seconds.

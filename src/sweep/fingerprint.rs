@@ -2,7 +2,8 @@
 
 use super::specification::{Method, SolverSettings};
 use crate::model::{CaseId, CavityShear, Parameters};
-use crate::relaxation::{self, Acceleration, Domain};
+use crate::relaxation::{Acceleration, Domain};
+use crate::{collocation, relaxation};
 
 /// Gives the ids of cases that are solved with one set of settings.
 ///
@@ -12,13 +13,25 @@ use crate::relaxation::{self, Acceleration, Domain};
 /// | bytes | what |
 /// | --- | --- |
 /// | `stribeck case 1\n` | version of this table |
-/// | `relaxation\n` | method |
-/// | `u32` | the method's version of results, [`relaxation::RESULTS_VERSION`] |
-/// | `u8`, then two `f64` if it is 1 | domain: 0 auto, 1 fixed with x_min and x_max |
-/// | `u64`, `f64`, `u8`, `u8` | points, tolerance, acceleration (0 none, 1 Anderson), estimate (0 or 1) |
+/// | `collocation\n` or `relaxation\n` | method |
+/// | `u32` | the method's version of results, [`collocation::RESULTS_VERSION`] or [`relaxation::RESULTS_VERSION`] |
+/// | the method's settings | see below |
 /// | `u8` | cavity shear: 0 full, 1 streamers, 2 none |
 /// | `f64`, `f64`, `f64` | f, α, β |
 /// | `u64`, then two `f64` each | number of retardation modes, share and time of each |
+///
+/// Settings of the collocation method are
+///
+/// | bytes | what |
+/// | --- | --- |
+/// | `f64`, `u64` | tolerance, degree of the panels |
+///
+/// and those of the relaxation method
+///
+/// | bytes | what |
+/// | --- | --- |
+/// | `u8`, then two `f64` if it is 1 | domain: 0 auto, 1 fixed with x_min and x_max |
+/// | `u64`, `f64`, `u8`, `u8` | points, tolerance, acceleration (0 none, 1 Anderson), estimate (0 or 1) |
 ///
 /// Where the substrate is elastic what does not matter is left out: f = 0 or α = ∞ counts as f = 0, α = ∞ without
 /// modes, α = 0 as without modes. Title, fields, x and limits of the sweep are not part of it: they say what is kept
@@ -33,6 +46,7 @@ impl Fingerprint {
     pub fn new(solver: &SolverSettings, cavity_shear: CavityShear) -> Self {
         let mut bytes = b"stribeck case 1\n".to_vec();
         match solver.method {
+            Method::Collocation => put_collocation(&mut bytes, &solver.collocation()),
             Method::Relaxation => put_relaxation(&mut bytes, &solver.relaxation),
         }
         bytes.push(match cavity_shear {
@@ -72,6 +86,14 @@ pub(super) fn canonical(parameters: &Parameters) -> Parameters {
     } else {
         parameters.clone()
     }
+}
+
+fn put_collocation(bytes: &mut Vec<u8>, settings: &collocation::Settings) {
+    let collocation::Settings { tolerance, degree } = *settings;
+    bytes.extend(b"collocation\n");
+    bytes.extend(collocation::RESULTS_VERSION.to_le_bytes());
+    put_number(bytes, tolerance);
+    bytes.extend((degree as u64).to_le_bytes());
 }
 
 fn put_relaxation(bytes: &mut Vec<u8>, settings: &relaxation::Settings) {

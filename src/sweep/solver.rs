@@ -4,6 +4,7 @@ use super::entry::Entry;
 use super::error::Fault;
 use super::file::section;
 use super::specification::{Method, SolverSettings};
+use crate::collocation;
 use crate::relaxation::{Acceleration, Domain, Settings};
 
 /// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.
@@ -13,20 +14,10 @@ const FARTHEST: f64 = 100.0;
 pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
     let section = section(entry)?;
     let defaults = SolverSettings::default();
+    let methods = [("collocation", Method::Collocation), ("relaxation", Method::Relaxation)];
     Ok(SolverSettings {
-        method: section.get("method").map(|entry| read_method(&entry)).transpose()?.unwrap_or_default(),
-        tolerance: match section.get("tolerance") {
-            Some(entry) => {
-                let tolerance = entry.number()?;
-                if !(tolerance > 0.0 && tolerance < 1.0) {
-                    let help = "it is the relative error wanted by the collocation method, as in 1e-5; the relaxation \
-                                method has its own in [solver.relaxation]";
-                    return Err(entry.fault("`solver.tolerance` must be above 0 and below 1", "out of range", help));
-                }
-                tolerance
-            }
-            None => defaults.tolerance,
-        },
+        method: section.get("method").map(|entry| entry.choice(&methods)).transpose()?.unwrap_or_default(),
+        tolerance: section.get("tolerance").map(|entry| read_error(&entry)).transpose()?.unwrap_or(defaults.tolerance),
         relaxation: section
             .get("relaxation")
             .map(|entry| read_relaxation(&entry))
@@ -35,14 +26,16 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
     })
 }
 
-fn read_method(entry: &Entry<'_>) -> Result<Method, Fault> {
-    match entry.choice(&[("relaxation", Some(Method::Relaxation)), ("collocation", None)])? {
-        Some(method) => Ok(method),
-        None => {
-            let what = "the collocation method is not in this version yet; `solver.method` must be \"relaxation\"";
-            Err(entry.fault(what, "not in this version", "write method = \"relaxation\""))
-        }
+/// The relative error wanted by the collocation method.
+fn read_error(entry: &Entry<'_>) -> Result<f64, Fault> {
+    let (allowed, error) = (collocation::Settings::TOLERANCE, entry.number()?);
+    if allowed.contains(&error) {
+        return Ok(error);
     }
+    let what = format!("`solver.tolerance` must be from {:e} to {:e}", allowed.start(), allowed.end());
+    let help = "it is the relative error wanted by the collocation method, as in 1e-5; the relaxation method has a \
+                tolerance of its own in [solver.relaxation]";
+    Err(entry.fault(what, "out of range", help))
 }
 
 /// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101 points

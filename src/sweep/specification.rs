@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::model::{Output, Substrate};
-use crate::relaxation;
+use crate::{collocation, relaxation};
 
 /// A sweep: which cases, of what substrate, solved how, and what is wanted of each.
 ///
@@ -48,8 +48,10 @@ impl Axes {
 /// A method of solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Method {
-    /// The paper's Gauss–Seidel relaxation on a uniform grid.
+    /// Collocation on panels fitted to the film, with its own error estimate.
     #[default]
+    Collocation,
+    /// The paper's Gauss–Seidel relaxation on a uniform grid.
     Relaxation,
 }
 
@@ -57,9 +59,11 @@ impl Method {
     /// Most cases in one chain, at most [`MAX_CHAIN`](super::MAX_CHAIN).
     ///
     /// What an interruption throws away is at most one chain per thread. A relaxation case takes long, so its chains
-    /// are short.
+    /// are short. Collocation cases are quick, save the first one of a chain, which has no neighbour to start from: their
+    /// chains are long.
     pub fn chain_limit(self) -> usize {
         match self {
+            Method::Collocation => 64,
             Method::Relaxation => 16,
         }
     }
@@ -68,6 +72,7 @@ impl Method {
 impl fmt::Display for Method {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
+            Method::Collocation => "collocation",
             Method::Relaxation => "relaxation",
         })
     }
@@ -78,15 +83,23 @@ impl fmt::Display for Method {
 pub struct SolverSettings {
     /// The method.
     pub method: Method,
-    /// Relative error wanted in μ_v, μ_h and c by methods that control it (collocation); the relaxation method does
-    /// not look at it.
+    /// Relative error wanted in μ_v, μ_h and c by the collocation method, within
+    /// [`collocation::Settings::TOLERANCE`]; the relaxation method does not look at it.
     pub tolerance: f64,
-    /// Settings of the relaxation method.
+    /// Settings of the relaxation method; the collocation method does not look at them.
     pub relaxation: relaxation::Settings,
+}
+
+impl SolverSettings {
+    /// Settings of the collocation method: a sweep chooses the tolerance alone.
+    pub fn collocation(&self) -> collocation::Settings {
+        collocation::Settings { tolerance: self.tolerance, ..collocation::Settings::default() }
+    }
 }
 
 impl Default for SolverSettings {
     fn default() -> Self {
-        Self { method: Method::default(), tolerance: 1e-5, relaxation: relaxation::Settings::default() }
+        let tolerance = collocation::Settings::default().tolerance;
+        Self { method: Method::default(), tolerance, relaxation: relaxation::Settings::default() }
     }
 }

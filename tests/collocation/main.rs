@@ -3,6 +3,7 @@
 mod agreement;
 mod cases;
 mod chains;
+mod efficiency;
 mod fields;
 mod forces;
 mod identities;

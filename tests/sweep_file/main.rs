@@ -10,6 +10,7 @@ use std::path::Path;
 
 use bad_sweeps::{AXES, with_axes, with_beta, with_f};
 use miette::{GraphicalReportHandler, GraphicalTheme};
+use stribeck::collocation;
 use stribeck::model::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain, Settings};
 use stribeck::sweep::{Axes, Method, Plan, SolverSettings, Sweep, SweepError};
@@ -29,7 +30,7 @@ fn what_is_left_out_has_its_default() {
         title: "small".into(),
         axes: Axes { f: vec![100.0], alpha: vec![1.0], beta: vec![10.0] },
         substrate: Substrate::default(),
-        solver: SolverSettings { method: Method::Relaxation, tolerance: 1e-5, relaxation: Settings::default() },
+        solver: SolverSettings { method: Method::Collocation, tolerance: 1e-5, relaxation: Settings::default() },
         output: Output::default(),
         text: AXES.into(),
         name: "small".into(),
@@ -94,6 +95,30 @@ cavity_shear = "streamers"
         name: "all".into(),
     };
     assert_eq!(sweep, expected);
+}
+
+#[test]
+fn both_methods_have_a_name_and_keep_their_settings_apart() {
+    for (method, text) in [(Method::Collocation, "collocation"), (Method::Relaxation, "relaxation")] {
+        assert_eq!(method.to_string(), text);
+        let rest = format!("[solver]\nmethod = \"{text}\"\ntolerance = 1e-7\n[solver.relaxation]\ntolerance = 1e-9\n");
+        let solver = Sweep::parse("method", &with_axes(&rest)).expect("valid").solver;
+        assert_eq!((solver.method, solver.tolerance, solver.relaxation.tolerance), (method, 1e-7, 1e-9));
+        assert_eq!(solver.collocation(), collocation::Settings { tolerance: 1e-7, ..collocation::Settings::default() });
+    }
+}
+
+#[test]
+fn the_ends_of_the_range_of_tolerances_are_allowed() {
+    let (least, most) = collocation::Settings::TOLERANCE.into_inner();
+    for tolerance in [least, 1e-5, most] {
+        let sweep = Sweep::parse("end", &with_axes(&format!("[solver]\ntolerance = {tolerance:e}\n")));
+        assert_eq!(sweep.expect("valid").solver.tolerance, tolerance);
+    }
+    for tolerance in [least.next_down(), most.next_up(), -1e-5, f64::INFINITY] {
+        let sweep = Sweep::parse("beyond", &with_axes(&format!("[solver]\ntolerance = {tolerance:?}\n")));
+        assert!(sweep.expect_err("out of range").to_string().contains("must be from 1e-10 to 1e-1"), "{tolerance}");
+    }
 }
 
 #[test]

@@ -35,9 +35,11 @@ fn solver() -> impl Strategy<Value = SolverSettings> {
         (-100.0..-1.001f64, 1.001..100.0f64).prop_map(|(x_min, x_max)| Domain::Fixed { x_min, x_max }),
     ];
     let acceleration = prop_oneof![Just(Acceleration::Anderson), Just(Acceleration::None)];
-    (domain, 25usize..=10_000, 1e-12..1e-2f64, acceleration, any::<bool>(), 1e-12..0.999f64).prop_map(
-        |(domain, half, residual, acceleration, estimate, tolerance)| SolverSettings {
-            method: Method::Relaxation,
+    let method = prop_oneof![Just(Method::Collocation), Just(Method::Relaxation)];
+    let tolerance = (-10.0..-1.0f64).prop_map(|power| 10f64.powf(power));
+    (domain, 25usize..=10_000, 1e-12..1e-2f64, acceleration, any::<bool>(), method, tolerance).prop_map(
+        |(domain, half, residual, acceleration, estimate, method, tolerance)| SolverSettings {
+            method,
             tolerance,
             relaxation: Settings {
                 domain,

@@ -1,0 +1,44 @@
+//! Where the time goes.
+
+use std::time::Instant;
+
+/// Seconds spent on each kind of work.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stages {
+    /// The elastic displacement of new meshes.
+    pub kernel: f64,
+    /// The retardation filter on them.
+    pub filter: f64,
+    /// Residuals and matrices.
+    pub assembly: f64,
+    /// LU factorisations.
+    pub factorisation: f64,
+    /// Solutions with the factors, and steps.
+    pub step: f64,
+}
+
+impl Stages {
+    /// The sum of two.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            kernel: self.kernel + other.kernel,
+            filter: self.filter + other.filter,
+            assembly: self.assembly + other.assembly,
+            factorisation: self.factorisation + other.factorisation,
+            step: self.step + other.step,
+        }
+    }
+
+    /// All of them.
+    pub fn total(&self) -> f64 {
+        self.kernel + self.filter + self.assembly + self.factorisation + self.step
+    }
+}
+
+/// Does a piece of work and adds its time to a stage.
+pub fn timed<T>(stage: &mut f64, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *stage += start.elapsed().as_secs_f64();
+    result
+}
