@@ -80,7 +80,9 @@ def plot(cases):
 def smaller(svg):
     """The same picture with coordinates to a hundredth of a point and no white space between elements."""
     svg = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
-    svg = re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), svg)
+    parts = re.split(r"(scale\([^)]*\))", svg)
+    parts[::2] = [re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", part) for part in parts[::2]]
+    svg = "".join(parts)
     return re.sub(r">\s+<", "><", svg)
 
 

@@ -2,8 +2,10 @@
 //! of `docs/accuracy.md`, from the 84 cases of `tests/reference/single_mode.csv`.
 //!
 //! ```text
-//! cargo run --release --example accuracy -- [--points 401,801,1601]
+//! cargo run --release --example accuracy -- [--box] [--points 401,801,1601]
 //! ```
+//!
+//! `--box` adds the whole range of parameters, `--points` the relaxation solver with these grids.
 //!
 //! Exact is what the collocation solver gives for a tolerance of 1e-10 with panels of degree 12; `tests/collocation` shows that this is the
 //! reference's solution. Times are given as ratios, for they depend on the machine.
@@ -12,6 +14,7 @@ mod beside_relaxation;
 #[path = "../../tests/collocation/measure.rs"]
 mod measure;
 mod tolerances;
+mod whole_box;
 
 use std::error::Error;
 
@@ -26,17 +29,33 @@ fn outcomes(settings: Settings, chain: &[Parameters]) -> Vec<SolvedCase> {
     solve_chain(&solver, chain, &output, &Interrupt::new()).expect("nobody interrupts")
 }
 
-fn points() -> Result<Vec<usize>, Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => Ok(vec![401, 801, 1601]),
-        ["--points", list] => Ok(list.split(',').map(str::parse).collect::<Result<_, _>>()?),
-        _ => Err("usage: accuracy [--points 401,801,1601]".into()),
+/// What to print besides the first two tables.
+#[derive(Default)]
+struct Options {
+    whole_box: bool,
+    points: Vec<usize>,
+}
+
+impl Options {
+    fn parse() -> Result<Self, Box<dyn Error>> {
+        let mut options = Self::default();
+        let mut arguments = std::env::args().skip(1);
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--box" => options.whole_box = true,
+                "--points" => {
+                    let list = arguments.next().ok_or("--points needs a list such as 401,801")?;
+                    options.points = list.split(',').map(str::parse).collect::<Result<_, _>>()?;
+                }
+                _ => return Err(format!("unknown option {argument}").into()),
+            }
+        }
+        Ok(options)
     }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let points = points()?;
+    let options = Options::parse()?;
     let cases: Vec<Parameters> = measure::reference().into_iter().map(|(parameters, _)| parameters).collect();
     // those of the reference stand in the order of β
     let chains: Vec<&[Parameters]> = cases.chunk_by(|a, b| (a.f, a.alpha) == (b.f, b.alpha)).collect();
@@ -46,10 +65,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact: Vec<_> = exact.into_iter().map(|case| case.outcome.map(|solution| solution.quantities)).collect();
     let exact = exact.into_iter().collect::<Result<Vec<_>, _>>().map_err(|failure| failure.reason)?;
 
-    println!("## What a tolerance keeps\n");
     tolerances::print("Each case alone", &alone, &exact);
     tolerances::print("Chains of four β, a decade apart", &chains, &exact);
-    println!("## Beside the relaxation solver\n");
-    beside_relaxation::print(&points, &chains, &exact);
+    if options.whole_box {
+        println!("The whole box, each case alone:\n");
+        whole_box::print();
+    }
+    if !options.points.is_empty() {
+        println!("Beside the relaxation solver:\n");
+        beside_relaxation::print(&options.points, &chains, &exact);
+    }
     Ok(())
 }
