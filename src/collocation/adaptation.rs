@@ -126,7 +126,7 @@ pub fn equidistributed(
         }
     };
     let film = Sizes::graded(&ends, &wanted, &longest, ln_factor.exp()).divide(number as usize);
-    Mesh::new(reference.degree, film)
+    Mesh::new(reference.degree, state.mesh.growth, film)
 }
 
 /// The size that panels are to have, linear between given places.
@@ -202,7 +202,7 @@ mod tests {
     fn thick_film_state(reference: &Arc<ReferencePanel>) -> State {
         let mut displacement = Displacement::new(reference);
         let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
-        displacement.set_mesh(&thick_film::mesh(reference.degree, 1.0, 300.0), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(reference.degree, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
         thick_film::state(&displacement, 1.0)
     }
 

@@ -33,7 +33,7 @@ impl Discretisation {
     /// One without panels yet.
     pub fn new(reference: &Arc<ReferencePanel>) -> Self {
         Self {
-            mesh: Mesh::new(reference.degree, vec![0.0, 1.0]),
+            mesh: Mesh::new(reference.degree, 2.0, vec![0.0, 1.0]),
             reference: Arc::clone(reference),
             points: Vec::new(),
             weights: Vec::new(),

@@ -13,25 +13,24 @@ pub struct Mesh {
     pub film: Vec<f64>,
     /// Ends of the panels behind the outlet, ascending from −Y to 0.
     pub behind: Vec<f64>,
+    /// Ratio of neighbouring panels behind the outlet.
+    pub growth: f64,
 }
-
-/// Ratio of neighbouring panels behind the outlet.
-const GROWTH_BEHIND: f64 = 3.0;
 
 impl Mesh {
     /// A mesh with these ends of panels ahead of the outlet. Behind it panels grow from the size of the first one in
-    /// geometric progression until they reach as far.
-    pub fn new(degree: usize, film: Vec<f64>) -> Arc<Self> {
+    /// geometric progression, by the factor `growth`, until they reach as far.
+    pub fn new(degree: usize, growth: f64, film: Vec<f64>) -> Arc<Self> {
         let (first, reach) = (film[1] - film[0], film[film.len() - 1]);
         let mut behind = vec![0.0];
         let (mut size, mut at) = (first, 0.0);
         while at < reach {
-            at = if at + (1.0 + GROWTH_BEHIND) * size > reach { reach } else { at + size };
+            at = if at + (1.0 + growth) * size > reach { reach } else { at + size };
             behind.push(-at);
-            size *= GROWTH_BEHIND;
+            size *= growth;
         }
         behind.reverse();
-        Arc::new(Self { degree, film, behind })
+        Arc::new(Self { degree, film, behind, growth })
     }
 
     /// Number of panels with pressure.
@@ -48,6 +47,15 @@ impl Mesh {
     pub fn locate(&self, y: f64) -> (usize, f64) {
         locate(&self.film, y)
     }
+}
+
+/// The growth of panels behind the outlet that leaves an error of this part in integrals over them.
+///
+/// The gap there is smooth but for the outlet, a distance a behind which a panel of length (g − 1)a begins. Gauss' rule with d
+/// points leaves ρ^{−2d} of such an integral, with the ellipse ρ = (√g + 1)/(√g − 1) that just reaches the outlet.
+pub fn growth_behind(degree: usize, error: f64) -> f64 {
+    let rho = error.powf(-0.5 / degree as f64);
+    ((rho + 1.0) / (rho - 1.0)).powi(2).clamp(1.1, 8.0)
 }
 
 /// The panel between two of `ends` that holds y, and its place there in [−1, 1].

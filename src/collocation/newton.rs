@@ -156,7 +156,7 @@ mod tests {
     fn prepared(beta: f64) -> (Displacement, State) {
         let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(8)));
         let kernel = DisplacementKernel::new(&Parameters::new(1.0, beta, 10.0));
-        displacement.set_mesh(&thick_film::mesh(8, beta, 1e3), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(8, 3.0, beta, 1e3), &kernel, &mut Stages::default());
         let state = thick_film::state(&displacement, beta);
         (displacement, state)
     }

@@ -282,7 +282,7 @@ mod tests {
             .chain([12.0, 14.0, 17.0, 21.0, 26.0, 32.0, 40.0])
             .collect();
         let mut discretisation = Discretisation::new(&reference);
-        discretisation.set_mesh(&Mesh::new(8, ends));
+        discretisation.set_mesh(&Mesh::new(8, 3.0, ends));
         let nodes: Vec<f64> = discretisation
             .mesh
             .film

@@ -6,6 +6,7 @@ use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicator
 use super::estimate::{ENRICHMENT, Estimate, estimate};
 use super::fields::fields;
 use super::log_moments::MOST_MOMENTS;
+use super::mesh::growth_behind;
 use super::reference::{ReferencePanel, evaluate};
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
@@ -31,6 +32,8 @@ const ACCURATE_MESHES: usize = 12;
 const ACCEPTED: f64 = 0.9;
 const AIM: f64 = 0.15;
 const IDLE: f64 = 0.002;
+/// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
+const BEHIND: f64 = 0.01;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = 160;
 /// Least pressure over the largest; below it the film would carry tension.
@@ -146,7 +149,9 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<(State, Seed), Halt> {
         workspace.enter(parameters);
         let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
-        let mesh = thick_film::mesh(self.settings.degree, parameters.beta, reach);
+        let Settings { degree, tolerance } = self.settings;
+        let growth = growth_behind(degree, BEHIND * tolerance);
+        let mesh = thick_film::mesh(degree, growth, parameters.beta, reach);
         workspace.prepare_coarse(&mesh, &mut work.effort);
         Ok((thick_film::state(workspace.coarse.displacement(), parameters.beta), Seed::ThickFilm))
     }

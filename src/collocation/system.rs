@@ -265,7 +265,7 @@ mod tests {
             let parameters = Parameters::new(alpha, beta, f);
             let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(6)));
             displacement.set_mesh(
-                &thick_film::mesh(6, beta, 500.0),
+                &thick_film::mesh(6, 3.0, beta, 500.0),
                 &DisplacementKernel::new(&parameters),
                 &mut Stages::default(),
             );

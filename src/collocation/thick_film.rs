@@ -13,8 +13,8 @@ const PANELS: [f64; 10] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.2, 3.5, 6.0, 12.0];
 /// Ratio of the ends of panels further ahead.
 const GROWTH: f64 = 2.5;
 
-/// A mesh for the rigid film at β, from the outlet to `reach`.
-pub fn mesh(degree: usize, beta: f64, reach: f64) -> Arc<Mesh> {
+/// A mesh for the rigid film at β, from the outlet to `reach`; `growth` is that of the panels behind it.
+pub fn mesh(degree: usize, growth: f64, beta: f64, reach: f64) -> Arc<Mesh> {
     let film = RigidFilm::new(beta);
     let width = (2.0 * film.separation()).sqrt();
     let mut ends: Vec<f64> = PANELS.iter().map(|end| width * end).collect();
@@ -24,7 +24,7 @@ pub fn mesh(degree: usize, beta: f64, reach: f64) -> Arc<Mesh> {
         end *= GROWTH;
     }
     ends.push(reach);
-    Mesh::new(degree, ends)
+    Mesh::new(degree, growth, ends)
 }
 
 /// The rigid film at β on a mesh, lifted by the displacement of its own pressure.

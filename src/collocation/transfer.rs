@@ -77,7 +77,7 @@ impl State {
     pub fn scaled(&self, factor: f64) -> Self {
         let film = self.mesh.film.iter().map(|end| factor * end).collect();
         Self {
-            mesh: Mesh::new(self.mesh.degree, film),
+            mesh: Mesh::new(self.mesh.degree, self.mesh.growth, film),
             pressure: self.pressure.iter().map(|p| p / factor).collect(),
             film: self.film.iter().map(|u| u * factor * factor).collect(),
             c: self.c * factor * factor,
@@ -122,11 +122,11 @@ mod tests {
         let reference = Arc::new(ReferencePanel::new(7));
         let mut displacement = Displacement::new(&reference);
         let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
-        displacement.set_mesh(&thick_film::mesh(7, 1.0, 300.0), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(7, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
         let state = thick_film::state(&displacement, 1.0);
         let ends = &state.mesh.film;
         let halved = ends.windows(2).flat_map(|ends| [ends[0], 0.5 * (ends[0] + ends[1])]).chain([state.mesh.reach()]);
-        let there = state.on(&reference, &Mesh::new(7, halved.collect()));
+        let there = state.on(&reference, &Mesh::new(7, 3.0, halved.collect()));
         let back = there.on(&reference, &state.mesh);
         let largest = state.pressure.iter().fold(0.0, |a: f64, b| a.max(*b));
         for (before, after) in state.pressure.iter().zip(&back.pressure) {
@@ -142,7 +142,7 @@ mod tests {
         let reference = Arc::new(ReferencePanel::new(7));
         let mut displacement = Displacement::new(&reference);
         let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
-        displacement.set_mesh(&thick_film::mesh(7, 1.0, 300.0), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(7, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
         let state = thick_film::state(&displacement, 1.0);
         let stretched = state.scaled(3.0);
         let load = |displacement: &Displacement, state: &State| -> f64 {
