@@ -1,4 +1,4 @@
-//! Laws on random cases, the same ones each time: a case in some thousands misses its tolerance (`docs/accuracy.md`).
+//! Laws on random cases, the same ones each time.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
