@@ -24,6 +24,8 @@ const NEWTON: f64 = 1e-3;
 /// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
 const ROUGH: f64 = 1e-3;
 const SMOOTH: f64 = 1e-4;
+/// Largest indicator over the root of the tolerance.
+const RESOLVED: f64 = 0.3;
 /// Meshes that are tried for a solution that is good enough to go on from, and for one with the wanted accuracy.
 const ROUGH_MESHES: usize = 4;
 const ACCURATE_MESHES: usize = 12;
@@ -33,7 +35,7 @@ const ACCEPTED: f64 = 0.9;
 const AIM: f64 = 0.15;
 const IDLE: f64 = 0.002;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
-const BEHIND: f64 = 0.01;
+const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = 160;
 /// Least pressure over the largest; below it the film would carry tension.
@@ -73,6 +75,13 @@ impl CollocationSolver {
         let factor = (error / AIM).powf(1.0 / (1.5 * self.settings.degree as f64)).clamp(0.6, 1.8);
         let wanted = (present as f64 * factor).round() as usize;
         wanted.max(4)
+    }
+
+    /// The square of the largest indicator, which is about the error of friction and flow, over the one that is let pass: so
+    /// that a small estimate is never an accident of a coarse mesh, on which two errors happen to be alike.
+    fn coarseness(&self, state: &State) -> f64 {
+        let roughest = indicators(&self.coarse, state).into_iter().fold(0.0, f64::max);
+        ACCEPTED * roughest * roughest / (RESOLVED * RESOLVED * self.settings.tolerance)
     }
 
     fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
@@ -224,7 +233,7 @@ impl CaseSolver for CollocationSolver {
             if tension < ROUGH_TENSION {
                 return Err(tension_failure(tension));
             }
-            let error = estimate.worst() / self.settings.tolerance;
+            let error = f64::max(estimate.worst() / tolerance, self.coarseness(state));
             state.error = Some(error);
             let free_of_tension = tension >= TENSION;
             if error <= ACCEPTED && free_of_tension {

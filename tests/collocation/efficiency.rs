@@ -28,7 +28,7 @@ fn a_fixed_sweep_costs_no_more_than_it_did() {
     println!("iterations, factorisations, meshes and unknowns a case: {counts:.3?}");
     // all but the first two of a chain come from the predictor
     assert_eq!(cases - predicted, 14.0);
-    for (count, bound) in counts.into_iter().zip([3.0, 2.3, 0.32, 102.0]) {
+    for (count, bound) in counts.into_iter().zip([3.0, 2.25, 0.3, 113.0]) {
         assert!(count <= bound, "{counts:?}");
         assert!(count > 0.8 * bound, "cheaper than it was: lower the bounds: {counts:?}");
     }

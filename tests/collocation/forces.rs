@@ -137,6 +137,6 @@ fn shear_load_and_moment_are_those_of_the_fields() {
         let shear = shear - 4.0 / (3.0 * PI * beta * end);
         let shear = (shear / quantities.friction.hydrodynamic_film - 1.0).abs();
         // the moment is not under the tolerance's control
-        assert!(load < 1e-9 && moment < 5e-7 && shear < 1e-8, "{case:?}: {load:.1e} {moment:.1e} {shear:.1e}");
+        assert!(load < 1e-9 && moment < 5e-7 && shear < 3e-8, "{case:?}: {load:.1e} {moment:.1e} {shear:.1e}");
     });
 }
