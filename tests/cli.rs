@@ -204,7 +204,7 @@ fn a_finished_sweep_from_plan_to_verify() {
         "converged  9\n",
         "failed     0\n",
         "to do      0\n",
-        "all cases are solved",
+        "all cases were tried",
         "9 of 9 cases in",
         ", completed\n",
     ] {
@@ -214,7 +214,7 @@ fn a_finished_sweep_from_plan_to_verify() {
     let (there, away) = (here.join("results/small/summary.csv"), here.join("away.csv"));
     fs::rename(&there, &away).expect("moved");
     let unpublished = out(&say(here, &["status", "results/small"]));
-    assert!(unpublished.contains("all cases are solved, but not yet published; run it again"), "{unpublished}");
+    assert!(unpublished.contains("all cases were tried, but not yet published; run it again"), "{unpublished}");
     fs::rename(&away, &there).expect("moved back");
     let verify = say(here, &["verify", "results/small"]);
     assert_eq!(code(&verify), 0, "{}", out(&verify));

@@ -80,8 +80,8 @@ fn of_sweep(
     let Workload { new, converged, failed, .. } = workload;
     let state = match (owner, new) {
         (Some(owner), _) => format!("running ({owner})"),
-        (None, 0) if published => "stopped, all cases are solved".to_owned(),
-        (None, 0) => "stopped, all cases are solved, but not yet published; run it again".to_owned(),
+        (None, 0) if published => "stopped, all cases were tried".to_owned(),
+        (None, 0) => "stopped, all cases were tried, but not yet published; run it again".to_owned(),
         (None, _) => "stopped; the same `stribeck run` command resumes it".to_owned(),
     };
     let mut text = format!("{}: {}\n{state}\n\n", arguments.directory.display(), sweep.title);

@@ -13,9 +13,10 @@ const GRADING: f64 = 1.7;
 /// Indicators fall about as the (d/CONVERGENCE)-th power of the size of a panel: more slowly than the d-th, because the
 /// peaks that matter are only just resolved.
 const CONVERGENCE: f64 = 1.7;
-/// Panels at the outlet and at the inlet are at most so many times as long as the layer there; at the outlet to begin with.
+/// The first panel is at most so many times as long as the layer at the outlet; fewer times in states whose pressure dipped
+/// below zero there.
 pub const OUTLET_PANEL: f64 = 8.0;
-/// The same at the inlet.
+/// The same for panels at the inlet.
 pub const INLET_PANEL: f64 = 8.0;
 /// The smallest indicator that counts; below it is rounding.
 const LEAST: f64 = 1e-15;

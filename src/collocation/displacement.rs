@@ -1,14 +1,16 @@
 //! The displacement (T9) on a mesh, for one substrate.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::discretisation::Discretisation;
+use super::inlet::Inlet;
 use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
 use super::retardation::RetardationFilter;
 use super::stages::{Stages, timed};
-use crate::model::DisplacementKernel;
+use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
 /// w and the part of w′ that does work, both as matrices on the pressure; for all cases with the same mesh, α and f.
 pub struct Displacement {
@@ -72,6 +74,16 @@ impl Displacement {
             }
             filters.push((weight, filter));
         }
+    }
+
+    /// w of the load ahead of the mesh, which is so far away that all of the contact is displaced alike: it is a part of h₀
+    /// and w that no film knows of. The pressure ahead falls as x⁻³.
+    pub fn of_load_ahead(&self, inlet: &Inlet) -> f64 {
+        let kernel = |x: f64| {
+            let retarded = self.filters.iter().map(|(weight, filter)| weight * retarded_mode(filter.alpha(), x));
+            self.elastic_weight * x.abs().ln() + retarded.sum::<f64>()
+        };
+        inlet.load / PI * gauss::mean(0.0, 1.0, |t| 2.0 * t * kernel(-inlet.start / t))
     }
 
     /// w at any places from p at the nodes.

@@ -56,11 +56,10 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// The largest error of μ_v, μ_h and c, or `extremes` if that is larger; infinite if one is not a number.
+    /// The largest error of μ_v, μ_h and c; infinite if one is not a number.
     pub fn worst(&self) -> f64 {
         let RelativeErrors { mu_v, mu_h, c } = self.errors;
-        let larger = |a: f64, error: f64| if error.is_nan() { f64::INFINITY } else { a.max(error) };
-        [mu_v, mu_h, c, self.extremes].into_iter().fold(0.0, larger)
+        [mu_v, mu_h, c].into_iter().fold(0.0, larger)
     }
 }
 
@@ -95,5 +94,11 @@ pub fn estimate(
         mu_h: (after.hydrodynamic() / before.hydrodynamic() - 1.0).abs(),
         c: (corrected.c / solution.c - 1.0).abs(),
     };
-    Estimate { quantities: solution, errors, extremes: pressure_change.max(film_change) }
+    let extremes = [pressure_change, film_change].into_iter().fold(0.0, larger);
+    Estimate { quantities: solution, errors, extremes }
+}
+
+/// The larger of two numbers; infinite if the second is none.
+fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

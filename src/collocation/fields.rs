@@ -2,12 +2,20 @@
 
 use super::displacement::Displacement;
 use super::inlet::Inlet;
+use super::quantities::inlet;
 use super::reference::evaluate;
 use super::state::State;
 use crate::model::{Fields, Output};
 
-/// The fields asked for. There is no error of interpolation beyond that of the solution: p is its own polynomial, w the
-/// displacement of this p at the very point, and u follows from (T3).
+/// How far the film by its displacement may be from the one by its polynomial.
+const THIN: f64 = 0.01;
+
+/// The fields asked for: p is its own polynomial on each panel, w the displacement of this p at the very place, and u follows
+/// (T3). There is no error of interpolation beyond that of the solution.
+///
+/// With one exception: the film equation holds at the Gauss points, and between them the displacement of a pressure that is
+/// known well may still be off by a good part of a very thin film. Where that is more than a hundredth, u is the polynomial of
+/// ln u through the Gauss points, and w what follows from it.
 pub fn fields(displacement: &Displacement, beta: f64, state: &State, output: &Output) -> Fields {
     let wanted = output.fields;
     let mut fields = Fields::default();
@@ -16,16 +24,43 @@ pub fn fields(displacement: &Displacement, beta: f64, state: &State, output: &Ou
         fields.pressure = Some(pressure(displacement, beta, state, &places));
     }
     if wanted.film_thickness || wanted.displacement {
-        let w = displacement.interpolate(&state.pressure, &places);
-        if wanted.film_thickness {
-            let film = |(y, w): (&f64, &f64)| state.separation + state.outlet * y + 0.5 * y * y - w;
-            fields.film_thickness = Some(places.iter().zip(&w).map(film).collect());
-        }
-        if wanted.displacement {
-            fields.displacement = Some(w);
-        }
+        let (film, deformed) = film(displacement, beta, state, &places);
+        fields.film_thickness = wanted.film_thickness.then_some(film);
+        fields.displacement = wanted.displacement.then_some(deformed);
     }
     fields
+}
+
+/// u and w at places y.
+fn film(displacement: &Displacement, beta: f64, state: &State, places: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let discretisation = &displacement.discretisation;
+    let (reference, mesh) = (&discretisation.reference, &discretisation.mesh);
+    let degree = reference.degree;
+    let size = degree + 1;
+    let mut coefficients = vec![0.0; mesh.panels() * size];
+    let logarithms: Vec<f64> = state.film.iter().map(|u| u.ln()).collect();
+    for (coefficients, logarithms) in coefficients.chunks_exact_mut(size).zip(logarithms.chunks_exact(degree)) {
+        reference.coefficients_of_points(logarithms, &mut coefficients[..degree]);
+    }
+    // the outlet is one more place where u is known: c. P_d, which is 0 at the Gauss points, takes the polynomial there
+    let parity = if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
+    coefficients[degree] = parity * (state.c.ln() - evaluate(&coefficients[..degree], -1.0));
+    let mut deformed = displacement.interpolate(&state.pressure, places).into_iter();
+    let ahead = displacement.of_load_ahead(&inlet(displacement, beta, state));
+    let at = |&y: &f64| {
+        let undeformed = state.separation + state.outlet * y + 0.5 * y * y;
+        let deformed = deformed.next().expect("one for each place");
+        let film = undeformed - deformed;
+        if (0.0..=mesh.reach()).contains(&y) {
+            let (panel, t) = mesh.locate(y);
+            let known = evaluate(&coefficients[panel * size..(panel + 1) * size], t).exp();
+            if (film - known).abs() > THIN * known {
+                return (known, undeformed - known + ahead);
+            }
+        }
+        (film, deformed + ahead)
+    };
+    places.iter().map(at).unzip()
 }
 
 /// p at places y: 0 behind the outlet, the panel polynomials on the mesh, the inlet film beyond it.

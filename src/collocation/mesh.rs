@@ -1,4 +1,4 @@
-//! Panels on y = x − x_out, and how one mesh leads to the next.
+//! Panels on y = x − x_out.
 
 use std::sync::Arc;
 

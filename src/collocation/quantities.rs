@@ -17,10 +17,7 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
     let mut gradient = Vec::new();
     pressure_gradient(displacement, &state.pressure, &mut gradient);
     let pressure = at_points(displacement, &state.pressure);
-    let x = state.outlet + discretisation.mesh.reach();
-    let last = film.len() - 1;
-    let end_film = state.film[last] + 0.5 * (x * x - (state.outlet + y[last]).powi(2));
-    let inlet = Inlet::new(beta, x, end_film, state.c);
+    let inlet = inlet(displacement, beta, state);
 
     let mut pressure_flow = inlet.pressure_flow;
     let mut shear = inlet.shear;
@@ -49,10 +46,19 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
         x_p_max: state.outlet + x_p_max,
         x_outlet: state.outlet,
         centroid,
-        // (T12) in terms of x: h₀′ = h₀ + x_out²/2
-        separation: state.separation - 0.5 * state.outlet * state.outlet,
+        // (T12) in terms of x: h₀′ = h₀ + x_out²/2, and the same for the load ahead of the mesh
+        separation: state.separation - 0.5 * state.outlet * state.outlet + displacement.of_load_ahead(&inlet),
         load_residual: (load / FRAC_PI_2 - 1.0).abs(),
     }
+}
+
+/// The film ahead of the mesh of a solution.
+pub fn inlet(displacement: &Displacement, beta: f64, state: &State) -> Inlet {
+    let discretisation = &displacement.discretisation;
+    let x = state.outlet + discretisation.mesh.reach();
+    let last = state.film.len() - 1;
+    let last_x = state.outlet + discretisation.film_y()[last];
+    Inlet::new(beta, x, state.film[last] + 0.5 * (x * x - last_x * last_x), state.c)
 }
 
 /// p at the Gauss points of the film.

@@ -118,6 +118,11 @@ impl RetardationFilter {
         Self { alpha, panels: ends.map(panel).collect() }
     }
 
+    /// α of the mode.
+    pub fn alpha(&self) -> f64 {
+        self.alpha
+    }
+
     /// v and v′ at the Gauss points, and v at the outlet, from p at the nodes, rows × nodes; 0 at the other ends. `panel` is a
     /// buffer.
     pub fn apply(

@@ -12,7 +12,13 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Tolerances that the method can keep.
+    /// Settings for a tolerance: panels of degree 8 or, below 1e-8, of degree 12, which need fewer unknowns there.
+    pub fn for_tolerance(tolerance: f64) -> Self {
+        let degree = if tolerance < 1e-8 { 12 } else { 8 };
+        Self { tolerance, degree }
+    }
+
+    /// Tolerances that the method can keep where films are not too thin for double precision.
     pub const TOLERANCE: RangeInclusive<f64> = 1e-10..=1e-1;
     /// Degrees that make sense.
     pub const DEGREE: RangeInclusive<usize> = 3..=16;
@@ -20,6 +26,6 @@ impl Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-5, degree: 8 }
+        Self::for_tolerance(1e-5)
     }
 }

@@ -26,14 +26,17 @@ const ROUGH: f64 = 1e-3;
 const SMOOTH: f64 = 1e-4;
 /// Largest indicator over the root of the tolerance.
 const RESOLVED: f64 = 0.3;
-/// Meshes that are tried for a solution that is good enough to go on from, and for one with the wanted accuracy.
+/// Meshes that are tried for a solution that is good enough to go on from.
 const ROUGH_MESHES: usize = 4;
-const ACCURATE_MESHES: usize = 12;
-/// The estimated error over the tolerance: accepted up to the first; the second is what a new mesh is made for; below the
-/// third a coarser mesh will do for the next case.
+/// A mesh that leaves more than the first part of the least error so far is in vain; after so many there is no other.
+const GAIN: f64 = 0.8;
+const VAIN_MESHES: usize = 4;
+/// The estimated error over the tolerance that is accepted, and the one that a new mesh is made for.
 const ACCEPTED: f64 = 0.9;
 const AIM: f64 = 0.15;
-const IDLE: f64 = 0.002;
+/// The next case gets a new mesh if the error over the tolerance was outside of these.
+const IDLE: f64 = 0.001;
+const CLOSE: f64 = 0.45;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
@@ -52,7 +55,13 @@ pub struct CollocationSolver {
 
 impl CollocationSolver {
     /// A solver with the given settings.
+    ///
+    /// # Panics
+    /// If they are outside of [`Settings::TOLERANCE`] and [`Settings::DEGREE`].
     pub fn new(settings: Settings) -> Self {
+        let Settings { tolerance, degree } = settings;
+        assert!(Settings::TOLERANCE.contains(&tolerance), "no solver for a tolerance of {tolerance:e}");
+        assert!(Settings::DEGREE.contains(&degree), "no solver with panels of degree {degree}");
         Self {
             settings,
             coarse: Arc::new(ReferencePanel::new(settings.degree)),
@@ -129,6 +138,9 @@ impl CaseSolver for CollocationSolver {
     type State = State;
 
     fn prepare(&self, parameters: &Parameters, _: &Output) -> Result<Workspace, Failure> {
+        if !(parameters.beta > 0.0 && parameters.beta.is_finite()) {
+            return Err(Failure::new(format!("beta must be a positive number, not {}", parameters.beta)));
+        }
         Ok(Workspace::new(&self.coarse, &self.fine, parameters))
     }
 
@@ -181,7 +193,7 @@ impl CaseSolver for CollocationSolver {
             guess.add_difference(secant(far_parameters, near_parameters, parameters), near, &back);
         }
         match near.error {
-            Some(error) if !(IDLE..=ACCEPTED).contains(&(2.0 * error)) => {
+            Some(error) if !(IDLE..=CLOSE).contains(&error) => {
                 let panels = Panels::Number(self.panels(near.mesh.panels(), error));
                 self.remeshed(parameters, &guess, panels, to.reach(self.settings.tolerance))
             }
@@ -223,50 +235,105 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<Solution, Halt> {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
-        for _ in 0..ACCURATE_MESHES {
-            workspace.prepare_fine(&state.mesh, &mut work.effort);
-            let displacement = workspace.coarse.displacement();
-            let (tolerance, cavity_shear) = (self.settings.tolerance, output.cavity_shear);
-            let effort = &mut work.effort;
-            let estimate = estimate(displacement, &mut workspace.fine, beta, state, cavity_shear, tolerance, effort);
-            let (tension, place) = tension(&self.coarse, state);
-            if tension < ROUGH_TENSION {
-                return Err(tension_failure(tension));
+        let (mut least, mut vain) = (f64::INFINITY, 0);
+        loop {
+            let (judgement, solution) = self.judge(workspace, beta, state, output, work);
+            state.error = Some(judgement.error);
+            if judgement.tension < ROUGH_TENSION {
+                return Err(tension_failure(judgement.tension));
             }
-            let error = f64::max(estimate.worst() / tolerance, self.coarseness(state));
-            state.error = Some(error);
-            let free_of_tension = tension >= TENSION;
-            if error <= ACCEPTED && free_of_tension {
+            if judgement.is_accepted() {
                 work.effort.unknowns = unknowns(workspace.coarse.displacement());
                 let fields = fields(workspace.coarse.displacement(), beta, state, output);
-                let Estimate { quantities, errors, .. } = estimate;
+                let Estimate { quantities, errors, .. } = solution;
                 return Ok(Solution { quantities, errors, fields });
             }
-            // A little tension is an oscillation about p′ = 0 at the outlet that a shorter first panel resolves, or more panels.
-            let mut panels = state.mesh.panels();
-            if !free_of_tension && place == 0 {
-                state.outlet_panel = 0.4 * state.mesh.film[1] / layer(parameters, state.c);
-            } else {
-                panels += 1;
+            vain = if judgement.excess() > GAIN * least { vain + 1 } else { 0 };
+            least = least.min(judgement.excess());
+            let finer = self.refined(parameters, state, &judgement, reach);
+            if vain == VAIN_MESHES || finer.mesh.panels() > MOST_PANELS {
+                return Err(judgement.failure(self.settings.tolerance, state.mesh.panels()));
             }
-            if error > ACCEPTED {
-                panels = self.panels(state.mesh.panels(), error).max(panels);
-            }
-            if panels > MOST_PANELS {
-                break;
-            }
-            *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
+            *state = finer;
             self.correct(workspace, beta, state, work)?;
         }
-        let (error, panels) = (state.error.unwrap_or(f64::INFINITY), state.mesh.panels());
-        let (tension, _) = tension(&self.coarse, state);
-        if error <= ACCEPTED {
-            return Err(tension_failure(tension));
+    }
+}
+
+/// What stands between a solution and its acceptance.
+struct Judgement {
+    /// Over the tolerance: the largest of the estimated errors, the extremes and the coarseness.
+    error: f64,
+    /// What that is.
+    of: &'static str,
+    /// The smallest pressure over the largest, and the panel it is on.
+    tension: f64,
+    place: usize,
+}
+
+impl Judgement {
+    fn is_accepted(&self) -> bool {
+        self.error <= ACCEPTED && self.tension >= TENSION
+    }
+
+    /// How far it is from acceptance, 1 and less being none.
+    fn excess(&self) -> f64 {
+        f64::max(self.error / ACCEPTED, self.tension / TENSION)
+    }
+
+    fn failure(&self, tolerance: f64, panels: usize) -> Halt {
+        if self.error <= ACCEPTED {
+            return tension_failure(self.tension);
         }
+        let times = if self.error < 1e4 { format!("{:.1}", self.error) } else { format!("{:.0e}", self.error) };
         let reason = format!(
-            "the estimated error is still {error:.1} times the tolerance {:e} with {panels} panels; ask for a larger tolerance",
-            self.settings.tolerance
+            "{} is still {times} times the tolerance {tolerance:e} with {panels} panels, and more do not help; ask for a larger \
+             tolerance",
+            self.of
         );
-        Err(Halt::Failed(Failure::new(reason)))
+        Halt::Failed(Failure::new(reason))
+    }
+}
+
+impl CollocationSolver {
+    /// Estimates the errors of a solution and looks at it.
+    fn judge(
+        &self,
+        workspace: &mut Workspace,
+        beta: f64,
+        state: &State,
+        output: &Output,
+        work: &mut Work,
+    ) -> (Judgement, Estimate) {
+        let tolerance = self.settings.tolerance;
+        workspace.prepare_fine(&state.mesh, &mut work.effort);
+        let Workspace { coarse, fine, .. } = workspace;
+        let effort = &mut work.effort;
+        let estimate = estimate(coarse.displacement(), fine, beta, state, output.cavity_shear, tolerance, effort);
+        let measures = [
+            (estimate.worst() / tolerance, "the estimated error"),
+            (estimate.extremes / tolerance, "what richer panels change in the largest pressure or the smallest film"),
+            (self.coarseness(state), "the square of what is left of the pressure's polynomials"),
+        ];
+        let larger = |a: (f64, &'static str), b: (f64, &'static str)| if b.0 > a.0 { b } else { a };
+        let (error, of) = measures.into_iter().fold((0.0, ""), larger);
+        let (tension, place) = tension(&self.coarse, state);
+        (Judgement { error, of, tension, place }, estimate)
+    }
+
+    /// A guess on a mesh on which a solution should do better. A little tension is an oscillation about p′ = 0 at the outlet,
+    /// which a shorter first panel resolves; all else takes more panels.
+    fn refined(&self, parameters: &Parameters, state: &State, judgement: &Judgement, reach: f64) -> State {
+        let mut panels = state.mesh.panels();
+        let mut state = state.clone();
+        if judgement.tension < TENSION && judgement.place == 0 {
+            state.outlet_panel = 0.4 * state.mesh.film[1] / layer(parameters, state.c);
+        } else {
+            panels += 1;
+        }
+        if judgement.error > ACCEPTED {
+            panels = self.panels(state.mesh.panels(), judgement.error).max(panels);
+        }
+        self.remeshed(parameters, &state, Panels::Number(panels), reach)
     }
 }

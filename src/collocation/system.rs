@@ -22,7 +22,7 @@ pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f6
 ///             δp (m·d − 1)                     δc     δh₀′   δx_out
 ///   ┌                                                              ┐
 ///   │  βu²D − a∘W                             −1/u     a      a y   │  flow / u (T2), m·d rows
-///   │  node weights                             0      0      p(X)  │  load (T4)
+///   │  node weights                             0      0     −p(X)  │  load (T4)
 ///   │  −W at the outlet                        −1      1      0     │  u = c at the outlet (T5), over c
 ///   └                                                              ┘
 /// ```

@@ -93,7 +93,7 @@ pub struct SolverSettings {
 impl SolverSettings {
     /// Settings of the collocation method: a sweep chooses the tolerance alone.
     pub fn collocation(&self) -> collocation::Settings {
-        collocation::Settings { tolerance: self.tolerance, ..collocation::Settings::default() }
+        collocation::Settings::for_tolerance(self.tolerance)
     }
 }
 

@@ -37,6 +37,27 @@ fn the_film_is_the_gap() {
     });
 }
 
+/// Where the film is so thin that the displacement between the Gauss points is not known to a hundredth of it: no field falls
+/// below the smallest film, which the points know.
+#[test]
+fn very_thin_films_are_not_torn() {
+    let cases = [
+        Parameters::new(2.3087765166375434, 69762742.77589335, 8532.083314889915),
+        Parameters::new(86.326527638278, 6.062764892504697e11, 1489.8928609002248),
+        Parameters::new(826.0, 8.9e11, 623.0),
+        Parameters::elastic(1e8),
+    ];
+    cases.par_iter().for_each(|case| {
+        for tolerance in [1e-5, 1e-6] {
+            let x: Vec<f64> = (0..=5000).map(|i| -1.2 + 2.4 * f64::from(i) / 5000.0).collect();
+            let solution = solution(settings(tolerance), case, &fields_at(x));
+            let film = solution.fields.film_thickness.as_ref().unwrap();
+            let least = film.iter().fold(f64::INFINITY, |a, &u| a.min(u));
+            assert!(least >= 0.98 * solution.quantities.film_min, "{case:?}: {least:e} {:?}", solution.quantities);
+        }
+    });
+}
+
 /// At the outlet the film is c, and pressure and its slope are 0 (T5).
 #[test]
 fn the_outlet_is_where_the_film_is_c() {
