@@ -117,17 +117,23 @@ mod tests {
     use super::*;
     use crate::model::{DisplacementKernel, Parameters};
 
-    #[test]
-    fn a_finer_mesh_holds_the_same_polynomials() {
-        let reference = Arc::new(ReferencePanel::new(7));
-        let mut displacement = Displacement::new(&reference);
+    /// A thick film with panels of degree 7, and what displaces it.
+    fn thick_film() -> (Displacement, DisplacementKernel, State) {
+        let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(7)));
         let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
         displacement.set_mesh(&thick_film::mesh(7, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
         let state = thick_film::state(&displacement, 1.0);
+        (displacement, kernel, state)
+    }
+
+    #[test]
+    fn a_finer_mesh_holds_the_same_polynomials() {
+        let (displacement, _, state) = thick_film();
+        let reference = &displacement.discretisation.reference;
         let ends = &state.mesh.film;
         let halved = ends.windows(2).flat_map(|ends| [ends[0], 0.5 * (ends[0] + ends[1])]).chain([state.mesh.reach()]);
-        let there = state.on(&reference, &Mesh::new(7, 3.0, halved.collect()));
-        let back = there.on(&reference, &state.mesh);
+        let there = state.on(reference, &Mesh::new(7, 3.0, halved.collect()));
+        let back = there.on(reference, &state.mesh);
         let largest = state.pressure.iter().fold(0.0, |a: f64, b| a.max(*b));
         for (before, after) in state.pressure.iter().zip(&back.pressure) {
             assert!((before - after).abs() < 1e-13 * largest);
@@ -139,11 +145,7 @@ mod tests {
 
     #[test]
     fn stretching_keeps_the_load() {
-        let reference = Arc::new(ReferencePanel::new(7));
-        let mut displacement = Displacement::new(&reference);
-        let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
-        displacement.set_mesh(&thick_film::mesh(7, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
-        let state = thick_film::state(&displacement, 1.0);
+        let (mut displacement, kernel, state) = thick_film();
         let stretched = state.scaled(3.0);
         let load = |displacement: &Displacement, state: &State| -> f64 {
             let weights = &displacement.discretisation.node_weights;
