@@ -66,21 +66,15 @@ fn reference() -> &'static (Bytes, Duration) {
     })
 }
 
-/// The shards that are in place.
-fn shards(results: &Path) -> usize {
-    let files = fs::read_dir(results.join("shards")).into_iter().flatten();
-    files.filter(|file| !file.as_ref().expect("listed").file_name().to_string_lossy().starts_with('.')).count()
-}
-
 /// Cases that are stored; 0 where there is no results directory yet.
 fn stored(results: &Path) -> u64 {
     Holdings::read(results, &Output::default()).map_or(0, |held| held.counts().converged)
 }
 
-/// Waits until a run has brought another shard in place, or has ended.
-fn wait_for_shard(run: &mut Child, results: &Path) {
-    let before = shards(results);
-    while shards(results) == before && run.try_wait().expect("asked").is_none() {
+/// Waits until a run has committed more cases, shard and record, or has ended.
+fn wait_for_commit(run: &mut Child, results: &Path) {
+    let before = stored(results);
+    while stored(results) == before && run.try_wait().expect("asked").is_none() {
         sleep(Duration::from_millis(1));
     }
 }
@@ -141,7 +135,7 @@ fn a_sweep_killed_ten_times_publishes_the_bytes_of_one_left_alone() {
         let part = next_random(&mut random);
         if attempt % 5 == 4 {
             // However slow the machine is: just after a commit, and shortly later.
-            wait_for_shard(&mut victim, &results);
+            wait_for_commit(&mut victim, &results);
             sleep(duration.mul_f64(part / 50.0));
         } else {
             sleep(Duration::from_millis(5) + duration.mul_f64(part / 4.0));
@@ -167,7 +161,7 @@ fn a_terminated_run_says_how_to_resume_and_that_works() {
     let mut command = stribeck(&directory);
     command.args(["run", "my sweep.toml", "-o", "out $HOME", "--threads", "1", "--quiet"]);
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("started");
-    wait_for_shard(&mut child, &results);
+    wait_for_commit(&mut child, &results);
     let sent = Command::new("kill").args(["-TERM", &child.id().to_string()]).status().expect("kill runs");
     assert!(sent.success(), "the run ended before the signal");
     let stopped = child.wait_with_output().expect("ends");
@@ -205,7 +199,7 @@ fn a_running_sweep_is_told_from_a_stopped_one_and_is_alone() {
     let mut command = stribeck(directory.path());
     command.args(["run", "sweep.toml", "-o", "out", "--threads", "1", "--quiet"]);
     let mut child = command.stdout(Stdio::null()).spawn().expect("started");
-    wait_for_shard(&mut child, &results);
+    wait_for_commit(&mut child, &results);
     // Stopped, it keeps its lock and cannot end while it is looked at.
     let signal = |name: &str| {
         let sent = Command::new("kill").args([name, &child.id().to_string()]).status().expect("kill runs");
@@ -305,7 +299,7 @@ fn published_files_of_an_earlier_state_stay_while_a_sweep_is_unfinished() {
         .stderr(Stdio::null())
         .spawn()
         .expect("started");
-    wait_for_shard(&mut child, &results);
+    wait_for_commit(&mut child, &results);
     child.kill().expect("killed");
     assert_eq!(child.wait().expect("gone").code(), None, "killed by the signal, not ended by itself");
     assert_same(&published(&results), &before);
