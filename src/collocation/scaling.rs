@@ -39,16 +39,16 @@ impl Scaling {
 /// There p changes by as much as lifts the film by c, κpℓ ~ c, over the length that Reynolds' equation allows (T2), βpc² ~ ℓ:
 /// so ℓ² = βc³/κ with the compliance κ of the time that ℓ takes.
 pub fn layer(parameters: &Parameters, c: f64) -> f64 {
-    let instantaneous = parameters.instantaneous_compliance();
     let modes = parameters.retardation();
+    // without modes it is the substrate of (T10): relaxed, or frozen at α = 0
+    let instantaneous = if parameters.is_relaxed_elastic() { 1.0 } else { parameters.instantaneous_compliance() };
     let mut layer = 0.0;
     for _ in 0..3 {
         let relaxed = |mode: &Retardation| {
             let passed = mode.rate * layer * (1.0 + parameters.f);
             mode.strength * instantaneous * passed / (1.0 + passed)
         };
-        let compliance =
-            if modes.is_empty() { instantaneous } else { instantaneous + modes.iter().map(relaxed).sum::<f64>() };
+        let compliance = instantaneous + modes.iter().map(relaxed).sum::<f64>();
         layer = (parameters.beta * c.powi(3) / compliance).sqrt();
     }
     layer

@@ -71,6 +71,12 @@ impl CollocationSolver {
 
     /// Newton's method on the mesh of a state.
     fn correct(&self, workspace: &mut Workspace, beta: f64, state: &mut State, work: &mut Work) -> Result<(), Halt> {
+        let panels = state.mesh.panels();
+        if panels > MOST_PANELS {
+            let reason =
+                format!("the film would take {panels} panels to resolve, more than the {MOST_PANELS} there may be");
+            return Err(Halt::Failed(Failure::new(reason)));
+        }
         workspace.prepare_coarse(&state.mesh, &mut work.effort);
         let (corrector, displacement) = workspace.coarse.parts();
         corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
@@ -287,8 +293,7 @@ impl Judgement {
         }
         let times = if self.error < 1e4 { format!("{:.1}", self.error) } else { format!("{:.0e}", self.error) };
         let reason = format!(
-            "{} is still {times} times the tolerance {tolerance:e} with {panels} panels, and more do not help; ask for a larger \
-             tolerance",
+            "{} is still {times} times the tolerance {tolerance:e} with {panels} panels; ask for a larger tolerance",
             self.of
         );
         Halt::Failed(Failure::new(reason))

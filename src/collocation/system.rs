@@ -27,7 +27,8 @@ pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f6
 ///   └                                                              ┘
 /// ```
 ///
-/// with D the derivative, W the displacement, a = (3βp′u² + 1)/u, and a y that holds what x_out does to p(Y).
+/// with D the derivative, W the displacement and a = (3βp′u² + 1)/u. The last node, whose pressure follows from the inlet, adds
+/// its column times dp(Y)/dx_out to that of x_out; the derivatives of the inlet with respect to c and u are left out.
 #[derive(Default)]
 pub struct System {
     /// p′ at the Gauss points.
@@ -109,8 +110,7 @@ impl System {
         self.inlet = Some(inlet);
     }
 
-    /// The matrix about the state of the last [`System::linearise`]; also takes the known part of p(Y) to the right side,
-    /// which `fold_end` does alone.
+    /// The matrix about the state of the last [`System::linearise`].
     pub fn matrix(&self, displacement: &Displacement, beta: f64, state: &State, matrix: &mut Matrix) {
         let discretisation = &displacement.discretisation;
         let reference = &discretisation.reference;

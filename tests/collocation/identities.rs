@@ -51,6 +51,9 @@ fn an_elastic_substrate_has_no_times() {
         assert_eq!(elastic, quantities(1e-6, &Parameters::new(alpha, 100.0, 0.0)));
         assert_eq!(elastic, quantities(1e-6, &with_modes(alpha, 100.0, 0.0, &[(0.5, 1.0), (0.5, 100.0)])));
     }
+    for f in [1.0, 100.0, 1e4] {
+        assert_eq!(elastic, quantities(1e-6, &Parameters::new(f64::INFINITY, 100.0, f)));
+    }
 }
 
 /// One mode and its two parts are the same material, to 1e-12.
