@@ -15,7 +15,8 @@
 //! | module | what it holds | may know |
 //! | --- | --- | --- |
 //! | [`cli`] | one file per command | everything below |
-//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`model`], [`collocation::Settings`], [`relaxation::Settings`] |
+//! | [`input`] | files that users write: TOML by type, axes, errors that show the place | – |
+//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`input`], [`model`], [`collocation::Settings`], [`relaxation::Settings`] |
 //! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
 //! | [`collocation`] | the default solver: panels fitted to the cavitation boundary, Newton's method, error estimate | [`model`], [`exact`], [`continuation`] |
@@ -38,6 +39,7 @@ pub mod collocation;
 pub mod continuation;
 pub mod engine;
 pub mod exact;
+pub mod input;
 pub mod model;
 pub mod relaxation;
 pub mod store;

@@ -6,15 +6,16 @@ use std::path::PathBuf;
 use miette::MietteHandlerOpts;
 
 use crate::engine::ThreadsError;
+use crate::input::InputError;
 use crate::store::StoreError;
-use crate::sweep::{ESTIMATE_POINTS, Method, SweepError};
+use crate::sweep::{ESTIMATE_POINTS, Method};
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// The sweep file is not valid.
+    /// A sweep or study file is not valid.
     #[error(transparent)]
-    Sweep(#[from] SweepError),
+    Input(#[from] InputError),
     /// More threads than the system gives.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -78,7 +79,7 @@ impl CliError {
     /// The exit code: 2 for bad input, 4 for the disk and the system.
     pub fn code(&self) -> u8 {
         match self {
-            CliError::Sweep(_)
+            CliError::Input(_)
             | CliError::Threads(_)
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
@@ -93,7 +94,7 @@ impl CliError {
     /// The text for the user; a sweep file is shown with the place of the error.
     pub fn report(self) -> String {
         match self {
-            CliError::Sweep(error) => {
+            CliError::Input(error) => {
                 // A second hook is refused; this one is set once, on the way out.
                 let _ = miette::set_hook(Box::new(|_| {
                     // `file:line:column` has to stay whole, for people and editors that look for it

@@ -1,20 +1,14 @@
 //! A sweep file as a whole: reading it, its keys, and the sections that say which cases there are.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
-use toml::de::DeTable;
-
-use super::axis::{self, Quantity};
-use super::entry::{Entry, Section};
-use super::error::{Fault, SweepError};
 use super::specification::{Axes, Sweep};
 use super::{output, solver};
+use crate::input::{self, Entry, Fault, InputError, Quantity, Section, read_axis};
 use crate::model::{RetardationMode, Substrate};
 
-/// Most bytes of a sweep file.
-const LARGEST_FILE: u64 = 16 << 20;
+/// What the file is called in messages.
+const KIND: input::Kind = "sweep file";
 
 /// Most grid points of a sweep.
 const MOST_CASES: u128 = 1_000_000_000;
@@ -36,40 +30,22 @@ impl Sweep {
     /// Reads a sweep file.
     ///
     /// # Errors
-    /// [`SweepError`] if the file cannot be read, is larger than 16 MiB, is not UTF-8 or not a valid sweep.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, SweepError> {
-        let path = path.as_ref();
-        let unreadable = |cause| SweepError::Unreadable { path: path.to_owned(), cause };
-        let mut bytes = Vec::new();
-        let file = File::open(path).map_err(unreadable)?;
-        file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-        if bytes.len() as u64 > LARGEST_FILE {
-            return Err(SweepError::TooLarge { path: path.to_owned(), limit: LARGEST_FILE });
-        }
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let valid_up_to = error.utf8_error().valid_up_to();
-            SweepError::not_text(path.to_owned(), error.as_bytes(), valid_up_to)
-        })?;
-        let name = path.file_stem().unwrap_or_default().to_string_lossy();
-        interpret(&name, &text).map_err(|fault| fault.located(&path.display().to_string(), &text))
+    /// [`InputError`] if the file cannot be read, is larger than 16 MiB, is not UTF-8 or not a valid sweep.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
+        input::read(KIND, path.as_ref(), interpret)
     }
 
     /// Takes the text of a sweep file called `name`.toml.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`] if the text is not a valid sweep.
-    pub fn parse(name: &str, text: &str) -> Result<Self, SweepError> {
-        interpret(name, text).map_err(|fault| fault.located(&format!("{name}.toml"), text))
+    /// [`InputError::Invalid`] if the text is not a valid sweep.
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        input::parse(name, text, interpret)
     }
 }
 
 fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
-    let document = DeTable::parse(text).map_err(|error| {
-        let span = error.span().unwrap_or(text.len()..text.len());
-        let help = "TOML has lines `key = value` under headers [section]; texts stand in double quotes, lists in \
-                    brackets; a key may stand only once";
-        Fault::new(span, format!("not valid TOML: {}", error.message()), "here", help)
-    })?;
+    let document = input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
     let axes = read_axes(&root.require("axes", AXES_EXAMPLE)?)?;
     Ok(Sweep {
@@ -115,7 +91,7 @@ fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
         let help = format!(
             "add {key} = [10.0, 100.0], say, or {key} = {{ from = 1.0, to = 1000.0, points = 4, scale = \"log\" }}"
         );
-        axis::read(&section.require(key, &help)?, quantity)
+        read_axis(&section.require(key, &help)?, quantity)
     };
     let axes = Axes {
         f: axis("f", Quantity::Strength)?,

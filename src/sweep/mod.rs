@@ -1,7 +1,7 @@
 //! Sweep files, and the plan made of them.
 //!
 //! [`Sweep::read`] turns a sweep file (TOML, `docs/sweep-file.md`) into a validated [`Sweep`]: every key known, every
-//! value of the right type and range, or a [`SweepError`] that shows the place in the file and the remedy. [`Plan`]
+//! value of the right type and range, or an [`InputError`](crate::input::InputError) that shows the place in the file and the remedy. [`Plan`]
 //! turns a sweep into rows, chains and case ids by index arithmetic, so that a plan of a billion cases is as small as
 //! its axes.
 //!
@@ -10,15 +10,9 @@
 //! | `specification` | [`Sweep`] and its parts |
 //! | `file` | the sweep file as a whole, its keys, `[axes]` and `[substrate]` |
 //! | `solver`, `output` | the sections of these names |
-//! | `axis` | lists and ranges |
-//! | `entry` | typed access to keys and values that remembers where they stand |
-//! | `error` | [`SweepError`], a miette diagnostic |
 //! | `fingerprint` | what makes two cases the same: [`Fingerprint`] |
 //! | `plan` | [`Plan`], [`Chain`] |
 
-mod axis;
-mod entry;
-mod error;
 mod file;
 mod fingerprint;
 mod output;
@@ -26,7 +20,6 @@ mod plan;
 mod solver;
 mod specification;
 
-pub use error::{Invalid, SweepError};
 pub use fingerprint::Fingerprint;
 pub use plan::{Chain, MAX_CHAIN, Plan};
 pub use solver::ESTIMATE_POINTS;

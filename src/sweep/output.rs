@@ -1,9 +1,7 @@
 //! The section `[output]` of a sweep file.
 
-use super::axis::{self, Quantity};
-use super::entry::Entry;
-use super::error::Fault;
 use super::file::section;
+use crate::input::{Entry, Fault, Quantity, read_axis};
 use crate::model::{CavityShear, FieldSelection, Output};
 
 /// Reads `[output]`.
@@ -14,7 +12,7 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<Output, Fault> {
     Ok(Output {
         fields: section.get("fields").map(|entry| read_fields(&entry)).transpose()?.unwrap_or(defaults.fields),
         x: match section.get("x") {
-            Some(entry) => axis::read(&entry, Quantity::Position)?.into(),
+            Some(entry) => read_axis(&entry, Quantity::Position)?.into(),
             None => defaults.x,
         },
         limits: section.get("limits").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.limits),

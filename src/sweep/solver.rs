@@ -1,10 +1,9 @@
 //! The section `[solver]` of a sweep file.
 
-use super::entry::Entry;
-use super::error::Fault;
 use super::file::section;
 use super::specification::{Method, SolverSettings};
 use crate::collocation;
+use crate::input::{Entry, Fault};
 use crate::relaxation::{Acceleration, Domain, Settings};
 
 /// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.

@@ -11,11 +11,12 @@ use std::path::Path;
 use bad_sweeps::{AXES, with_axes, with_beta, with_f};
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use stribeck::collocation;
+use stribeck::input::InputError;
 use stribeck::model::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain, Settings};
-use stribeck::sweep::{Axes, Method, Plan, SolverSettings, Sweep, SweepError};
+use stribeck::sweep::{Axes, Method, Plan, SolverSettings, Sweep};
 
-fn drawn(error: &SweepError) -> String {
+fn drawn(error: &InputError) -> String {
     let mut drawing = String::new();
     GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
         .render_report(&mut drawing, error)
@@ -152,14 +153,14 @@ fn files_that_are_no_sweep_files() {
 
     let missing = Sweep::read(path("missing.toml")).expect_err("missing");
     assert!(
-        matches!(missing, SweepError::Unreadable { .. }) && missing.to_string().contains("missing.toml"),
+        matches!(missing, InputError::Unreadable { .. }) && missing.to_string().contains("missing.toml"),
         "{missing}"
     );
     assert!(missing.remedy().contains("check the path"));
 
     let no_file = Sweep::read(directory.path()).expect_err("a directory");
     assert!(
-        matches!(no_file, SweepError::Unreadable { .. }) && no_file.remedy().contains("in that directory"),
+        matches!(no_file, InputError::Unreadable { .. }) && no_file.remedy().contains("in that directory"),
         "{no_file} {}",
         no_file.remedy()
     );
@@ -167,13 +168,13 @@ fn files_that_are_no_sweep_files() {
     fs::write(path("latin.toml"), b"[axes]\n# \xc3\xa9t\xe9\n").expect("written");
     let latin = Sweep::read(path("latin.toml")).expect_err("not UTF-8");
     assert!(latin.to_string().contains("latin.toml:2:5: the byte 0xe9 is not UTF-8"), "{latin}");
-    assert!(!matches!(latin, SweepError::Unreadable { .. }) && latin.remedy().contains("UTF-8"));
+    assert!(!matches!(latin, InputError::Unreadable { .. }) && latin.remedy().contains("UTF-8"));
 
     let large = path("large.toml");
     fs::write(&large, AXES.to_owned() + &"#\n".repeat(8 << 20)).expect("written");
     let too_large = Sweep::read(&large).expect_err("too large");
     assert!(too_large.to_string().contains("larger than 16 MiB"), "{too_large}");
-    assert!(!matches!(too_large, SweepError::Unreadable { .. }) && too_large.remedy().contains("{ from"));
+    assert!(!matches!(too_large, InputError::Unreadable { .. }) && too_large.remedy().contains("{ from"));
     fs::write(&large, AXES.to_owned() + &"#".repeat((16 << 20) - AXES.len())).expect("written");
     assert!(Sweep::read(&large).is_ok(), "16 MiB are allowed");
 }
@@ -189,7 +190,7 @@ fn a_file_gives_name_and_text_and_is_named_in_errors() {
     fs::write(&path, with_axes("[output]\nlimits = 1\n")).expect("written");
     let error = Sweep::read(&path).expect_err("wrong type");
     assert!(error.to_string().starts_with(&format!("{}:6:10: ", path.display())), "{error}");
-    let SweepError::Invalid(invalid) = &error else { panic!("{error}") };
+    let InputError::Invalid(invalid) = &error else { panic!("{error}") };
     assert_eq!((invalid.line(), invalid.column()), (6, 10));
 }
 

@@ -1,7 +1,8 @@
 //! Bad sweep files are refused with place, message and remedy.
 
 use miette::Diagnostic;
-use stribeck::sweep::{Sweep, SweepError};
+use stribeck::input::InputError;
+use stribeck::sweep::Sweep;
 
 use crate::bad_sweeps::{bad_files, with_alpha};
 use crate::drawn;
@@ -15,7 +16,7 @@ fn bad_files_are_refused_with_place_message_and_remedy() {
         assert!(said.contains(message), "{said}\nshould say: {message}");
         let help = error.help().expect("there is always a remedy").to_string();
         assert!(help.contains(remedy), "{help}\nshould say: {remedy}");
-        assert!(matches!(error, SweepError::Invalid { .. }));
+        assert!(matches!(error, InputError::Invalid { .. }));
 
         let line: usize = place.split(':').next().and_then(|line| line.parse().ok()).expect("places are line:column");
         let drawing = drawn(&error);

@@ -1,9 +1,10 @@
 //! Generated sweep files: valid ones read back, damaged ones are judged.
 
 use proptest::prelude::*;
+use stribeck::input::InputError;
 use stribeck::model::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain, Settings};
-use stribeck::sweep::{Axes, Method, SolverSettings, Sweep, SweepError};
+use stribeck::sweep::{Axes, Method, SolverSettings, Sweep};
 
 use crate::{drawn, with_beta};
 
@@ -149,7 +150,7 @@ proptest! {
         match Sweep::parse("damaged", &text) {
             Ok(sweep) => prop_assert!(sweep.axes.cases() > 0),
             Err(error) => {
-                let SweepError::Invalid(invalid) = &error else { panic!("{error}") };
+                let InputError::Invalid(invalid) = &error else { panic!("{error}") };
                 prop_assert!(invalid.line() >= 1 && invalid.line() <= text.matches('\n').count() + 1);
                 prop_assert!(!error.remedy().is_empty());
                 drawn(&error);

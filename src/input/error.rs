@@ -1,4 +1,4 @@
-//! Why a sweep file was not taken.
+//! Why a file was not taken.
 
 use std::fmt;
 use std::io;
@@ -13,29 +13,35 @@ const LONGEST_LINE: usize = 2000;
 /// Longest piece of the file quoted in a message, in characters.
 const LONGEST_QUOTE: usize = 60;
 
-/// Why a sweep file was not taken. As a [`miette::Diagnostic`] it draws the line with a caret and the remedy below.
+/// Why a file was not taken. As a [`miette::Diagnostic`] it draws the line with a caret and the remedy below.
 #[derive(Debug, thiserror::Error)]
-pub enum SweepError {
+pub enum InputError {
     /// The operating system did not give the file.
-    #[error("cannot read the sweep file {}: {cause}", path.display())]
+    #[error("cannot read the {kind} {}: {cause}", path.display())]
     Unreadable {
+        /// What kind of file it should be.
+        kind: &'static str,
         /// The file.
         path: PathBuf,
         /// What the system said.
         #[source]
         cause: io::Error,
     },
-    /// The file is too large to be a sweep.
-    #[error("the sweep file {} is larger than {} MiB, the most that is read", path.display(), limit >> 20)]
+    /// The file is too large.
+    #[error("the {kind} {} is larger than {} MiB, the most that is read", path.display(), limit >> 20)]
     TooLarge {
+        /// What kind of file it should be.
+        kind: &'static str,
         /// The file.
         path: PathBuf,
         /// Most bytes that are read.
         limit: u64,
     },
     /// The file is not UTF-8.
-    #[error("{}:{line}:{column}: the byte 0x{byte:02x} is not UTF-8; a sweep file is UTF-8 text", path.display())]
+    #[error("{}:{line}:{column}: the byte 0x{byte:02x} is not UTF-8; a {kind} is UTF-8 text", path.display())]
     NotText {
+        /// What kind of file it should be.
+        kind: &'static str,
         /// The file.
         path: PathBuf,
         /// Line of the first byte that does not fit, from 1.
@@ -45,12 +51,12 @@ pub enum SweepError {
         /// The byte.
         byte: u8,
     },
-    /// The text is not a valid sweep.
+    /// The text is not valid.
     #[error(transparent)]
     Invalid(Box<Invalid>),
 }
 
-/// A place in a sweep file that is not valid, what is allowed there and how to mend it.
+/// A place in a file that is not valid, what is allowed there and how to mend it.
 #[derive(Debug)]
 pub struct Invalid {
     file: String,
@@ -84,46 +90,46 @@ impl fmt::Display for Invalid {
 
 impl std::error::Error for Invalid {}
 
-impl SweepError {
+impl InputError {
     /// The remedy, in words.
     pub fn remedy(&self) -> &str {
         match self {
-            SweepError::Unreadable { cause, .. } => match cause.kind() {
+            InputError::Unreadable { cause, .. } => match cause.kind() {
                 io::ErrorKind::NotFound => "check the path; the sweeps that come with the program are in `sweeps/`",
                 io::ErrorKind::PermissionDenied => "make the file readable for you, or copy it to a place of yours",
-                io::ErrorKind::IsADirectory => "name the sweep file in that directory",
+                io::ErrorKind::IsADirectory => "name the file in that directory",
                 _ => "check the disk and the path, then try again",
             },
-            SweepError::TooLarge { .. } => {
-                "is it a sweep file? Long lists of values can be written as { from, to, points, scale }"
+            InputError::TooLarge { .. } => {
+                "is it the right file? Long lists of values can be written as { from, to, points, scale }"
             }
-            SweepError::NotText { .. } => "is it a sweep file? If so, save it as UTF-8 in your editor",
-            SweepError::Invalid(invalid) => &invalid.help,
+            InputError::NotText { .. } => "is it the right file? If so, save it as UTF-8 in your editor",
+            InputError::Invalid(invalid) => &invalid.help,
         }
     }
 
-    pub(super) fn not_text(path: PathBuf, bytes: &[u8], valid_up_to: usize) -> Self {
+    pub(crate) fn not_text(kind: &'static str, path: PathBuf, bytes: &[u8], valid_up_to: usize) -> Self {
         let before = String::from_utf8_lossy(&bytes[..valid_up_to]);
         let (line, column) = line_and_column(&before, before.len());
-        SweepError::NotText { path, line, column, byte: bytes[valid_up_to] }
+        InputError::NotText { kind, path, line, column, byte: bytes[valid_up_to] }
     }
 }
 
-impl Diagnostic for SweepError {
+impl Diagnostic for InputError {
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
         Some(Box::new(self.remedy()))
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
         match self {
-            SweepError::Invalid(invalid) if invalid.drawable => Some(&invalid.source),
+            InputError::Invalid(invalid) if invalid.drawable => Some(&invalid.source),
             _ => None,
         }
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         match self {
-            SweepError::Invalid(invalid) if invalid.drawable => {
+            InputError::Invalid(invalid) if invalid.drawable => {
                 let label = LabeledSpan::at(invalid.span.clone(), invalid.label.as_str());
                 Some(Box::new(std::iter::once(label)))
             }
@@ -134,7 +140,7 @@ impl Diagnostic for SweepError {
 
 /// What is wrong at one place of the text, before the file's name is put to it.
 #[derive(Debug)]
-pub(super) struct Fault {
+pub(crate) struct Fault {
     span: Range<usize>,
     what: String,
     label: String,
@@ -155,7 +161,7 @@ impl Fault {
     }
 
     /// The error to show, with the name and the text of the file.
-    pub fn located(self, file: &str, text: &str) -> SweepError {
+    pub fn located(self, file: &str, text: &str) -> InputError {
         let (start, end) = visible(text, &self.span);
         let (line, column) = line_and_column(text, start);
         let quote = text[start..end].trim();
@@ -165,7 +171,7 @@ impl Fault {
         };
         let begin = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let drawable = text[begin..].lines().next().unwrap_or_default().len() <= LONGEST_LINE;
-        SweepError::Invalid(Box::new(Invalid {
+        InputError::Invalid(Box::new(Invalid {
             file: file.to_owned(),
             line,
             column,

@@ -1,4 +1,4 @@
-//! Keys and values of a sweep file, read by type, that remember where they stand.
+//! Keys and values of a file, read by type, that remember where they stand.
 
 use std::ops::Range;
 use std::rc::Rc;
@@ -9,14 +9,14 @@ use toml::de::{DeTable, DeValue};
 use super::error::Fault;
 
 /// A table whose keys are all known.
-pub(super) struct Section<'t> {
+pub(crate) struct Section<'t> {
     path: Rc<str>,
     span: Range<usize>,
     table: &'t DeTable<'t>,
 }
 
 /// A value, with the dotted path of its key for messages.
-pub(super) struct Entry<'t> {
+pub(crate) struct Entry<'t> {
     path: Rc<str>,
     span: Range<usize>,
     value: &'t DeValue<'t>,
@@ -57,7 +57,7 @@ impl<'t> Section<'t> {
     /// The value of a key that must be there; `help` is the line to add.
     pub fn require(&self, key: &str, help: &str) -> Result<Entry<'t>, Fault> {
         self.get(key).ok_or_else(|| {
-            let place = if self.path.is_empty() { "the sweep file".to_owned() } else { format!("[{}]", self.path) };
+            let place = if self.path.is_empty() { "the file".to_owned() } else { format!("[{}]", self.path) };
             let what = format!("{place} needs `{key}`, which is missing");
             Fault::new(self.span.clone(), what, format!("`{key}` is missing"), help).unquoted()
         })

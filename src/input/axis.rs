@@ -5,7 +5,7 @@ use super::error::Fault;
 
 /// Which quantity an axis holds: decides what numbers it may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Quantity {
+pub(crate) enum Quantity {
     /// f: finite, at least 0.
     Strength,
     /// α: at least 0, or +∞ in a list.
@@ -77,7 +77,7 @@ impl Quantity {
 }
 
 /// Reads an axis: a list or a range.
-pub(super) fn read(entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
+pub(crate) fn read(entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
     if let Some(items) = entry.list() {
         read_list(entry, items, quantity)
     } else if entry.is_section() {

@@ -1,0 +1,19 @@
+//! Files that users write (TOML): typed access to keys and values, axes, and errors that show the place and the remedy.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `file` | from a path to a TOML document |
+//! | `entry` | keys and values by type, that remember where they stand |
+//! | `axis` | lists and ranges of numbers |
+//! | `error` | [`InputError`], a miette diagnostic |
+
+mod axis;
+mod entry;
+mod error;
+mod file;
+
+pub(crate) use axis::{Quantity, read as read_axis};
+pub(crate) use entry::{Entry, Section};
+pub(crate) use error::Fault;
+pub use error::{InputError, Invalid};
+pub(crate) use file::{Kind, document, parse, read};
