@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 /// A dense matrix, stored column by column as the factorisation wants it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,6 +55,11 @@ impl Matrix {
     /// All values, column by column, to change them.
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
+    }
+
+    /// A copy for other uses than the method's own.
+    pub fn to_faer(&self) -> Mat<f64> {
+        MatRef::from_column_major_slice(&self.values, self.rows, self.columns()).to_owned()
     }
 
     /// Makes it the product of a matrix, given row by row, with some rows of another.

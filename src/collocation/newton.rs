@@ -2,6 +2,7 @@
 
 use super::displacement::Displacement;
 use super::factorisation::Factorisation;
+use super::matrix::Matrix;
 use super::stages::{Stages, timed};
 use super::state::State;
 use super::system::System;
@@ -101,6 +102,13 @@ impl Corrector {
         timed(&mut stages.assembly, || system.matrix(displacement, beta, state, &mut factorisation.matrix));
         timed(&mut stages.factorisation, || factorisation.factorise());
         effort.factorisations += 1;
+    }
+
+    /// The matrix about a state.
+    pub fn matrix(&mut self, displacement: &Displacement, beta: f64, state: &State) -> &Matrix {
+        self.linearise(displacement, beta, state);
+        self.system.matrix(displacement, beta, state, &mut self.factorisation.matrix);
+        &self.factorisation.matrix
     }
 
     /// One step about a linearised state, not yet gone.

@@ -18,6 +18,8 @@ impl Settings {
         Self { tolerance, degree }
     }
 
+    /// Numbers of panels of the film that a mesh may have.
+    pub const PANELS: RangeInclusive<usize> = 4..=160;
     /// Tolerances that the method can keep where films are not too thin for double precision.
     pub const TOLERANCE: RangeInclusive<f64> = 1e-10..=1e-1;
     /// Degrees that make sense.

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use faer::Mat;
+
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
 use super::estimate::{ENRICHMENT, Estimate, estimate};
 use super::fields::fields;
@@ -14,7 +16,7 @@ use super::state::State;
 use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
-use crate::continuation::{CaseSolver, Halt, Seed, Solution, StepControl, Work, secant};
+use crate::continuation::{CaseSolver, Effort, Halt, Seed, Solution, StepControl, Work, secant};
 use crate::model::{Failure, Output, Parameters};
 
 /// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
@@ -28,6 +30,8 @@ const SMOOTH: f64 = 1e-4;
 const RESOLVED: f64 = 0.3;
 /// Meshes that are tried for a solution that is good enough to go on from.
 const ROUGH_MESHES: usize = 4;
+/// Meshes of a fixed number of panels, each laid out by the solution on the one before.
+const FIXED_MESHES: usize = 3;
 /// A mesh that leaves more than the first part of the least error so far is in vain; after so many there is no other.
 const GAIN: f64 = 0.8;
 const VAIN_MESHES: usize = 4;
@@ -40,7 +44,7 @@ const CLOSE: f64 = 0.45;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
-const MOST_PANELS: usize = 160;
+const MOST_PANELS: usize = *Settings::PANELS.end();
 /// Least pressure over the largest; below it the film would carry tension.
 const TENSION: f64 = -1e-6;
 /// The same for a solution that is only good enough to go on from.
@@ -49,6 +53,8 @@ const ROUGH_TENSION: f64 = -1e-2;
 /// The collocation solver with given settings.
 pub struct CollocationSolver {
     settings: Settings,
+    /// A fixed number of panels, or as many as the tolerance takes.
+    panels: Option<usize>,
     coarse: Arc<ReferencePanel>,
     fine: Arc<ReferencePanel>,
 }
@@ -64,9 +70,20 @@ impl CollocationSolver {
         assert!(Settings::DEGREE.contains(&degree), "no solver with panels of degree {degree}");
         Self {
             settings,
+            panels: None,
             coarse: Arc::new(ReferencePanel::new(settings.degree)),
             fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
         }
+    }
+
+    /// A solver with so many panels of a degree, whose error is estimated but not controlled. There are more if sizes that
+    /// change gradually take more.
+    ///
+    /// # Panics
+    /// If they are outside of [`Settings::PANELS`] and [`Settings::DEGREE`].
+    pub fn with_panels(panels: usize, degree: usize) -> Self {
+        assert!(Settings::PANELS.contains(&panels), "no solver with {panels} panels");
+        Self { panels: Some(panels), ..Self::new(Settings { tolerance: *Settings::TOLERANCE.start(), degree }) }
     }
 
     /// Newton's method on the mesh of a state.
@@ -241,6 +258,9 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<Solution, Halt> {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        if let Some(panels) = self.panels {
+            return self.evaluate_on(panels, workspace, parameters, state, output, work);
+        }
         let (mut least, mut vain) = (f64::INFINITY, 0);
         loop {
             let (judgement, solution) = self.judge(workspace, beta, state, output, work);
@@ -249,10 +269,7 @@ impl CaseSolver for CollocationSolver {
                 return Err(tension_failure(judgement.tension));
             }
             if judgement.is_accepted() {
-                work.effort.unknowns = unknowns(workspace.coarse.displacement());
-                let fields = fields(workspace.coarse.displacement(), beta, state, output);
-                let Estimate { quantities, errors, .. } = solution;
-                return Ok(Solution { quantities, errors, fields });
+                return Ok(complete(workspace, beta, state, solution, output, work));
             }
             vain = if judgement.excess() > GAIN * least { vain + 1 } else { 0 };
             least = least.min(judgement.excess());
@@ -264,6 +281,21 @@ impl CaseSolver for CollocationSolver {
             self.correct(workspace, beta, state, work)?;
         }
     }
+}
+
+/// The solution with its fields.
+fn complete(
+    workspace: &Workspace,
+    beta: f64,
+    state: &State,
+    estimate: Estimate,
+    output: &Output,
+    work: &mut Work,
+) -> Solution {
+    work.effort.unknowns = unknowns(workspace.coarse.displacement());
+    let fields = fields(workspace.coarse.displacement(), beta, state, output);
+    let Estimate { quantities, errors, .. } = estimate;
+    Solution { quantities, errors, fields }
 }
 
 /// What stands between a solution and its acceptance.
@@ -301,6 +333,42 @@ impl Judgement {
 }
 
 impl CollocationSolver {
+    /// The solution on so many panels, laid out for it, whatever its error is.
+    fn evaluate_on(
+        &self,
+        panels: usize,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        state: &mut State,
+        output: &Output,
+        work: &mut Work,
+    ) -> Result<Solution, Halt> {
+        let beta = parameters.beta;
+        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        for _ in 0..FIXED_MESHES {
+            *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
+            self.correct(workspace, beta, state, work)?;
+        }
+        let (judgement, solution) = self.judge(workspace, beta, state, output, work);
+        if judgement.tension < ROUGH_TENSION {
+            return Err(tension_failure(judgement.tension));
+        }
+        Ok(complete(workspace, beta, state, solution, output, work))
+    }
+
+    /// The matrix of Newton's method at a solution: rows relative to u, to 1 and to c, columns p at the nodes, c, h₀′ and x_out.
+    pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
+        workspace.enter(parameters);
+        workspace.prepare_coarse(&state.mesh, &mut Effort::default());
+        let (corrector, displacement) = workspace.coarse.parts();
+        corrector.matrix(displacement, parameters.beta, state).to_faer()
+    }
+
+    /// The smallest pressure of a solution over the largest, between the nodes too; 0 if it is nowhere negative.
+    pub fn tension(&self, state: &State) -> f64 {
+        tension(&self.coarse, state).0
+    }
+
     /// Estimates the errors of a solution and looks at it.
     fn judge(
         &self,

@@ -27,23 +27,48 @@ pub fn solve_chain<S: CaseSolver>(
     interrupt: &Interrupt,
 ) -> Result<Vec<SolvedCase>, Interrupted> {
     let Some(first) = cases.first() else { return Ok(Vec::new()) };
-    let start = Instant::now();
-    let mut chain = solver.prepare(first, output).map(|workspace| Chain {
-        solver,
-        workspace,
-        control: solver.step_control(),
-        solved: Vec::with_capacity(2),
-        output,
-        interrupt,
-    });
-    let mut preparation = start.elapsed().as_secs_f64();
-    let mut chain_limits = ChainLimits::default();
-    let mut results = Vec::with_capacity(cases.len());
-    for parameters in cases {
+    let mut chain = Chain::new(solver, first, output, interrupt);
+    cases.iter().map(|parameters| chain.solve(parameters)).collect()
+}
+
+/// A chain at work, case by case; [`solve_chain`] says how.
+pub struct Chain<'a, S: CaseSolver> {
+    solver: &'a S,
+    workspace: Result<S::Workspace, Failure>,
+    /// Seconds that the workspace took, for the first case to pay.
+    preparation: f64,
+    limits: ChainLimits,
+    solved: Solved<S>,
+    output: &'a Output,
+    interrupt: &'a Interrupt,
+}
+
+/// The last solved cases, at most two, the nearest last.
+type Solved<S> = Vec<(Parameters, <S as CaseSolver>::State)>;
+
+impl<'a, S: CaseSolver> Chain<'a, S> {
+    /// A chain that will begin with a case.
+    pub fn new(solver: &'a S, first: &Parameters, output: &'a Output, interrupt: &'a Interrupt) -> Self {
         let start = Instant::now();
-        let limits = if output.limits { chain_limits.of(parameters) } else { Limits::UNKNOWN };
-        let mut result = match &mut chain {
-            Ok(chain) => chain.solve(parameters, limits)?,
+        let workspace = solver.prepare(first, output);
+        let preparation = start.elapsed().as_secs_f64();
+        let (limits, solved) = (ChainLimits::default(), Vec::with_capacity(2));
+        Self { solver, workspace, preparation, limits, solved, output, interrupt }
+    }
+
+    /// Solves the next case.
+    ///
+    /// # Errors
+    /// [`Interrupted`] if the user asks to stop before it is done.
+    pub fn solve(&mut self, parameters: &Parameters) -> Result<SolvedCase, Interrupted> {
+        let start = Instant::now();
+        let limits = if self.output.limits { self.limits.of(parameters) } else { Limits::UNKNOWN };
+        let mut result = match &mut self.workspace {
+            Ok(workspace) => {
+                let Self { solver, solved, output, interrupt, .. } = self;
+                Ladder { solver: *solver, workspace, control: solver.step_control(), solved, output, interrupt }
+                    .climb(parameters, limits)?
+            }
             Err(failure) => SolvedCase {
                 outcome: Err(failure.clone()),
                 limits,
@@ -52,20 +77,24 @@ pub fn solve_chain<S: CaseSolver>(
                 effort: Effort::default(),
             },
         };
-        // the first case pays for what the chain shares
-        result.effort.seconds = start.elapsed().as_secs_f64() + std::mem::take(&mut preparation);
-        results.push(result);
+        result.effort.seconds = start.elapsed().as_secs_f64() + std::mem::take(&mut self.preparation);
+        Ok(result)
     }
-    Ok(results)
+
+    /// The last case that was solved, in the solver's own unknowns, and the workspace; `None` before the first.
+    pub fn last(&mut self) -> Option<(&mut S::Workspace, &Parameters, &S::State)> {
+        let (parameters, state) = self.solved.last()?;
+        let workspace = self.workspace.as_mut().ok()?;
+        Some((workspace, parameters, state))
+    }
 }
 
-/// A chain at work.
-struct Chain<'a, S: CaseSolver> {
+/// The seeds of one case, tried one after the other.
+struct Ladder<'c, 'a, S: CaseSolver> {
     solver: &'a S,
-    workspace: S::Workspace,
+    workspace: &'c mut S::Workspace,
     control: StepControl,
-    /// The last solved cases, at most two, the nearest last.
-    solved: Vec<(Parameters, S::State)>,
+    solved: &'c mut Solved<S>,
     output: &'a Output,
     interrupt: &'a Interrupt,
 }
@@ -77,9 +106,9 @@ enum Rung {
     Origin(Parameters),
 }
 
-impl<S: CaseSolver> Chain<'_, S> {
+impl<S: CaseSolver> Ladder<'_, '_, S> {
     /// Tries one rung after the other.
-    fn solve(&mut self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
+    fn climb(mut self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
         let solver = self.solver;
         let mut work = Work::new(self.interrupt);
         let mut path = Path::default();
@@ -89,9 +118,9 @@ impl<S: CaseSolver> Chain<'_, S> {
         let neighbour = (!self.solved.is_empty()).then_some(Rung::Neighbour);
         let origins = iter::once_with(|| solver.origins(parameters)).flatten().map(Rung::Origin);
         for rung in predictor.into_iter().chain(neighbour).chain(origins) {
-            match self.climb(rung, parameters, &mut seed, &mut path, &mut work) {
+            match self.step_on(rung, parameters, &mut seed, &mut path, &mut work) {
                 Ok((state, solution)) => {
-                    push(&mut self.solved, parameters.clone(), state);
+                    push(self.solved, parameters.clone(), state);
                     if path.points.len() == 1 {
                         path = Path::default();
                     }
@@ -114,7 +143,7 @@ impl<S: CaseSolver> Chain<'_, S> {
     }
 
     /// The solution by way of one rung, and what is to be known of it; `seed` is how far this went.
-    fn climb(
+    fn step_on(
         &mut self,
         rung: Rung,
         case: &Parameters,
@@ -123,7 +152,7 @@ impl<S: CaseSolver> Chain<'_, S> {
         work: &mut Work,
     ) -> Result<(S::State, Solution), Halt> {
         let Self { solver, control, solved, output, .. } = self;
-        let mut corrector = Corrector { solver: *solver, workspace: &mut self.workspace, work, path };
+        let mut corrector = Corrector { solver: *solver, workspace: self.workspace, work, path };
         let mut state = match rung {
             Rung::Predictor => {
                 *seed = Seed::Predictor;
@@ -154,7 +183,7 @@ impl<S: CaseSolver> Chain<'_, S> {
                 reached?
             }
         };
-        let solution = self.solver.evaluate(&mut self.workspace, case, &mut state, output, work)?;
+        let solution = self.solver.evaluate(self.workspace, case, &mut state, output, work)?;
         Ok((state, solution))
     }
 }

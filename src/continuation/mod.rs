@@ -14,7 +14,7 @@ mod path;
 mod step;
 mod walk;
 
-pub use chain::solve_chain;
+pub use chain::{Chain, solve_chain};
 pub use line::{Line, NoLine, distance, secant};
 pub use path::{Path, PathPoint};
 pub use step::StepControl;
