@@ -23,6 +23,7 @@
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
+//! | [`figures`] | charts: numbers in, SVG or PNG out | – |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!
 //! Equation numbers "Eq. n" are those of Wu, Jagota and Hui, *Lubricated Sliding of a Rigid Cylinder on a Viscoelastic
@@ -40,6 +41,7 @@ pub mod continuation;
 pub mod engine;
 pub mod exact;
 pub mod input;
+pub mod figures;
 pub mod model;
 pub mod relaxation;
 pub mod store;

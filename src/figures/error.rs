@@ -1,0 +1,46 @@
+//! Why a chart cannot be drawn.
+
+/// Input that no chart can show, or an error of the drawing library.
+#[derive(Debug, thiserror::Error)]
+pub enum FigureError {
+    /// A work-precision chart without a single case, or a map without a single cell.
+    #[error("nothing to draw in the chart \"{chart}\": it holds no {what}; give it at least one")]
+    Empty {
+        /// Title of the chart.
+        chart: String,
+        /// What is missing.
+        what: &'static str,
+    },
+    /// A number that has no place on its axis.
+    #[error("the chart \"{chart}\" cannot show {what} = {value} of {place}: {wanted}")]
+    Value {
+        /// Title of the chart.
+        chart: String,
+        /// Quantity.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// Line and setting, or panel and cell.
+        place: String,
+        /// What would be accepted.
+        wanted: &'static str,
+    },
+    /// A list whose length does not fit the others of its chart.
+    #[error("the chart \"{chart}\" has {found} {what}, but its axes ask for {wanted}")]
+    Count {
+        /// Title of the chart.
+        chart: String,
+        /// What is counted.
+        what: String,
+        /// Number given.
+        found: usize,
+        /// Number wanted.
+        wanted: usize,
+    },
+    /// The drawing library refused.
+    #[error("the chart could not be painted: {0}")]
+    Painting(String),
+    /// The PNG could not be encoded.
+    #[error("the picture could not be encoded as PNG: {0}")]
+    Encoding(#[from] png::EncodingError),
+}

@@ -1,0 +1,59 @@
+//! A logarithmic axis whose ends follow from what it shows.
+
+use super::ticks::{self, Ticks};
+
+/// From positive numbers to shares of the axis's length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LogAxis {
+    /// Decimal logarithms of the ends, low < high.
+    low: f64,
+    high: f64,
+}
+
+impl LogAxis {
+    /// The axis that shows all these values with some room beside them, a decade at least; none if there are no values.
+    pub(super) fn around(values: impl Iterator<Item = f64>) -> Option<Self> {
+        /// Room at each end, over the whole range.
+        const ROOM: f64 = 0.05;
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value.log10()), high.max(value.log10()))
+        });
+        if low > high {
+            return None;
+        }
+        let lacking = (0.5 * (1.0 - (high - low))).max(ROOM * (high - low));
+        Some(LogAxis { low: low - lacking, high: high + lacking })
+    }
+
+    /// 0 at the lower end, 1 at the upper.
+    pub(super) fn share(&self, value: f64) -> f64 {
+        (value.log10() - self.low) / (self.high - self.low)
+    }
+
+    /// At most `most` labels.
+    pub(super) fn ticks(&self, most: usize) -> Ticks {
+        ticks::logarithmic(10f64.powf(self.low), 10f64.powf(self.high), most)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_grow_with_the_value_and_stay_inside() {
+        let values = [1e-12, 3e-9, 3.1e-9, 1.0, 40.0];
+        let axis = LogAxis::around(values.into_iter()).unwrap();
+        let shares = values.map(|value| axis.share(value));
+        assert!(shares.windows(2).all(|pair| pair[0] < pair[1]));
+        assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)));
+    }
+
+    #[test]
+    fn one_value_stands_in_the_middle_of_a_decade() {
+        let axis = LogAxis::around([2e-5, 2e-5].into_iter()).unwrap();
+        assert!((axis.share(2e-5) - 0.5).abs() < 1e-12);
+        assert!((axis.share(2e-4) - axis.share(2e-5) - 1.0).abs() < 1e-12);
+        assert!(LogAxis::around(std::iter::empty()).is_none());
+    }
+}

@@ -1,0 +1,177 @@
+//! One quantity over two axes: what the chart is given.
+
+use super::scene::Scene;
+use super::{FigureError, paint};
+
+/// A quantity as colour over two logarithmic axes, in panels: a row for each method, say, and a column for each value of
+/// a third parameter.
+///
+/// Each value of an axis has cells as wide as the way to its neighbours (in the logarithm). 0 and ∞ have cells of their own
+/// at the ends of the axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// Heading.
+    pub title: String,
+    /// Second line of the heading; may be empty.
+    pub subtitle: String,
+    /// Name of the horizontal axis: "α".
+    pub x_label: String,
+    /// Name of the vertical axis: "β".
+    pub y_label: String,
+    /// Label of each column of panels: "f = 100".
+    pub columns: Vec<String>,
+    /// Label of each row of panels.
+    pub rows: Vec<String>,
+    /// Values of the horizontal axis, increasing, ≥ 0; ∞ allowed.
+    pub x: Vec<f64>,
+    /// Values of the vertical axis, likewise.
+    pub y: Vec<f64>,
+    /// One panel for each row and column, row by row.
+    pub panels: Vec<Panel>,
+    /// From values to colours, the same in all panels.
+    pub scale: ColourScale,
+}
+
+/// One map: a cell for each y and x, x running fastest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// `y.len() * x.len()` cells.
+    pub cells: Vec<Cell>,
+}
+
+/// What is known at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell {
+    /// The quantity; not negative if the scale is logarithmic.
+    Value(f64),
+    /// The case failed.
+    Failed,
+    /// There is no case here.
+    Absent,
+    /// The case was solved, but has no such quantity.
+    Unknown,
+}
+
+/// From values to colours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColourScale {
+    /// Name of the quantity, beside the colour bar.
+    pub label: String,
+    /// Equal ratios, not equal differences, are equal steps of colour. Zeros then have a colour of their own.
+    pub logarithmic: bool,
+    /// Ends of the scale, low < high (> 0 if logarithmic); from the smallest to the largest value if none. Values beyond
+    /// have the colour of the end, and the colour bar ends in a point there.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Map {
+    /// The chart as SVG.
+    ///
+    /// # Errors
+    ///
+    /// [`FigureError`] if there is no cell at all, if lengths do not fit, or if a value has no place on its axis.
+    pub fn svg(&self) -> Result<String, FigureError> {
+        paint::svg(&self.scene()?)
+    }
+
+    /// The chart as PNG, [`WIDTH`](super::WIDTH) pixels wide.
+    ///
+    /// # Errors
+    ///
+    /// As [`Map::svg`].
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        paint::png(&self.scene()?)
+    }
+
+    /// Every value shown.
+    pub(super) fn values(&self) -> impl Iterator<Item = f64> {
+        self.cells().filter_map(|cell| if let Cell::Value(value) = cell { Some(*value) } else { None })
+    }
+
+    /// Every cell.
+    pub(super) fn cells(&self) -> impl Iterator<Item = &Cell> {
+        self.panels.iter().flat_map(|panel| &panel.cells)
+    }
+
+    fn scene(&self) -> Result<Scene, FigureError> {
+        self.check()?;
+        Ok(super::map_chart::draw(self))
+    }
+
+    fn check(&self) -> Result<(), FigureError> {
+        for (list, what) in [(self.rows.len(), "row of panels"), (self.columns.len(), "column of panels")] {
+            if list == 0 {
+                return Err(FigureError::Empty { chart: self.title.clone(), what });
+            }
+        }
+        self.check_axis(&self.x, "value of the horizontal axis", &self.x_label)?;
+        self.check_axis(&self.y, "value of the vertical axis", &self.y_label)?;
+        let count = |what: String, found: usize, wanted: usize| {
+            if found == wanted {
+                return Ok(());
+            }
+            Err(FigureError::Count { chart: self.title.clone(), what, found, wanted })
+        };
+        count("panels".to_string(), self.panels.len(), self.rows.len() * self.columns.len())?;
+        for (i, panel) in self.panels.iter().enumerate() {
+            count(format!("cells in panel {}", i + 1), panel.cells.len(), self.x.len() * self.y.len())?;
+            for (k, cell) in panel.cells.iter().enumerate() {
+                if let Cell::Value(value) = cell {
+                    let (row, column) = (&self.rows[i / self.columns.len()], &self.columns[i % self.columns.len()]);
+                    let (x, y) = (self.x[k % self.x.len()], self.y[k / self.x.len()]);
+                    let place = format!("{} = {x}, {} = {y}, \"{row}\", \"{column}\"", self.x_label, self.y_label);
+                    self.check_value(*value, "a cell", place)?;
+                }
+            }
+        }
+        if let Some((low, high)) = self.scale.range {
+            let place = || format!("the range of \"{}\"", self.scale.label);
+            self.check_value(low, "the lower end", place())?;
+            let ordered = low < high && high.is_finite() && (!self.scale.logarithmic || low > 0.0);
+            if !ordered {
+                let wanted =
+                    "a range goes from a lower to a higher number, both above zero if the scale is logarithmic";
+                return Err(self.refused("the upper end", high, place(), wanted));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_axis(&self, values: &[f64], what: &'static str, label: &str) -> Result<(), FigureError> {
+        if values.is_empty() {
+            return Err(FigureError::Empty { chart: self.title.clone(), what });
+        }
+        for (i, value) in values.iter().enumerate() {
+            let increasing = i == 0 || values[i - 1] < *value;
+            if !(*value >= 0.0 && increasing) {
+                let place = format!("the axis {label}");
+                return Err(self.refused(
+                    "a value",
+                    *value,
+                    place,
+                    "values are not negative and increase; ∞ may be the last",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_value(&self, value: f64, what: &'static str, place: String) -> Result<(), FigureError> {
+        if !value.is_finite() {
+            return Err(self.refused(
+                what,
+                value,
+                place,
+                "values are finite; a case without one is Failed, Absent or Unknown",
+            ));
+        }
+        if self.scale.logarithmic && value < 0.0 {
+            return Err(self.refused(what, value, place, "nothing is below zero on a logarithmic scale"));
+        }
+        Ok(())
+    }
+
+    fn refused(&self, what: &'static str, value: f64, place: String, wanted: &'static str) -> FigureError {
+        FigureError::Value { chart: self.title.clone(), what, value, place, wanted }
+    }
+}

@@ -1,0 +1,36 @@
+//! Charts: plain numbers in, SVG or PNG out. The room knows nothing of solvers, sweeps or files.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | [`WorkPrecision`] | error against run time, one line for each method |
+//! | [`Map`] | one quantity over two axes, a panel for each third value and method |
+//! | `ticks`, `number` | where an axis is labelled, and how a number is written |
+//! | `log_axis`, `cell_axis`, `colour_bar` | from a value to a place or a colour |
+//! | `palette`, `marker`, `legend`, `placement` | what marks look like, and where labels find room |
+//! | `scene`, `paint`, `font` | shapes in pixels; the two formats they are painted in; widths of text |
+//!
+//! A chart lays itself out as a list of shapes (`scene`), which does not depend on the format: the SVG and the PNG of one
+//! chart show the same. Same input, same bytes.
+
+mod cell_axis;
+mod colour_bar;
+mod error;
+mod font;
+mod legend;
+mod log_axis;
+mod map;
+mod map_chart;
+mod marker;
+mod number;
+mod paint;
+mod palette;
+mod placement;
+mod scene;
+mod ticks;
+mod work_precision;
+mod work_precision_chart;
+
+pub use error::FigureError;
+pub use map::{Cell, ColourScale, Map, Panel};
+pub use paint::WIDTH;
+pub use work_precision::{MethodLine, SettingPoint, WorkPrecision};

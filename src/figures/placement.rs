@@ -1,0 +1,142 @@
+//! Labels beside points: each goes where it covers least.
+
+use super::scene::{Area, Point};
+
+/// What labels must not cover.
+#[derive(Debug)]
+pub(super) struct Obstacles {
+    /// Labels stay inside.
+    pub(super) bounds: Area,
+    /// Markers and labels: never covered if there is any other place.
+    pub(super) solid: Vec<Area>,
+    /// Lines: crossed only if there is no better place.
+    pub(super) lines: Vec<(Point, Point)>,
+    /// Small marks: the fewer covered the better.
+    pub(super) faint: Vec<Point>,
+}
+
+/// How far a label goes to be shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Effort {
+    /// Beside its point, or left out if it would cover a marker or another label there.
+    Near,
+    /// Further away as well, or left out.
+    Far,
+    /// Where it covers least, if it covers something everywhere.
+    Always,
+}
+
+/// What covering costs, and a step away from the point.
+const SOLID: u64 = 1_000_000;
+const LINE: u64 = 60;
+const FAR: f64 = 12.0;
+
+impl Obstacles {
+    /// The best place for a label of this size near a point, which it takes from then on.
+    pub(super) fn place(&mut self, (x, y): Point, (width, height): Point, reach: f64, effort: Effort) -> Option<Area> {
+        // Beside, above, below, then at the corners; then the same further away.
+        let corner = std::f64::consts::FRAC_1_SQRT_2;
+        let directions = [
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (0.0, -1.0),
+            (0.0, 1.0),
+            (corner, -corner),
+            (-corner, -corner),
+            (corner, corner),
+            (-corner, corner),
+        ];
+        let distances = if effort == Effort::Near { &[1.0, 1.6][..] } else { &[1.0, 1.6, 2.4, 3.5, 5.0, 7.0][..] };
+        let mut best: Option<(u64, Area)> = None;
+        for distance in distances {
+            for (dx, dy) in directions {
+                let (nx, ny) = (x + dx * reach * distance, y + dy * reach * distance);
+                // The label touches the circle with the side or corner that faces the point.
+                let left = nx - width * 0.5 * (1.0 - side(dx));
+                let top = ny - height * 0.5 * (1.0 - side(dy));
+                let area = Area { left, top, right: left + width, bottom: top + height };
+                if !self.bounds.contains(&area) {
+                    continue;
+                }
+                let cost = self.cost(&area) + (FAR * distance) as u64;
+                if best.is_none_or(|(least, _)| cost < least) {
+                    best = Some((cost, area));
+                }
+            }
+        }
+        let (cost, area) = best?;
+        if cost >= SOLID && effort != Effort::Always {
+            return None;
+        }
+        self.solid.push(area);
+        Some(area)
+    }
+
+    fn cost(&self, area: &Area) -> u64 {
+        let solid = self.solid.iter().filter(|other| other.overlaps(area)).count() as u64;
+        let lines = self.lines.iter().filter(|(from, to)| crosses(area, *from, *to)).count() as u64;
+        let faint =
+            self.faint.iter().filter(|point| area.grown(4.0).overlaps(&Area::about(**point, 1.0))).count() as u64;
+        SOLID * solid + LINE * lines + faint
+    }
+}
+
+fn side(direction: f64) -> f64 {
+    if direction.abs() < 1e-9 { 0.0 } else { direction.signum() }
+}
+
+/// Whether a segment passes through an area (Liang and Barsky 1984).
+fn crosses(area: &Area, from: Point, to: Point) -> bool {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let (mut enters, mut leaves) = (0.0f64, 1.0f64);
+    for (speed, room) in
+        [(-dx, from.0 - area.left), (dx, area.right - from.0), (-dy, from.1 - area.top), (dy, area.bottom - from.1)]
+    {
+        if speed == 0.0 {
+            if room < 0.0 {
+                return false;
+            }
+        } else if speed < 0.0 {
+            enters = enters.max(room / speed);
+        } else {
+            leaves = leaves.min(room / speed);
+        }
+    }
+    enters <= leaves
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: Area = Area { left: 0.0, top: 0.0, right: 10.0, bottom: 10.0 };
+
+    #[test]
+    fn segments_cross_an_area_or_pass_it() {
+        assert!(crosses(&SQUARE, (-5.0, 5.0), (15.0, 6.0)));
+        assert!(crosses(&SQUARE, (5.0, 5.0), (6.0, 6.0)));
+        assert!(crosses(&SQUARE, (5.0, -5.0), (5.0, 50.0)));
+        assert!(!crosses(&SQUARE, (-5.0, 6.0), (6.0, 17.0)));
+        assert!(!crosses(&SQUARE, (11.0, -5.0), (11.0, 50.0)));
+    }
+
+    #[test]
+    fn labels_of_one_point_do_not_cover_each_other_while_there_is_room() {
+        let bounds = Area { left: 0.0, top: 0.0, right: 1000.0, bottom: 1000.0 };
+        let mut obstacles = Obstacles { bounds, solid: vec![], lines: vec![], faint: vec![] };
+        let placed: Vec<Area> =
+            (0..6).map(|_| obstacles.place((500.0, 500.0), (100.0, 40.0), 20.0, Effort::Far).unwrap()).collect();
+        for (i, one) in placed.iter().enumerate() {
+            assert!(bounds.contains(one));
+            assert!(placed[..i].iter().all(|other| !one.overlaps(other)), "{placed:?}");
+        }
+    }
+
+    #[test]
+    fn a_label_without_room_is_left_out_unless_it_must_be_shown() {
+        let bounds = Area { left: 0.0, top: 0.0, right: 300.0, bottom: 300.0 };
+        let mut obstacles = Obstacles { bounds, solid: vec![bounds], lines: vec![], faint: vec![] };
+        assert_eq!(obstacles.place((150.0, 150.0), (60.0, 20.0), 10.0, Effort::Far), None);
+        assert!(obstacles.place((150.0, 150.0), (60.0, 20.0), 10.0, Effort::Always).is_some());
+    }
+}

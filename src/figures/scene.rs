@@ -1,0 +1,184 @@
+//! A chart as a list of shapes, in pixels of a picture [`WIDTH`](super::WIDTH) wide, y downwards.
+
+use super::font::{self, ASCENT, DESCENT};
+use super::palette::Ink;
+
+/// A point, x and y in pixels.
+pub(super) type Point = (f64, f64);
+
+/// A rectangle in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Area {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
+}
+
+impl Area {
+    pub(super) fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    pub(super) fn height(&self) -> f64 {
+        self.bottom - self.top
+    }
+
+    pub(super) fn centre(&self) -> Point {
+        (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
+    }
+
+    /// The square of half-width `reach` about a point.
+    pub(super) fn about((x, y): Point, reach: f64) -> Self {
+        Area { left: x - reach, top: y - reach, right: x + reach, bottom: y + reach }
+    }
+
+    /// Wider by `by` on each side.
+    pub(super) fn grown(&self, by: f64) -> Self {
+        Area { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
+    }
+
+    pub(super) fn overlaps(&self, other: &Area) -> bool {
+        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+    }
+
+    pub(super) fn contains(&self, other: &Area) -> bool {
+        self.left <= other.left && self.top <= other.top && self.right >= other.right && self.bottom >= other.bottom
+    }
+}
+
+/// Which part of a text stands at its point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// One line of text.
+#[derive(Clone, Debug)]
+pub(super) struct Text {
+    /// A point of the baseline.
+    pub(super) at: Point,
+    pub(super) anchor: Anchor,
+    /// Size of the font in pixels.
+    pub(super) em: f64,
+    pub(super) ink: Ink,
+    /// Reads upwards instead of to the right.
+    pub(super) turned: bool,
+    pub(super) words: String,
+}
+
+impl Text {
+    /// The rectangle from the ascenders to the descenders.
+    pub(super) fn bounds(&self) -> Area {
+        let width = font::width(&self.words, self.em);
+        let before = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * width,
+            Anchor::End => width,
+        };
+        let (x, y) = self.at;
+        if self.turned {
+            let (bottom, top) = (y + before, y + before - width);
+            Area { left: x - ASCENT * self.em, top, right: x + DESCENT * self.em, bottom }
+        } else {
+            let (left, right) = (x - before, x - before + width);
+            Area { left, top: y - ASCENT * self.em, right, bottom: y + DESCENT * self.em }
+        }
+    }
+}
+
+/// One shape. Later shapes cover earlier ones.
+#[derive(Clone, Debug)]
+pub(super) enum Shape {
+    Rectangle { area: Area, ink: Ink },
+    Path { points: Vec<Point>, width: f64, ink: Ink },
+    Polygon { corners: Vec<Point>, ink: Ink },
+    Disc { centre: Point, radius: f64, ink: Ink },
+    Text(Text),
+}
+
+/// A picture: its height and its shapes in the order of painting.
+#[derive(Debug, Default)]
+pub(super) struct Scene {
+    pub(super) height: f64,
+    pub(super) shapes: Vec<Shape>,
+}
+
+/// Distance of the baselines of two lines of text over the size of the font.
+const LEADING: f64 = 1.22;
+
+impl Scene {
+    pub(super) fn rectangle(&mut self, area: Area, ink: Ink) {
+        self.shapes.push(Shape::Rectangle { area, ink });
+    }
+
+    pub(super) fn path(&mut self, points: Vec<Point>, width: f64, ink: Ink) {
+        self.shapes.push(Shape::Path { points, width, ink });
+    }
+
+    pub(super) fn line(&mut self, from: Point, to: Point, width: f64, ink: Ink) {
+        self.path(vec![from, to], width, ink);
+    }
+
+    /// The outline of an area. Four lines, whose ends fill the corners.
+    pub(super) fn frame(&mut self, area: Area, width: f64, ink: Ink) {
+        let half = 0.5 * width;
+        let Area { left, top, right, bottom } = area;
+        for y in [top, bottom] {
+            self.line((left - half, y), (right + half, y), width, ink);
+        }
+        for x in [left, right] {
+            self.line((x, top - half), (x, bottom + half), width, ink);
+        }
+    }
+
+    pub(super) fn text(&mut self, at: Point, anchor: Anchor, em: f64, ink: Ink, words: impl Into<String>) {
+        let words = words.into();
+        if !words.is_empty() {
+            self.shapes.push(Shape::Text(Text { at, anchor, em, ink, turned: false, words }));
+        }
+    }
+
+    /// Text of several lines under `top`, at most `room` wide. Returns where it ends.
+    pub(super) fn paragraph(
+        &mut self,
+        (x, top): Point,
+        anchor: Anchor,
+        em: f64,
+        ink: Ink,
+        room: f64,
+        words: &str,
+    ) -> f64 {
+        let mut bottom = top;
+        for line in font::wrap(words, em, room) {
+            self.text((x, bottom + LEADING * em - DESCENT * em), anchor, em, ink, line);
+            bottom += LEADING * em;
+        }
+        bottom
+    }
+
+    /// Text of several lines that reads upwards, centred at `centre` and at most `room` long. Its lines go from `left` to
+    /// the right. Returns where it ends.
+    pub(super) fn upright(&mut self, (left, centre): Point, em: f64, ink: Ink, room: f64, words: &str) -> f64 {
+        let mut right = left;
+        for words in font::wrap(words, em, room) {
+            let at = (right + LEADING * em - DESCENT * em, centre);
+            self.shapes.push(Shape::Text(Text { at, anchor: Anchor::Middle, em, ink, turned: true, words }));
+            right += LEADING * em;
+        }
+        right
+    }
+
+    /// Title and subtitle from the upper edge of the picture. Returns where they end.
+    pub(super) fn heading(&mut self, em: f64, left: f64, room: f64, title: &str, subtitle: &str) -> f64 {
+        let top = self.paragraph((left, 0.5 * em), Anchor::Start, 1.15 * em, super::palette::TEXT, room, title);
+        self.paragraph((left, top), Anchor::Start, 0.88 * em, super::palette::QUIET_TEXT, room, subtitle)
+    }
+}
+
+/// How much room wrapped text takes across its lines.
+pub(super) fn thickness(words: &str, em: f64, room: f64) -> f64 {
+    font::wrap(words, em, room).len() as f64 * LEADING * em
+}

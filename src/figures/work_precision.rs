@@ -1,0 +1,166 @@
+//! Error against run time: what the chart is given, and what is drawn of it.
+
+use super::scene::Scene;
+use super::{FigureError, paint};
+
+/// Error against run time on logarithmic axes, one line for each method.
+///
+/// Single cases are small faint markers. A large marker stands at the median (of the logarithms) of the seconds and errors
+/// of the cases that a setting solved, and a line joins the settings of a method. A case that failed is a × in a band
+/// along the upper edge, at its seconds; the median marker says how many did. An error of exactly zero lies in a band along the
+/// lower edge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorkPrecision {
+    /// Heading.
+    pub title: String,
+    /// Second line of the heading; may be empty.
+    pub subtitle: String,
+    /// Name of the horizontal axis, "seconds for a case".
+    pub x_label: String,
+    /// Name of the vertical axis, "relative error of μ_v".
+    pub y_label: String,
+    /// The methods.
+    pub lines: Vec<MethodLine>,
+}
+
+/// The settings of one method.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MethodLine {
+    /// Name in the legend.
+    pub label: String,
+    /// One point for each setting, in the order in which the line joins them.
+    pub points: Vec<SettingPoint>,
+}
+
+/// The cases solved with one setting of a method.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SettingPoint {
+    /// Short name of the setting: "801", "1e-5".
+    pub label: String,
+    /// Seconds (> 0) and error (≥ 0) of each case; no error if the case failed.
+    pub cases: Vec<(f64, Option<f64>)>,
+}
+
+/// Medians over the cases that a setting solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Medians {
+    pub(super) seconds: f64,
+    /// Zero if half of the cases have no error at all.
+    pub(super) error: f64,
+}
+
+impl SettingPoint {
+    pub(super) fn failures(&self) -> usize {
+        self.cases.iter().filter(|(_, error)| error.is_none()).count()
+    }
+
+    /// Seconds and error of the cases that were solved.
+    pub(super) fn solved(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.cases.iter().filter_map(|(seconds, error)| Some((*seconds, (*error)?)))
+    }
+
+    /// None if no case was solved.
+    pub(super) fn medians(&self) -> Option<Medians> {
+        let median = |mut logarithms: Vec<f64>| {
+            logarithms.sort_by(f64::total_cmp);
+            let (upper, count) = (logarithms.len() / 2, logarithms.len());
+            let lower = if count.is_multiple_of(2) { upper - 1 } else { upper };
+            10f64.powf(0.5 * (logarithms[lower] + logarithms[upper]))
+        };
+        let (seconds, errors): (Vec<f64>, Vec<f64>) =
+            self.solved().map(|(seconds, error)| (seconds.log10(), error.log10())).unzip();
+        (!seconds.is_empty()).then(|| Medians { seconds: median(seconds), error: median(errors) })
+    }
+}
+
+impl WorkPrecision {
+    /// The chart as SVG.
+    ///
+    /// # Errors
+    ///
+    /// [`FigureError`] if there is no case at all, or seconds or errors have no place on a logarithmic axis.
+    pub fn svg(&self) -> Result<String, FigureError> {
+        paint::svg(&self.scene()?)
+    }
+
+    /// The chart as PNG, [`WIDTH`](super::WIDTH) pixels wide.
+    ///
+    /// # Errors
+    ///
+    /// As [`WorkPrecision::svg`].
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        paint::png(&self.scene()?)
+    }
+
+    fn scene(&self) -> Result<Scene, FigureError> {
+        self.check()?;
+        Ok(super::work_precision_chart::draw(self))
+    }
+
+    fn check(&self) -> Result<(), FigureError> {
+        let mut cases = 0;
+        for line in &self.lines {
+            for point in &line.points {
+                for (seconds, error) in &point.cases {
+                    cases += 1;
+                    let refused = |what, value, wanted| {
+                        let place = format!("setting \"{}\" of \"{}\"", point.label, line.label);
+                        FigureError::Value { chart: self.title.clone(), what, value, place, wanted }
+                    };
+                    if !(seconds.is_finite() && *seconds > 0.0) {
+                        return Err(refused("seconds", *seconds, "seconds are finite and above zero"));
+                    }
+                    if let Some(error) = error
+                        && !(error.is_finite() && *error >= 0.0)
+                    {
+                        return Err(refused("error", *error, "an error is finite and not negative"));
+                    }
+                }
+            }
+        }
+        if cases == 0 {
+            return Err(FigureError::Empty { chart: self.title.clone(), what: "case" });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn point(cases: Vec<(f64, Option<f64>)>) -> SettingPoint {
+        SettingPoint { label: "one".to_string(), cases }
+    }
+
+    proptest! {
+        #[test]
+        fn medians_lie_among_the_cases_and_forget_their_order(
+            cases in prop::collection::vec((1e-4..1e3f64, prop::option::of(1e-12..1.0f64)), 1..30),
+        ) {
+            let one = point(cases.clone());
+            let other = point(cases.into_iter().rev().collect());
+            prop_assert_eq!(one.medians(), other.medians());
+            let solved = one.cases.len() - one.failures();
+            prop_assert_eq!(one.solved().count(), solved);
+            let Some(medians) = one.medians() else { return Ok(()) };
+            for (of, value) in [(0, medians.seconds), (1, medians.error)] {
+                let values = || one.solved().map(|pair| if of == 0 { pair.0 } else { pair.1 });
+                let below = values().filter(|v| *v <= value * (1.0 + 1e-12)).count();
+                let above = values().filter(|v| *v >= value * (1.0 - 1e-12)).count();
+                prop_assert!(2 * below >= solved && 2 * above >= solved);
+            }
+        }
+    }
+
+    #[test]
+    fn half_of_the_errors_zero_make_the_median_zero() {
+        let medians =
+            point(vec![(1.0, Some(0.0)), (2.0, Some(0.0)), (4.0, Some(1e-3)), (8.0, None)]).medians().unwrap();
+        assert_eq!(medians.error, 0.0);
+        assert!((medians.seconds - 2.0).abs() < 1e-12);
+        assert_eq!(point(vec![(1.0, None)]).medians(), None);
+    }
+}

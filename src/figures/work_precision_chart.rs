@@ -1,0 +1,312 @@
+//! Error against run time: the layout.
+
+use super::legend::{self, Entry, LARGE_RADIUS, SMALL_OPACITY, SMALL_RADIUS, Swatch};
+use super::log_axis::LogAxis;
+use super::marker::{self, Form};
+use super::paint::WIDTH;
+use super::palette::{self, EXACT, FAILED, FRAME, GRID, PAPER, QUIET_TEXT, TEXT, faded};
+use super::placement::{Effort, Obstacles};
+use super::scene::{Anchor, Area, Point, Scene, Shape, Text};
+use super::ticks::{self, Ticks};
+use super::work_precision::{SettingPoint, WorkPrecision};
+use super::{font, scene};
+
+/// Size of the font of ticks: 6 points when the picture is 8.5 cm wide.
+const EM: f64 = 40.0;
+/// Size of the font of the labels of settings.
+const LABEL_EM: f64 = 34.0;
+/// Height of the part between the bands.
+const HEIGHT: f64 = 900.0;
+/// Height of one method's row in a band.
+const ROW: f64 = 0.85 * EM;
+const MARGIN: f64 = 30.0;
+
+/// A band along the upper or lower edge, with a row for each line that has something there.
+struct Band {
+    area: Area,
+    lines: Vec<usize>,
+}
+
+impl Band {
+    fn row(&self, line: usize) -> f64 {
+        let row = self.lines.iter().position(|other| *other == line).expect("a line with marks in a band has a row");
+        self.area.top + self.area.height() * (row as f64 + 0.5) / self.lines.len() as f64
+    }
+}
+
+/// Where everything lies.
+struct Layout {
+    plot: Area,
+    failed: Band,
+    exact: Band,
+    x_axis: LogAxis,
+    /// None if no error is above zero.
+    y_axis: Option<LogAxis>,
+}
+
+impl Layout {
+    fn x(&self, seconds: f64) -> f64 {
+        self.plot.left + self.plot.width() * self.x_axis.share(seconds)
+    }
+
+    /// Place of an error of a line; zero has its row in the band.
+    fn y(&self, line: usize, error: f64) -> f64 {
+        match self.y_axis {
+            Some(axis) if error > 0.0 => self.plot.bottom - self.plot.height() * axis.share(error),
+            _ => self.exact.row(line),
+        }
+    }
+
+    fn whole(&self) -> Area {
+        Area { top: self.failed.area.top, bottom: self.exact.area.bottom, ..self.plot }
+    }
+}
+
+/// The chart; it has been checked and has at least one case.
+pub(super) fn draw(chart: &WorkPrecision) -> Scene {
+    let mut scene = Scene::default();
+    let right = f64::from(WIDTH) - MARGIN;
+    let top = scene.heading(1.1 * EM, MARGIN, right - MARGIN, &chart.title, &chart.subtitle) + 0.5 * EM;
+
+    let points = || chart.lines.iter().flat_map(|line| &line.points);
+    let seconds = points().flat_map(|point| &point.cases).map(|(seconds, _)| *seconds);
+    let x_axis = LogAxis::around(seconds).expect("the chart was checked and has a case");
+    let y_axis = LogAxis::around(points().flat_map(SettingPoint::solved).map(|pair| pair.1).filter(|e| *e > 0.0));
+    let lines_with = |mark: &dyn Fn(&SettingPoint) -> bool| -> Vec<usize> {
+        (0..chart.lines.len()).filter(|i| chart.lines[*i].points.iter().any(mark)).collect()
+    };
+    let failing = lines_with(&|point| point.failures() > 0);
+    let exact = lines_with(&|point| point.solved().any(|(_, error)| error == 0.0));
+
+    let band = |lines: &[usize]| if lines.is_empty() { 0.0 } else { lines.len() as f64 * ROW + 0.3 * EM };
+    let plot_top = top + band(&failing);
+    let plot_bottom = plot_top + HEIGHT;
+    let y_ticks = y_axis.map_or_else(Ticks::default, |axis| {
+        let place = |value: f64| plot_bottom - HEIGHT * axis.share(value);
+        ticks::fitting(
+            |most| axis.ticks(most),
+            |tick| (place(tick.value) - 0.6 * EM, place(tick.value) + 0.6 * EM),
+            0.3 * EM,
+        )
+    });
+    let mut names: Vec<&str> = y_ticks.major.iter().map(|tick| tick.label.as_str()).collect();
+    names.extend((!failing.is_empty()).then_some("failed"));
+    names.extend((!exact.is_empty()).then_some("0 (exact)"));
+    let widest = names.iter().map(|name| font::width(name, EM)).fold(0.0, f64::max);
+    let whole_height = band(&failing) + HEIGHT + band(&exact);
+    let label_width = scene::thickness(&chart.y_label, 1.1 * EM, whole_height);
+    let plot = Area {
+        left: MARGIN + label_width + 0.3 * EM + widest + 0.4 * EM,
+        top: plot_top,
+        // Half a label of the horizontal axis may stand out.
+        right: right - 0.6 * EM,
+        bottom: plot_bottom,
+    };
+    let layout = Layout {
+        plot,
+        failed: Band { area: Area { top, bottom: plot.top, ..plot }, lines: failing },
+        exact: Band { area: Area { top: plot.bottom, bottom: plot.bottom + band(&exact), ..plot }, lines: exact },
+        x_axis,
+        y_axis,
+    };
+    scene.upright((MARGIN, layout.whole().centre().1), 1.1 * EM, TEXT, whole_height, &chart.y_label);
+    let ticks_bottom = draw_axes(&mut scene, &layout, &y_ticks);
+    let x_bottom = scene.paragraph(
+        (plot.centre().0, ticks_bottom + 0.1 * EM),
+        Anchor::Middle,
+        1.1 * EM,
+        TEXT,
+        plot.width(),
+        &chart.x_label,
+    );
+    if y_axis.is_none() {
+        let words =
+            if points().any(|point| point.solved().count() > 0) { "no error above zero" } else { "no case was solved" };
+        scene.text(plot.centre(), Anchor::Middle, EM, QUIET_TEXT, words);
+    }
+    draw_cases(&mut scene, chart, &layout);
+    draw_medians(&mut scene, chart, &layout);
+    scene.frame(layout.whole(), 3.0, FRAME);
+
+    let bottom = legend::draw(&mut scene, &entries(chart), (MARGIN, x_bottom + 0.5 * EM), right, EM);
+    scene.height = (bottom + 0.4 * EM).ceil();
+    scene
+}
+
+/// Bands, grid, ticks and their labels; returns where the labels of the horizontal axis end.
+fn draw_axes(scene: &mut Scene, layout: &Layout, y_ticks: &Ticks) -> f64 {
+    let (plot, whole) = (layout.plot, layout.whole());
+    let x_ticks = ticks::fitting(
+        |most| layout.x_axis.ticks(most),
+        |tick| {
+            let half = 0.5 * font::width(&tick.label, EM);
+            (layout.x(tick.value) - half, layout.x(tick.value) + half)
+        },
+        0.6 * EM,
+    );
+    for (band, ink, name) in [(&layout.failed, FAILED, "failed"), (&layout.exact, EXACT, "0 (exact)")] {
+        if !band.lines.is_empty() {
+            scene.rectangle(band.area, faded(ink, 0.6));
+            scene.text((plot.left - 0.4 * EM, band.area.centre().1 + 0.36 * EM), Anchor::End, EM, TEXT, name);
+        }
+    }
+    for tick in &x_ticks.major {
+        scene.line((layout.x(tick.value), whole.top), (layout.x(tick.value), whole.bottom), 2.0, GRID);
+    }
+    let y = |value: f64| layout.y(0, value);
+    for tick in &y_ticks.major {
+        scene.line((plot.left, y(tick.value)), (plot.right, y(tick.value)), 2.0, GRID);
+        scene.line((plot.left - 12.0, y(tick.value)), (plot.left, y(tick.value)), 3.0, FRAME);
+        scene.text((plot.left - 0.4 * EM, y(tick.value) + 0.36 * EM), Anchor::End, EM, TEXT, tick.label.as_str());
+    }
+    for value in &y_ticks.minor {
+        scene.line((plot.left - 6.0, y(*value)), (plot.left, y(*value)), 2.0, FRAME);
+    }
+    for tick in &x_ticks.major {
+        let x = layout.x(tick.value);
+        scene.line((x, whole.bottom), (x, whole.bottom + 12.0), 3.0, FRAME);
+        scene.text((x, whole.bottom + 14.0 + 0.9 * EM), Anchor::Middle, EM, TEXT, tick.label.as_str());
+    }
+    for value in &x_ticks.minor {
+        scene.line((layout.x(*value), whole.bottom), (layout.x(*value), whole.bottom + 6.0), 2.0, FRAME);
+    }
+    for band in [&layout.failed, &layout.exact].into_iter().filter(|band| !band.lines.is_empty()) {
+        let edge = if band.area.top < plot.top { plot.top } else { plot.bottom };
+        scene.line((plot.left, edge), (plot.right, edge), 2.0, FRAME);
+    }
+    whole.bottom + 14.0 + 1.2 * EM
+}
+
+fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
+    for (i, line) in chart.lines.iter().enumerate() {
+        let ink = palette::line_colour(i);
+        for (seconds, error) in line.points.iter().flat_map(|point| &point.cases) {
+            let x = layout.x(*seconds);
+            match error {
+                Some(error) => {
+                    let at = (x, layout.y(i, *error));
+                    marker::marker(scene, Form::of(i), at, SMALL_RADIUS * EM, faded(ink, SMALL_OPACITY));
+                }
+                None => marker::cross(scene, (x, layout.failed.row(i)), 0.2 * EM, 3.5, ink),
+            }
+        }
+    }
+}
+
+/// A label that a setting wants.
+struct Wanted {
+    at: Point,
+    line: usize,
+    words: Vec<String>,
+    effort: Effort,
+}
+
+fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
+    let mut wanted = Vec::new();
+    let mut obstacles = Obstacles { bounds: layout.whole().grown(-8.0), solid: vec![], lines: vec![], faint: vec![] };
+    obstacles.bounds.top = layout.plot.top + 8.0;
+    let mut markers = Vec::new();
+    for (i, line) in chart.lines.iter().enumerate() {
+        let ink = palette::line_colour(i);
+        let medians: Vec<(&SettingPoint, Point)> = line
+            .points
+            .iter()
+            .filter_map(|point| point.medians().map(|m| (point, (layout.x(m.seconds), layout.y(i, m.error)))))
+            .collect();
+        let path: Vec<Point> = medians.iter().map(|(_, at)| *at).collect();
+        obstacles.lines.extend(path.windows(2).map(|pair| (pair[0], pair[1])));
+        if path.len() > 1 {
+            scene.path(path, 5.0, ink);
+        }
+        for (k, (point, at)) in medians.iter().enumerate() {
+            markers.push((i, *at));
+            let failures = point.failures();
+            let mut words = vec![point.label.clone()];
+            words.extend((failures > 0).then(|| format!("{failures} of {} failed", point.cases.len())));
+            let ends = k == 0 || k + 1 == medians.len();
+            let effort = if ends || failures > 0 { Effort::Always } else { Effort::Near };
+            wanted.push(Wanted { at: *at, line: i, words, effort });
+        }
+        for point in line.points.iter().filter(|point| point.failures() > 0 && point.medians().is_none()) {
+            let logarithms = point.cases.iter().map(|(seconds, _)| seconds.log10());
+            let middle = 10f64.powf(logarithms.sum::<f64>() / point.cases.len() as f64);
+            let words = vec![point.label.clone(), format!("all {} failed", point.cases.len())];
+            wanted.push(Wanted { at: (layout.x(middle), layout.plot.top), line: i, words, effort: Effort::Far });
+        }
+        let cases = line.points.iter().flat_map(SettingPoint::solved);
+        obstacles.faint.extend(cases.map(|(seconds, error)| (layout.x(seconds), layout.y(i, error))));
+    }
+    obstacles.solid = markers.iter().map(|(_, at)| Area::about(*at, LARGE_RADIUS * EM + 4.0)).collect();
+
+    // Those that must be shown choose first.
+    wanted.sort_by_key(|label| match label.effort {
+        Effort::Always => 0,
+        Effort::Far => 1,
+        Effort::Near => 2,
+    });
+    let texts: Vec<Text> = wanted.iter().filter_map(|label| place(label, &mut obstacles, scene)).flatten().collect();
+    for (line, at) in markers {
+        marker::rimmed(scene, Form::of(line), at, LARGE_RADIUS * EM, palette::line_colour(line));
+    }
+    scene.shapes.extend(texts.into_iter().map(Shape::Text));
+}
+
+/// Finds room for a label, smaller if need be, and draws what lies behind it.
+fn place(label: &Wanted, obstacles: &mut Obstacles, scene: &mut Scene) -> Option<Vec<Text>> {
+    let reach = LARGE_RADIUS * EM + 8.0;
+    let attempts: &[(f64, Effort)] = match label.effort {
+        Effort::Near => &[(1.0, Effort::Near)],
+        Effort::Far => &[(1.0, Effort::Far), (0.85, Effort::Far)],
+        Effort::Always => &[(1.0, Effort::Far), (0.85, Effort::Far), (0.85, Effort::Always)],
+    };
+    let (em, area) = attempts.iter().find_map(|(size, effort)| {
+        let em = size * LABEL_EM;
+        let width = label.words.iter().map(|line| font::width(line, em)).fold(0.0, f64::max) + 8.0;
+        let height = 1.12 * em * label.words.len() as f64 + 4.0;
+        obstacles.place(label.at, (width, height), reach, *effort).map(|area| (em, area))
+    })?;
+    let (x, y) = label.at;
+    let ink = palette::darkened(palette::line_colour(label.line));
+    let nearest = (x.clamp(area.left, area.right), y.clamp(area.top, area.bottom));
+    if (nearest.0 - x).hypot(nearest.1 - y) > 1.7 * reach {
+        scene.line(label.at, nearest, 2.0, ink);
+    }
+    scene.rectangle(area, faded(PAPER, 0.75));
+    let (anchor, at) = if area.left >= x {
+        (Anchor::Start, area.left + 4.0)
+    } else if area.right <= x {
+        (Anchor::End, area.right - 4.0)
+    } else {
+        (Anchor::Middle, area.centre().0)
+    };
+    let text = |(i, words): (usize, &String)| Text {
+        at: (at, area.top + 2.0 + 1.12 * em * (i as f64 + 1.0) - 0.28 * em),
+        anchor,
+        em,
+        ink,
+        turned: false,
+        words: words.clone(),
+    };
+    Some(label.words.iter().enumerate().map(text).collect())
+}
+
+fn entries(chart: &WorkPrecision) -> Vec<Entry> {
+    let points = || chart.lines.iter().flat_map(|line| &line.points);
+    let mut entries: Vec<Entry> = chart
+        .lines
+        .iter()
+        .enumerate()
+        .map(|(i, line)| Entry {
+            swatch: Swatch::Line { form: Form::of(i), ink: palette::line_colour(i) },
+            label: line.label.clone(),
+        })
+        .collect();
+    if points().any(|point| point.solved().count() > 0) {
+        let label = "one case (large: median)".to_string();
+        entries.push(Entry { swatch: Swatch::Small { form: Form::Disc, ink: TEXT }, label });
+    }
+    if points().any(|point| point.failures() > 0) {
+        entries.push(Entry { swatch: Swatch::Cross { ink: TEXT }, label: "case that failed".to_string() });
+    }
+    entries
+}
