@@ -24,6 +24,7 @@
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
 //! | [`figures`] | charts: numbers in, SVG or PNG out | – |
+//! | [`study`] | error against run time, stability of each method | [`input`], [`sweep`], the solvers, [`engine`], [`figures`] |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!
 //! Equation numbers "Eq. n" are those of Wu, Jagota and Hui, *Lubricated Sliding of a Rigid Cylinder on a Viscoelastic
@@ -40,9 +41,10 @@ pub mod collocation;
 pub mod continuation;
 pub mod engine;
 pub mod exact;
-pub mod input;
 pub mod figures;
+pub mod input;
 pub mod model;
 pub mod relaxation;
 pub mod store;
+pub mod study;
 pub mod sweep;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use miette::MietteHandlerOpts;
 
 use crate::engine::ThreadsError;
+use crate::figures::FigureError;
 use crate::input::InputError;
 use crate::store::StoreError;
 use crate::sweep::{ESTIMATE_POINTS, Method};
@@ -65,6 +66,23 @@ pub enum CliError {
         /// How far the run was, and how to resume it.
         progress: String,
     },
+    /// A study would replace files that no study has written.
+    #[error("{} is not of a study, and would be replaced; choose another directory with -o", file.display())]
+    Occupied {
+        /// The file.
+        file: PathBuf,
+    },
+    /// A directory cannot be made.
+    #[error("cannot create the directory {}: {source}; choose another place with -o", path.display())]
+    Directory {
+        /// The directory.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A picture cannot be drawn.
+    #[error("cannot draw a picture: {0}; please report it with the study file")]
+    Picture(#[from] FigureError),
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -86,6 +104,9 @@ impl CliError {
             | CliError::Tolerance { .. } => 2,
             CliError::Store(_)
             | CliError::NotADirectory { .. }
+            | CliError::Occupied { .. }
+            | CliError::Directory { .. }
+            | CliError::Picture(_)
             | CliError::Stopped { .. }
             | CliError::System { .. } => 4,
         }

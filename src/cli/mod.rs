@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `verify` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `verify`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `workload` | which chains of a plan are left to be solved |
 //! | `entry` | from a solved case to what the store keeps |
@@ -25,6 +25,7 @@ mod solution;
 mod solve;
 mod solver;
 mod status;
+mod study;
 mod threads;
 mod verify;
 mod wording;
@@ -34,6 +35,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+use crate::study::Meter;
 use error::CliError;
 
 /// The command line.
@@ -56,6 +58,7 @@ Examples:
   stribeck plan sweeps/quick.toml                       what a sweep will cost
   stribeck run sweeps/quick.toml                        run it, or resume it; results in results/quick
   stribeck solve --alpha 1 --beta 100 --f 10            a single case
+  stribeck study sweeps/study-quick.toml                error against run time
 
 Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4 the disk or a file;
 130 interrupted, the same command resumes.";
@@ -72,6 +75,8 @@ enum Command {
     Solve(solve::Arguments),
     /// Read every stored result again and compare it with its record
     Verify(verify::Arguments),
+    /// Measure error against run time, and where each method is stable
+    Study(study::Arguments),
 }
 
 /// How a command ended that did what it was asked to.
@@ -98,14 +103,15 @@ impl Exit {
     }
 }
 
-/// Does what the command line says and reports errors on stderr.
-pub fn execute(cli: &Cli) -> ExitCode {
+/// Does what the command line says and reports errors on stderr. `meter` tells the memory that a piece of work takes.
+pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
     let ending = match &cli.command {
         Command::Run(arguments) => run::execute(arguments),
         Command::Plan(arguments) => plan::execute(arguments),
         Command::Status(arguments) => status::execute(arguments),
         Command::Solve(arguments) => solve::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),
+        Command::Study(arguments) => study::execute(arguments, meter),
     };
     match ending {
         Ok(exit) => exit.code().into(),

@@ -9,6 +9,7 @@ mod signals;
 mod tally;
 
 pub use pool::{Engine, Finished, Report, ThreadsError};
+pub(crate) use pool::{panic_message, solver_threads};
 pub use progress::{Progress, ProgressStyle};
 pub use signals::{Signals, StopSignal};
 pub use tally::rate;

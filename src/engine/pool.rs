@@ -63,12 +63,7 @@ impl Engine {
     /// # Errors
     /// [`ThreadsError`] if the system does not give that many.
     pub fn new(threads: NonZeroUsize) -> Result<Self, ThreadsError> {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.get())
-            .thread_name(|index| format!("solver-{index}"))
-            .build()
-            .map(|pool| Self { pool, queue_length: threads.get() })
-            .map_err(|source| ThreadsError { threads, source })
+        Ok(Self { pool: solver_threads(threads)?, queue_length: threads.get() })
     }
 
     /// The engine with room for at least `chains` finished chains in its queue: a longer one keeps the solver threads at
@@ -149,6 +144,15 @@ impl Engine {
     }
 }
 
+/// A pool of so many threads for solvers.
+pub(crate) fn solver_threads(threads: NonZeroUsize) -> Result<rayon::ThreadPool, ThreadsError> {
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.get())
+        .thread_name(|index| format!("solver-{index}"))
+        .build()
+        .map_err(|source| ThreadsError { threads, source })
+}
+
 /// The chains to commit next, in their order; `None` when all solver threads have ended and nothing is left.
 fn next_group<'a, C>(finished: &Receiver<Finished<'a, C>>, most: usize) -> Option<Vec<Finished<'a, C>>> {
     let first = finished.recv().ok()?;
@@ -179,7 +183,7 @@ fn solve_one<C>(
 }
 
 /// The text that was given to `panic!`.
-fn panic_message(payload: &(dyn Any + Send)) -> &str {
+pub(crate) fn panic_message(payload: &(dyn Any + Send)) -> &str {
     if let Some(text) = payload.downcast_ref::<&'static str>() {
         text
     } else if let Some(text) = payload.downcast_ref::<String>() {

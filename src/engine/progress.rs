@@ -69,10 +69,15 @@ impl Progress {
     /// Counts these cases as done. Any thread may call it.
     pub fn count(&self, cases: &[SolvedCase]) {
         for case in cases {
-            self.tally.count(case.outcome.is_ok());
+            self.count_case(case.outcome.is_ok());
         }
+    }
+
+    /// Counts one case as done. Any thread may call it.
+    pub fn count_case(&self, converged: bool) {
+        self.tally.count(converged);
         if let Display::Bar(bar) = &self.display {
-            bar.inc(cases.len() as u64);
+            bar.inc(1);
         }
     }
 }

@@ -2,10 +2,9 @@
 //!
 //! `reynolds.rs` holds the discrete equation and the pass, `deformation.rs` the displacement, `far_field.rs` what lies
 //! beyond the grid, `iteration.rs` one round of passes and the load balance, `convergence.rs` when to stop and what to do
-//! when it does not converge, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out, `condition.rs` how well the equations determine it.
+//! when it does not converge, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out, `jacobian.rs` the derivatives of the equations.
 
 mod anderson;
-mod condition;
 mod convergence;
 mod cost;
 mod deformation;
@@ -14,6 +13,7 @@ mod fields;
 mod grid;
 mod inner_product;
 mod iteration;
+mod jacobian;
 mod parabola;
 mod quantities;
 mod reynolds;

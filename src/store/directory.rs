@@ -208,8 +208,11 @@ impl Drop for Staged {
     }
 }
 
-/// Writes a text file whole.
-pub(super) fn write_whole(target: PathBuf, content: &[u8]) -> Result<(), StoreError> {
+/// Writes a file whole or not at all: to a temporary name, then to the disk, then in place of what was there.
+///
+/// # Errors
+/// [`StoreError::File`] if the disk does not take it.
+pub fn write_whole(target: PathBuf, content: &[u8]) -> Result<(), StoreError> {
     let staged = Staged::new(target);
     fs::write(staged.path(), content).map_err(StoreError::file(staged.path(), "write"))?;
     staged.synchronise()?;

@@ -74,7 +74,8 @@ pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
     entry.section(keys(entry.path()), home)
 }
 
-fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
+/// Reads a title.
+pub(crate) fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
     let title = entry.text()?;
     let printable = !title.trim().is_empty() && !title.chars().any(char::is_control);
     if printable && title.chars().count() <= 500 {
@@ -85,7 +86,8 @@ fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
     }
 }
 
-fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
+/// Reads `[axes]`.
+pub(crate) fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
     let section = section(entry)?;
     let axis = |key, quantity| {
         let help = format!(
@@ -112,7 +114,8 @@ fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
     Ok(axes)
 }
 
-fn read_substrate(entry: &Entry<'_>) -> Result<Substrate, Fault> {
+/// Reads `[substrate]`.
+pub(crate) fn read_substrate(entry: &Entry<'_>) -> Result<Substrate, Fault> {
     let example = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, time = 100.0 }]";
     let Some(modes_entry) = section(entry)?.get("modes") else { return Ok(Substrate::default()) };
     let read_mode = |mode: Entry<'_>| {

@@ -25,13 +25,13 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
     })
 }
 
-/// The relative error wanted by the collocation method.
-fn read_error(entry: &Entry<'_>) -> Result<f64, Fault> {
+/// Reads the relative error wanted by the collocation method.
+pub(crate) fn read_error(entry: &Entry<'_>) -> Result<f64, Fault> {
     let (allowed, error) = (collocation::Settings::TOLERANCE, entry.number()?);
     if allowed.contains(&error) {
         return Ok(error);
     }
-    let what = format!("`solver.tolerance` must be from {:e} to {:e}", allowed.start(), allowed.end());
+    let what = format!("`{}` must be from {:e} to {:e}", entry.path(), allowed.start(), allowed.end());
     let help = "it is the relative error wanted by the collocation method, as in 1e-5; the relaxation method has a \
                 tolerance of its own in [solver.relaxation]";
     Err(entry.fault(what, "out of range", help))
@@ -78,7 +78,8 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
     }
 }
 
-fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
+/// Reads the number of points of a grid.
+pub(crate) fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
     let points = entry.whole(Settings::POINTS)?;
     if points % 2 == 1 {
         return Ok(points);
@@ -88,7 +89,7 @@ fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
          can be halved several times and are good",
         points + 1
     );
-    Err(entry.fault("`solver.relaxation.points` must be an odd number from 51 to 20001", "even", help))
+    Err(entry.fault(format!("`{}` must be an odd number from 51 to 20001", entry.path()), "even", help))
 }
 
 fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {

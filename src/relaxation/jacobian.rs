@@ -1,53 +1,24 @@
-//! How well the discrete equations determine their solution: the condition number of their Jacobian.
+//! The Jacobian of the discrete equations.
 
 use std::f64::consts::PI;
 
-use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, MatRef};
+use faer::Mat;
 
 use super::iteration::Iteration;
 use super::{RelaxationSolver, State, Workspace, reynolds};
 use crate::model::Parameters;
 
 impl RelaxationSolver {
-    /// The condition number ‖J‖₁ ‖J⁻¹‖₁ of the discrete equations at a solution on the grid of the workspace, exact to
-    /// rounding; infinite where J is singular.
+    /// The Jacobian of the discrete equations at a solution on the grid of the workspace.
     ///
-    /// J has one row for each point under pressure, the derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (T20) with the film
+    /// One row for each point under pressure, the derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (T20) with the film
     /// u = h₀ + x²/2 − χ∗p slaved to the pressure (T3), so that the rows are dense; and one row for the load (T4). The unknowns are the
-    /// dimensionless p at the same points, in their own units, and h₀ in units of c, for the kernel whose mean at half a
-    /// contact's width vanishes, as the iteration has it. Each row is divided by its largest entry. What stays as it is: the points
-    /// without pressure, and the pressure at the end of the grid with the load ahead of it, which follow explicitly from the rest.
-    ///
-    /// It takes O(n³) operations and 2n² numbers of memory for n points under pressure.
-    pub fn condition(&self, workspace: &Workspace, parameters: &Parameters, state: &State) -> f64 {
-        condition_number(&scaled_jacobian(&Iteration::new(workspace.finest(), parameters.beta, state)))
+    /// dimensionless p at the same points, and h₀ for the kernel whose mean at half a contact's width vanishes, as the
+    /// iteration has it. What stays as it is: the points without pressure, and the pressure at the end of the grid with the load
+    /// ahead of it, which follow explicitly from the rest.
+    pub fn jacobian(&self, workspace: &Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
+        jacobian(&Iteration::new(workspace.finest(), parameters.beta, state))
     }
-}
-
-/// J with h₀ in units of c and each row over its largest entry.
-fn scaled_jacobian(solution: &Iteration) -> Mat<f64> {
-    let mut jacobian = jacobian(solution);
-    let separation = jacobian.ncols() - 1;
-    jacobian.col_mut(separation).iter_mut().for_each(|value| *value *= solution.c());
-    for i in 0..jacobian.nrows() {
-        let largest = jacobian.row(i).iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        jacobian.row_mut(i).iter_mut().for_each(|value| *value /= largest);
-    }
-    jacobian
-}
-
-/// ‖A‖₁ ‖A⁻¹‖₁.
-fn condition_number(matrix: &Mat<f64>) -> f64 {
-    let inverse = matrix.partial_piv_lu().inverse();
-    let number = one_norm(matrix.as_ref()) * one_norm(inverse.as_ref());
-    if number.is_finite() { number } else { f64::INFINITY }
-}
-
-/// ‖A‖₁, the largest sum of a column's absolute values; NaN if it holds one.
-fn one_norm(matrix: MatRef<'_, f64>) -> f64 {
-    let sums = matrix.col_iter().map(|column| column.iter().map(|value| value.abs()).sum::<f64>());
-    sums.fold(0.0, |largest, sum| if sum > largest || sum.is_nan() { sum } else { largest })
 }
 
 /// Where p > 0, but for the end of the grid.
@@ -159,40 +130,6 @@ mod tests {
                     }
                 }
             }
-        }
-    }
-
-    /// κ₂/m ≤ κ₁ ≤ m κ₂ for a matrix of m rows, and κ₂ is the ratio of its singular values.
-    #[test]
-    fn the_condition_number_is_bounded_by_the_singular_values() {
-        for parameters in cases(51) {
-            let (_, workspace, state) = solved(51, &parameters);
-            let scaled = scaled_jacobian(&Iteration::new(workspace.finest(), parameters.beta, &state));
-            for i in 0..scaled.nrows() {
-                let largest = scaled.row(i).iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-                assert!((largest - 1.0).abs() < 1e-15, "{parameters:?}, row {i}: {largest}");
-            }
-            let singular = scaled.singular_values().expect("the decomposition converges");
-            let (two_norm, size) = (singular[0] / singular[singular.len() - 1], scaled.nrows() as f64);
-            let number = condition_number(&scaled);
-            assert!(number >= two_norm / size && number <= two_norm * size, "{parameters:?}: {number:e}, {two_norm:e}");
-        }
-        assert_eq!(condition_number(&Mat::identity(5, 5)), 1.0);
-        assert_eq!(condition_number(&Mat::full(3, 3, 1.0)), f64::INFINITY);
-    }
-
-    /// The equations are second differences: four times the condition number on half the step, less where the grid is
-    /// so coarse that the answer of the film rules.
-    #[test]
-    fn the_condition_number_grows_as_the_grid_is_refined() {
-        for parameters in cases(201) {
-            let numbers = [201, 401, 801].map(|points| {
-                let (solver, workspace, state) = solved(points, &parameters);
-                solver.condition(&workspace, &parameters, &state)
-            });
-            let growth = [numbers[1] / numbers[0], numbers[2] / numbers[1]];
-            assert!(growth[0] > 2.5 && growth[0] < growth[1] && growth[1] < 4.2, "{parameters:?}: {numbers:?}");
-            assert!(growth[1] > 3.4, "{parameters:?}: {numbers:?}");
         }
     }
 }

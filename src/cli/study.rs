@@ -1,0 +1,132 @@
+//! `stribeck study`: error against run time, and where each method is stable.
+
+use std::fmt::Write;
+use std::fs;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use clap::Args;
+
+use super::wording::{count, duration};
+use super::{CliError, Exit, console, shell, threads};
+use crate::continuation::Interrupt;
+use crate::engine::{Progress, ProgressStyle, Signals};
+use crate::store::write_whole;
+use crate::study::{Findings, Meter, Picture, Row, Study, csv, markdown, pictures, run};
+
+/// The file of a study in its directory; a directory that holds one is a study's own.
+const COPY: &str = "study.toml";
+
+/// The files that a study writes whatever it measures.
+const TABLES: [&str; 2] = ["study.csv", "study.md"];
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck study sweeps/study-quick.toml                tables and pictures in results/study-quick
+  stribeck study sweeps/stability-box.toml -o map --threads 4
+  stribeck study my-study.toml --quiet && column -s, -t results/my-study/study.csv | less -S
+
+Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG;
+docs/study-file.md has the keys of a study file and the columns. A case that fails is a row with its reason.
+Where run times are measured one thread is used unless --threads says otherwise: with more, times are those
+of a busy machine. Ctrl-C writes what is finished and ends with exit code 130; a study is not resumed.")]
+pub struct Arguments {
+    /// The study file (TOML)
+    study: PathBuf,
+    /// Directory of the tables and pictures [default: results/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Solver threads [default: 1 where run times are measured, else all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
+    threads: Option<NonZeroUsize>,
+    /// Show no progress
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError> {
+    let start = Instant::now();
+    let study = Study::read(&arguments.study)?;
+    let directory = destination(arguments.output.as_deref(), &study)?;
+    let threads = match study.measure.error {
+        true => arguments.threads.unwrap_or(NonZeroUsize::MIN),
+        false => threads::number(arguments.threads),
+    };
+    let interrupt = Arc::new(Interrupt::new());
+    let signals = Signals::watch(&interrupt)
+        .map_err(|source| CliError::System { action: "watch for signals that stop the study", source })?;
+    // before the work, so that a disk that takes nothing is known before hours are spent
+    fs::create_dir_all(&directory).map_err(|source| CliError::Directory { path: directory.clone(), source })?;
+    write_whole(directory.join(COPY), study.text.as_bytes())?;
+
+    let all = study.cases.len() * study.variants.len();
+    let progress = Progress::start(all as u64, ProgressStyle::detect(arguments.quiet))
+        .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
+    let findings = run(&study, threads, meter, &interrupt, |converged| progress.count_case(converged))?;
+    drop(progress);
+    let drawn = publish(&study, &findings.rows, &directory)?;
+    if findings.interrupted {
+        let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
+        let (done, place, command) = (findings.rows.len(), directory.display(), shell::own_command());
+        console::tell(&format!(
+            "interrupted{signal}: {done} of {all} rows are in {place}; to begin again\n    {command}"
+        ));
+        return Ok(Exit::Interrupted);
+    }
+    console::print(&summary(&study, &findings, &directory, drawn, start.elapsed().as_secs_f64()))?;
+    let failed = findings.rows.iter().any(|row| row.failure.is_some());
+    Ok(if failed { Exit::CasesFailed } else { Exit::Success })
+}
+
+/// Where a study goes: the directory asked for, or `results/<file stem>`.
+///
+/// # Errors
+/// [`CliError::NotADirectory`] if a file is there, [`CliError::Occupied`] if files are there that no study has written.
+fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError> {
+    let path = asked.map_or_else(|| Path::new("results").join(&study.name), Path::to_owned);
+    if path.exists() && !path.is_dir() {
+        return Err(CliError::NotADirectory { path });
+    }
+    if !path.join(COPY).exists() {
+        let taken = TABLES.into_iter().chain(["sweep.toml"]).find(|name| path.join(name).exists());
+        if let Some(file) = taken {
+            return Err(CliError::Occupied { file: path.join(file) });
+        }
+    }
+    Ok(path)
+}
+
+/// Writes tables and pictures; the number of pictures.
+fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
+    let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
+    write_whole(directory.join("study.csv"), &table)?;
+    let drawn = if rows.is_empty() { Vec::new() } else { pictures(study, rows)? };
+    for Picture { name, svg, png } in &drawn {
+        write_whole(directory.join(format!("{name}.svg")), svg.as_bytes())?;
+        write_whole(directory.join(format!("{name}.png")), png)?;
+    }
+    let names: Vec<&str> = drawn.iter().map(|picture| picture.name.as_str()).collect();
+    write_whole(directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
+    Ok(drawn.len())
+}
+
+fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize, seconds: f64) -> String {
+    let written = "writing to memory does not fail";
+    let rows = &findings.rows;
+    let failed = rows.iter().filter(|row| row.failure.is_some()).count();
+    let cases = count(study.cases.len() as u64, "case");
+    let mut text = format!("{cases} with {}: ", count(study.variants.len() as u64, "setting"));
+    writeln!(text, "{} converged, {failed} failed, in {}", rows.len() - failed, duration(seconds)).expect(written);
+    for (method, variants) in study.methods() {
+        let of = rows.iter().filter(|row| variants.contains(&row.variant));
+        let failed = of.clone().filter(|row| row.failure.is_some()).count();
+        writeln!(text, "  {method}: {} of {} converged", of.clone().count() - failed, of.count()).expect(written);
+    }
+    let pictures = count(pictures as u64, "picture");
+    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", directory.display())
+        .expect(written);
+    text
+}

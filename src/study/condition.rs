@@ -1,0 +1,74 @@
+//! Condition numbers.
+
+use faer::Mat;
+use faer::linalg::solvers::DenseSolveCore;
+
+/// The condition number ‖A‖₁ ‖A⁻¹‖₁ of a square matrix whose rows, then columns, are divided by their largest entry.
+///
+/// Scaling takes the units of equations and unknowns out of it: what is left is how much the errors of a solution may exceed
+/// those of its equations, both relative. Infinite if the matrix is singular, or an entry is not finite.
+pub(super) fn condition(mut matrix: Mat<f64>) -> f64 {
+    equilibrate(&mut matrix);
+    let inverse = matrix.partial_piv_lu().inverse();
+    let condition = one_norm(&matrix) * one_norm(&inverse);
+    if condition.is_finite() { condition } else { f64::INFINITY }
+}
+
+fn equilibrate(matrix: &mut Mat<f64>) {
+    for row in 0..matrix.nrows() {
+        let largest = matrix.row(row).iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
+        matrix.row_mut(row).iter_mut().for_each(|entry| *entry /= largest);
+    }
+    for column in 0..matrix.ncols() {
+        let largest = matrix.col(column).iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
+        matrix.col_mut(column).iter_mut().for_each(|entry| *entry /= largest);
+    }
+}
+
+/// The largest sum of a column's absolute values; NaN if it holds one.
+fn one_norm(matrix: &Mat<f64>) -> f64 {
+    let sums = matrix.col_iter().map(|column| column.iter().map(|entry| entry.abs()).sum::<f64>());
+    sums.fold(0.0, |largest, sum| if sum > largest || sum.is_nan() { sum } else { largest })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn known_inverses_are_found() {
+        assert_eq!(condition(Mat::identity(5, 5)), 1.0);
+        // ((1, 1), (1, 1 − e)) has the inverse ((e − 1, 1), (1, −1))/e
+        let e = 1e-6;
+        let near = Mat::from_fn(2, 2, |i, j| if i + j == 2 { 1.0 - e } else { 1.0 });
+        assert!((condition(near) * e / 4.0 - 1.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn units_do_not_matter() {
+        let matrix = |i: usize, j: usize| ((1 + i * j) as f64).sin() + if i == j { 3.0 } else { 0.0 };
+        let plain = condition(Mat::from_fn(12, 12, matrix));
+        let scaled = condition(Mat::from_fn(12, 12, |i, j| 10.0_f64.powi(3 * i as i32 - 18) * matrix(i, j)));
+        assert!((1.0..100.0).contains(&plain) && (scaled / plain - 1.0).abs() < 1e-10, "{plain} {scaled}");
+    }
+
+    /// κ₂/n ≤ κ₁ ≤ n κ₂, and κ₂ is the ratio of the singular values.
+    #[test]
+    fn singular_values_bound_it() {
+        for n in [3, 6, 9] {
+            let mut hilbert = Mat::from_fn(n, n, |i, j| ((1 + i + j) as f64).recip());
+            let found = condition(hilbert.clone());
+            equilibrate(&mut hilbert);
+            let singular = hilbert.singular_values().expect("the decomposition converges");
+            let two_norm = singular[0] / singular[n - 1];
+            assert!(found >= two_norm / n as f64 && found <= two_norm * n as f64, "{found:e} {two_norm:e}");
+        }
+    }
+
+    #[test]
+    fn singular_matrices_show() {
+        assert_eq!(condition(Mat::full(3, 3, 1.0)), f64::INFINITY);
+        assert_eq!(condition(Mat::from_fn(2, 2, |i, _| if i == 0 { f64::NAN } else { 1.0 })), f64::INFINITY);
+        assert_eq!(condition(Mat::from_fn(2, 2, |i, _| i as f64)), f64::INFINITY);
+    }
+}

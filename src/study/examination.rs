@@ -1,0 +1,58 @@
+//! What a solution looks like from the inside of its method.
+
+use faer::Mat;
+
+use super::condition::condition;
+use crate::collocation::CollocationSolver;
+use crate::continuation::CaseSolver;
+use crate::model::Parameters;
+use crate::relaxation::RelaxationSolver;
+
+/// What is found of a solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Examination {
+    /// The smallest pressure over the largest; 0 where it is nowhere negative.
+    pub tension: f64,
+    /// Condition number of the equations about the solution, equilibrated; infinite if they are singular.
+    pub condition: f64,
+}
+
+/// A method whose solutions can be looked at from the inside.
+pub(super) trait Examine: CaseSolver {
+    /// The smallest pressure over the largest.
+    fn tension(&self, state: &Self::State) -> f64;
+
+    /// The matrix of the linearised equations about a solution.
+    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64>;
+}
+
+impl Examine for CollocationSolver {
+    fn tension(&self, state: &Self::State) -> f64 {
+        self.tension(state)
+    }
+
+    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64> {
+        self.jacobian(workspace, parameters, state)
+    }
+}
+
+impl Examine for RelaxationSolver {
+    fn tension(&self, state: &Self::State) -> f64 {
+        let (least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
+        least / most
+    }
+
+    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64> {
+        self.jacobian(workspace, parameters, state)
+    }
+}
+
+/// Looks at a solution.
+pub(super) fn examine<S: Examine>(
+    solver: &S,
+    workspace: &mut S::Workspace,
+    parameters: &Parameters,
+    state: &S::State,
+) -> Examination {
+    Examination { tension: solver.tension(state), condition: condition(solver.jacobian(workspace, parameters, state)) }
+}
