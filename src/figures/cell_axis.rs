@@ -94,14 +94,23 @@ impl CellAxis {
         let between: Vec<f64> = self.values.iter().copied().filter(|value| !is_special(*value)).collect();
         let Some((_, (low, high))) = self.finite else { return with_special(Ticks::default()) };
         if between.len() <= FEW {
-            let major = between.iter().map(|value| Tick { value: *value, label: number::short(*value) }).collect();
+            let labels = between.iter().zip(number::short(&between));
+            let major = labels.map(|(value, label)| Tick { value: *value, label }).collect();
             let one_by_one = with_special(Ticks { major, minor: vec![] });
-            if ticks::fits(&one_by_one, &extent, gap) {
+            let told_apart = one_by_one.major.windows(2).all(|pair| pair[0].label != pair[1].label);
+            if told_apart && ticks::fits(&one_by_one, &extent, gap) {
                 return one_by_one;
             }
         }
         let decades = |most| with_special(ticks::logarithmic(10f64.powf(low), 10f64.powf(high), most));
-        ticks::fitting(decades, extent, gap)
+        let fitting = ticks::fitting(decades, extent, gap);
+        if ticks::fits(&fitting, extent, gap) {
+            return fitting;
+        }
+        // Too short for two labels: one, of the value in the middle.
+        let middle = &between[between.len() / 2..][..1];
+        let major = vec![Tick { value: middle[0], label: number::short(middle).remove(0) }];
+        with_special(Ticks { major, minor: vec![] })
     }
 }
 
@@ -167,12 +176,12 @@ mod tests {
 
     #[test]
     fn few_values_are_labelled_one_by_one() {
-        let labels: Vec<String> = CellAxis::new(&[1e-3, 1.0, 30.0, 1e4])
+        let labels: Vec<String> = CellAxis::new(&[1e-3, 1.0, 30.0, 1e5])
             .ticks(2000.0, 40.0, false)
             .major
             .into_iter()
             .map(|t| t.label)
             .collect();
-        assert_eq!(labels, ["10⁻³", "1", "30", "10⁴"]);
+        assert_eq!(labels, ["10⁻³", "10⁰", "3·10¹", "10⁵"]);
     }
 }

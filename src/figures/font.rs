@@ -8,8 +8,7 @@ use plotters::style::{FontFamily, FontStyle, IntoFont, register_font};
 /// takes Verdana, which has the same widths.
 const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
-/// Height of ascenders over the baseline, and depth of descenders under it, over the size of the font.
-pub(super) const ASCENT: f64 = 0.76;
+/// Depth of descenders under the baseline, over the size of the font.
 pub(super) const DESCENT: f64 = 0.24;
 
 /// Height of the line (ascender to descender) over the size of the font: ab_glyph counts sizes in lines.

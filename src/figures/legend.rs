@@ -3,7 +3,7 @@
 use super::font;
 use super::marker::{self, Form};
 use super::palette::{FAILED_CROSS, FRAME, Ink, TEXT, faded};
-use super::scene::{Anchor, Area, Point, Scene, thickness};
+use super::scene::{Anchor, Area, Point, Scene};
 
 /// What stands before an entry.
 #[derive(Clone, Copy, Debug)]
@@ -31,26 +31,30 @@ pub(super) const SMALL_RADIUS: f64 = 0.16;
 /// The same of the marker of a setting.
 pub(super) const LARGE_RADIUS: f64 = 0.3;
 
-/// Draws the entries from `left` to `right` under `top`; returns where they end.
+/// Draws the entries from `left` to `right` under `top`, in as many columns as fit; returns where they end.
 pub(super) fn draw(scene: &mut Scene, entries: &[Entry], (left, top): Point, right: f64, em: f64) -> f64 {
     let swatch = 1.7 * em;
-    let (gap, between) = (0.4 * em, 1.1 * em);
+    let (gap, between) = (0.4 * em, 1.2 * em);
     let room = right - left;
-    let widest = entries.iter().map(|entry| font::width(&entry.label, em)).fold(0.0, f64::max) + swatch + gap;
-    let columns = (((room + between) / (widest + between)) as usize).clamp(1, entries.len().max(1));
-    let label_room = (widest - swatch - gap).min(room - swatch - gap) + 1.0;
+    let wanted = |column: &[Entry]| {
+        column.iter().map(|entry| font::width(&entry.label, em)).fold(0.0, f64::max) + swatch + gap + 1.0
+    };
+    let across = |rows: usize| entries.chunks(rows).map(|column| wanted(column) + between).sum::<f64>() - between;
+    let rows = (1..entries.len()).find(|rows| across(*rows) <= room).unwrap_or(entries.len().max(1));
 
-    let mut y = top;
-    for row in entries.chunks(columns) {
-        let height = row.iter().map(|entry| thickness(&entry.label, em, label_room)).fold(0.0, f64::max);
-        for (column, entry) in row.iter().enumerate() {
-            let x = left + column as f64 * (widest + between);
+    let (mut x, mut bottom) = (left, top);
+    for column in entries.chunks(rows) {
+        let width = wanted(column).min(room);
+        let mut y = top;
+        for entry in column {
             draw_swatch(scene, entry.swatch, (x, y + 0.66 * em), swatch, em);
-            scene.paragraph((x + swatch + gap, y), Anchor::Start, em, TEXT, label_room, &entry.label);
+            let start = (x + swatch + gap, y);
+            y = scene.paragraph(start, Anchor::Start, em, TEXT, width - swatch - gap, &entry.label) + 0.1 * em;
         }
-        y += height + 0.15 * em;
+        bottom = f64::max(bottom, y);
+        x += width + between;
     }
-    y
+    bottom
 }
 
 fn draw_swatch(scene: &mut Scene, swatch: Swatch, (left, y): Point, width: f64, em: f64) {

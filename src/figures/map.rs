@@ -93,7 +93,7 @@ impl Map {
         self.panels.iter().flat_map(|panel| &panel.cells)
     }
 
-    fn scene(&self) -> Result<Scene, FigureError> {
+    pub(super) fn scene(&self) -> Result<Scene, FigureError> {
         self.check()?;
         Ok(super::map_chart::draw(self))
     }

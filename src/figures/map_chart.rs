@@ -6,11 +6,13 @@ use super::legend::{self, Entry, Swatch};
 use super::map::{Cell, Map, Panel};
 use super::paint::WIDTH;
 use super::palette::{EXACT, FAILED, FAILED_CROSS, FRAME, PAPER, TEXT, UNKNOWN};
-use super::scene::{Anchor, Area, Scene, thickness};
+use super::scene::{Anchor, Area, Point, Scene, thickness};
 use super::ticks::{Tick, Ticks};
 use super::{font, marker};
 
 const MARGIN: f64 = 30.0;
+/// More columns than this are folded into several lines of panels.
+const MOST_COLUMNS: usize = 4;
 
 /// Size of the font: 6 points or more when one panel is printed 8.5 cm wide, and several as wide as a page (17 cm).
 fn font_size(columns: usize) -> f64 {
@@ -34,10 +36,12 @@ struct Layout {
 /// The chart, which has been checked.
 pub(super) fn draw(map: &Map) -> Scene {
     let mut scene = Scene::default();
-    let (columns, rows) = (map.columns.len(), map.rows.len());
+    let rows = map.rows.len();
+    let folds = map.columns.len().div_ceil(MOST_COLUMNS);
+    let columns = map.columns.len().div_ceil(folds);
     let em = font_size(columns);
     let right = f64::from(WIDTH) - MARGIN;
-    let top = scene.heading(1.1 * em, MARGIN, right - MARGIN, &map.title, &map.subtitle) + 0.4 * em;
+    let top = scene.heading(1.15 * em, MARGIN, right - MARGIN, &map.title, &map.subtitle) + 0.4 * em;
 
     let values: Vec<f64> = map.values().collect();
     let colours = ColourRange::of(&values, map.scale.logarithmic, map.scale.range);
@@ -51,10 +55,10 @@ pub(super) fn draw(map: &Map) -> Scene {
     let (mut panel_height, mut bar_length) = (0.0, 0.0);
     for _ in 0..2 {
         panel_height = (panel_width * if columns == 1 { 0.75 } else { 0.9 }).max(9.0 * em);
-        bar_length = panel_height * if rows == 1 { 1.0 } else { 1.6 };
+        bar_length = panel_height * if rows * folds == 1 { 1.0 } else { 1.6 };
         let y_ticks = y.ticks(panel_height, em, true);
         let widest = y_ticks.major.iter().map(|tick| font::width(&tick.label, em)).fold(0.0, f64::max);
-        left = MARGIN + thickness(&map.y_label, 1.1 * em, panel_height) + 0.3 * em + widest + 0.5 * em;
+        left = MARGIN + thickness(&map.y_label, 1.1 * em, panel_height) + 0.5 * em + widest + 0.4 * em;
         let x_ticks = x.ticks(panel_width, em, false);
         let overhang = overhang(&x, &x_ticks, panel_width, em);
         gap = (overhang.0 + overhang.1 + 0.5 * em).max(0.9 * em);
@@ -67,27 +71,31 @@ pub(super) fn draw(map: &Map) -> Scene {
     let y_ticks = y.ticks(panel_height, em, true);
     let layout = Layout { em, x, y, x_ticks, y_ticks, colours };
 
-    // Downwards: column labels, then each row under its label.
-    let heads = map.columns.iter().map(|label| thickness(label, em, panel_width)).fold(0.0, f64::max);
-    for (column, label) in map.columns.iter().enumerate() {
-        let centre = left + column as f64 * (panel_width + gap) + 0.5 * panel_width;
-        let own = thickness(label, em, panel_width);
-        scene.paragraph((centre, top + heads - own), Anchor::Middle, em, TEXT, panel_width, label);
+    // Downwards: each row under its label, folded if it has many columns. The labels of columns stand once above all rows,
+    // or above each fold.
+    let mut bottom = top;
+    if folds == 1 {
+        bottom = draw_heads(&mut scene, &map.columns, (left, bottom), (panel_width, gap), em);
     }
-    let mut bottom = top + heads;
     let mut first_top = None;
     for (row, label) in map.rows.iter().enumerate() {
-        let below =
-            scene.paragraph((left, bottom + 0.1 * em), Anchor::Start, em, TEXT, across(panel_width, gap), label);
-        let panel_top = below + 0.35 * em;
-        first_top.get_or_insert(panel_top);
-        for column in 0..columns {
-            let from = left + column as f64 * (panel_width + gap);
-            let area = Area { left: from, top: panel_top, right: from + panel_width, bottom: panel_top + panel_height };
-            draw_cells(&mut scene, map, &layout, &map.panels[row * columns + column], area);
-            draw_ticks(&mut scene, &layout, area, column == 0, row + 1 == rows);
+        bottom = scene.paragraph((left, bottom + 0.1 * em), Anchor::Start, em, TEXT, across(panel_width, gap), label);
+        for fold in 0..folds {
+            let held = fold * columns..((fold + 1) * columns).min(map.columns.len());
+            if folds > 1 {
+                bottom = draw_heads(&mut scene, &map.columns[held.clone()], (left, bottom), (panel_width, gap), em);
+            }
+            let top = bottom + 0.35 * em;
+            first_top.get_or_insert(top);
+            for column in held {
+                let from = left + (column % columns) as f64 * (panel_width + gap);
+                let area = Area { left: from, top, right: from + panel_width, bottom: top + panel_height };
+                draw_cells(&mut scene, map, &layout, &map.panels[row * map.columns.len() + column], area);
+                let lowest = row + 1 == rows && column + columns >= map.columns.len();
+                draw_ticks(&mut scene, &layout, area, column % columns == 0, lowest);
+            }
+            bottom = top + panel_height + 0.7 * em;
         }
-        bottom = panel_top + panel_height + 0.7 * em;
     }
     let panels = Area {
         left,
@@ -96,7 +104,7 @@ pub(super) fn draw(map: &Map) -> Scene {
         bottom: bottom - 0.7 * em,
     };
     scene.upright((MARGIN, panels.centre().1), 1.1 * em, TEXT, panels.height(), &map.y_label);
-    let names_top = panels.bottom + 1.7 * em;
+    let names_top = panels.bottom + 1.8 * em;
     let names =
         scene.paragraph((panels.centre().0, names_top), Anchor::Middle, 1.1 * em, TEXT, panels.width(), &map.x_label);
     if let Some(range) = layout.colours {
@@ -112,6 +120,17 @@ pub(super) fn draw(map: &Map) -> Scene {
     };
     scene.height = end.ceil();
     scene
+}
+
+/// Draws the labels of columns of this width and gap side by side; returns where they end.
+fn draw_heads(scene: &mut Scene, labels: &[String], (left, top): Point, (width, gap): (f64, f64), em: f64) -> f64 {
+    let height = |label: &String| thickness(label, em, width);
+    let bottom = top + labels.iter().map(height).fold(0.0, f64::max);
+    for (column, label) in labels.iter().enumerate() {
+        let centre = left + column as f64 * (width + gap) + 0.5 * width;
+        scene.paragraph((centre, bottom - height(label)), Anchor::Middle, em, TEXT, width, label);
+    }
+    bottom
 }
 
 /// How far labels of the horizontal axis stand out of their panel, to the left and to the right.
@@ -139,7 +158,7 @@ fn draw_cells(scene: &mut Scene, map: &Map, layout: &Layout, panel: &Panel, area
             },
             Cell::Failed => FAILED,
             Cell::Unknown => UNKNOWN,
-            Cell::Absent => PAPER,
+            Cell::Absent => continue,
         };
         scene.rectangle(place, ink);
         if *cell == Cell::Failed {
@@ -162,7 +181,7 @@ fn draw_ticks(scene: &mut Scene, layout: &Layout, area: Area, with_y_labels: boo
         let at = x(tick.value);
         scene.line((at, area.bottom), (at, area.bottom + 0.25 * em), 2.0, FRAME);
         if with_x_labels {
-            scene.text((at, area.bottom + 1.25 * em), Anchor::Middle, em, TEXT, tick.label.as_str());
+            scene.text((at, area.bottom + 1.4 * em), Anchor::Middle, em, TEXT, tick.label.as_str());
         }
     }
     for value in &layout.x_ticks.minor {

@@ -7,7 +7,7 @@
 //! | `ticks`, `number` | where an axis is labelled, and how a number is written |
 //! | `log_axis`, `cell_axis`, `colour_bar` | from a value to a place or a colour |
 //! | `palette`, `marker`, `legend`, `placement` | what marks look like, and where labels find room |
-//! | `scene`, `paint`, `font` | shapes in pixels; the two formats they are painted in; widths of text |
+//! | `scene`, `paint`, `indexed`, `font` | shapes in pixels; the two formats they are painted in; colours of a PNG; widths of text |
 //!
 //! A chart lays itself out as a list of shapes (`scene`), which does not depend on the format: the SVG and the PNG of one
 //! chart show the same. Same input, same bytes.
@@ -16,6 +16,9 @@ mod cell_axis;
 mod colour_bar;
 mod error;
 mod font;
+mod indexed;
+#[cfg(test)]
+mod layout_laws;
 mod legend;
 mod log_axis;
 mod map;

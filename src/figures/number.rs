@@ -63,16 +63,19 @@ pub(super) fn stepped(value: f64, step: f64, notation: Notation) -> String {
     text.replace('-', "−")
 }
 
-/// A positive number in its shortest form.
-pub(super) fn short(value: f64) -> String {
-    let power = exponent(value);
-    if value == power_of_ten(power) && !(-1..=2).contains(&power) {
-        return decade(power);
-    }
-    if (-3..=4).contains(&power) {
-        return value.to_string();
-    }
-    let scientific = format!("{value:e}");
-    let mantissa = scientific.split_once('e').map_or(scientific.as_str(), |(mantissa, _)| mantissa);
-    format!("{mantissa}·{}", decade(power))
+/// Positive numbers to three digits, without zeros at the end: all plain if their size allows it.
+pub(super) fn short(values: &[f64]) -> Vec<String> {
+    let rounded: Vec<f64> =
+        values.iter().map(|value| format!("{value:.2e}").parse().expect("{:e} writes a number")).collect();
+    let plain = rounded.iter().all(|value| (1e-2..2e4).contains(value));
+    let write = |value: f64| {
+        if plain {
+            return value.to_string();
+        }
+        let scientific = format!("{value:e}");
+        let (mantissa, power) = scientific.split_once('e').expect("{:e} writes an exponent");
+        let power = decade(power.parse().expect("{:e} writes an exponent"));
+        if mantissa == "1" { power } else { format!("{mantissa}·{power}") }
+    };
+    rounded.into_iter().map(write).collect()
 }

@@ -6,6 +6,7 @@ use plotters::style::{FontTransform, IntoFont, RGBAColor, ShapeStyle, TextStyle}
 
 use super::FigureError;
 use super::font::{self, LINE_PER_EM};
+use super::indexed::{Indexed, indexed};
 use super::palette::PAPER;
 use super::scene::{Anchor, Point, Scene, Shape, Text};
 
@@ -42,21 +43,24 @@ pub(super) fn png(scene: &Scene) -> Result<Vec<u8>, FigureError> {
     paint(scene, BitMapBackend::with_buffer(&mut fine, ((width * FINER) as u32, (height * FINER) as u32)), &units)?;
 
     let row = 3 * width * FINER;
-    let mut pixels = Vec::with_capacity(3 * width * height);
+    let mut pixels = Vec::with_capacity(width * height);
     for y in 0..height {
         for x in 0..width {
-            for channel in 0..3 {
+            pixels.push([0, 1, 2].map(|channel| {
                 let at = |i: usize, j: usize| u32::from(fine[(FINER * y + i) * row + 3 * (FINER * x + j) + channel]);
-                pixels.push(((at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1) + 2) / 4) as u8);
-            }
+                ((at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1) + 2) / 4) as u8
+            }));
         }
     }
 
+    let Indexed { palette, pixels } = indexed(&pixels);
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, WIDTH, height as u32);
-    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_palette(palette.concat());
     encoder.set_compression(png::Compression::High);
+    encoder.set_filter(png::Filter::NoFilter);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&pixels)?;
     writer.finish()?;

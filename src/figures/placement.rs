@@ -58,7 +58,8 @@ impl Obstacles {
                 if !self.bounds.contains(&area) {
                     continue;
                 }
-                let cost = self.cost(&area) + (FAR * distance) as u64;
+                let behind = leader((x, y), &area, reach).map_or(0, |(from, to)| self.covered(from, to));
+                let cost = self.cost(&area) + SOLID * behind + (FAR * distance) as u64;
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, area));
                 }
@@ -69,7 +70,14 @@ impl Obstacles {
             return None;
         }
         self.solid.push(area);
+        self.lines.extend(leader((x, y), &area, reach));
         Some(area)
+    }
+
+    /// How many markers and labels a line runs through, that at its beginning not counted.
+    fn covered(&self, from: Point, to: Point) -> u64 {
+        let apart = |area: &&Area| !area.overlaps(&Area::about(from, 1.0));
+        self.solid.iter().filter(apart).filter(|area| crosses(area, from, to)).count() as u64
     }
 
     fn cost(&self, area: &Area) -> u64 {
@@ -79,6 +87,12 @@ impl Obstacles {
             self.faint.iter().filter(|point| area.grown(4.0).overlaps(&Area::about(**point, 1.0))).count() as u64;
         SOLID * solid + LINE * lines + faint
     }
+}
+
+/// The line that leads from a point to its label, if the label is so far away that it needs one.
+pub(super) fn leader((x, y): Point, label: &Area, reach: f64) -> Option<(Point, Point)> {
+    let nearest = (x.clamp(label.left, label.right), y.clamp(label.top, label.bottom));
+    ((nearest.0 - x).hypot(nearest.1 - y) > 1.7 * reach).then_some(((x, y), nearest))
 }
 
 fn side(direction: f64) -> f64 {
@@ -125,7 +139,7 @@ mod tests {
         let bounds = Area { left: 0.0, top: 0.0, right: 1000.0, bottom: 1000.0 };
         let mut obstacles = Obstacles { bounds, solid: vec![], lines: vec![], faint: vec![] };
         let placed: Vec<Area> =
-            (0..6).map(|_| obstacles.place((500.0, 500.0), (100.0, 40.0), 20.0, Effort::Far).unwrap()).collect();
+            (0..4).map(|_| obstacles.place((500.0, 500.0), (100.0, 40.0), 20.0, Effort::Far).unwrap()).collect();
         for (i, one) in placed.iter().enumerate() {
             assert!(bounds.contains(one));
             assert!(placed[..i].iter().all(|other| !one.overlaps(other)), "{placed:?}");

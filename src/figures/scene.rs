@@ -1,6 +1,6 @@
 //! A chart as a list of shapes, in pixels of a picture [`WIDTH`](super::WIDTH) wide, y downwards.
 
-use super::font::{self, ASCENT, DESCENT};
+use super::font::{self, DESCENT};
 use super::palette::Ink;
 
 /// A point, x and y in pixels.
@@ -67,26 +67,6 @@ pub(super) struct Text {
     /// Reads upwards instead of to the right.
     pub(super) turned: bool,
     pub(super) words: String,
-}
-
-impl Text {
-    /// The rectangle from the ascenders to the descenders.
-    pub(super) fn bounds(&self) -> Area {
-        let width = font::width(&self.words, self.em);
-        let before = match self.anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => 0.5 * width,
-            Anchor::End => width,
-        };
-        let (x, y) = self.at;
-        if self.turned {
-            let (bottom, top) = (y + before, y + before - width);
-            Area { left: x - ASCENT * self.em, top, right: x + DESCENT * self.em, bottom }
-        } else {
-            let (left, right) = (x - before, x - before + width);
-            Area { left, top: y - ASCENT * self.em, right, bottom: y + DESCENT * self.em }
-        }
-    }
 }
 
 /// One shape. Later shapes cover earlier ones.
@@ -173,8 +153,8 @@ impl Scene {
 
     /// Title and subtitle from the upper edge of the picture. Returns where they end.
     pub(super) fn heading(&mut self, em: f64, left: f64, room: f64, title: &str, subtitle: &str) -> f64 {
-        let top = self.paragraph((left, 0.5 * em), Anchor::Start, 1.15 * em, super::palette::TEXT, room, title);
-        self.paragraph((left, top), Anchor::Start, 0.88 * em, super::palette::QUIET_TEXT, room, subtitle)
+        let top = self.paragraph((left, 0.5 * em), Anchor::Start, em, super::palette::TEXT, room, title);
+        self.paragraph((left, top), Anchor::Start, 0.85 * em, super::palette::QUIET_TEXT, room, subtitle)
     }
 }
 

@@ -92,7 +92,7 @@ impl WorkPrecision {
         paint::png(&self.scene()?)
     }
 
-    fn scene(&self) -> Result<Scene, FigureError> {
+    pub(super) fn scene(&self) -> Result<Scene, FigureError> {
         self.check()?;
         Ok(super::work_precision_chart::draw(self))
     }

@@ -9,14 +9,15 @@ use super::placement::{Effort, Obstacles};
 use super::scene::{Anchor, Area, Point, Scene, Shape, Text};
 use super::ticks::{self, Ticks};
 use super::work_precision::{SettingPoint, WorkPrecision};
-use super::{font, scene};
+use super::{font, placement, scene};
 
 /// Size of the font of ticks: 6 points when the picture is 8.5 cm wide.
 const EM: f64 = 40.0;
 /// Size of the font of the labels of settings.
 const LABEL_EM: f64 = 34.0;
-/// Height of the part between the bands.
+/// Height of the part between the bands, and what is left of it if no error is above zero.
 const HEIGHT: f64 = 900.0;
+const EMPTY_HEIGHT: f64 = 360.0;
 /// Height of one method's row in a band.
 const ROW: f64 = 0.85 * EM;
 const MARGIN: f64 = 30.0;
@@ -37,6 +38,8 @@ impl Band {
 /// Where everything lies.
 struct Layout {
     plot: Area,
+    /// Upper and lower end of the scale of errors.
+    scale: (f64, f64),
     failed: Band,
     exact: Band,
     x_axis: LogAxis,
@@ -52,7 +55,10 @@ impl Layout {
     /// Place of an error of a line; zero has its row in the band.
     fn y(&self, line: usize, error: f64) -> f64 {
         match self.y_axis {
-            Some(axis) if error > 0.0 => self.plot.bottom - self.plot.height() * axis.share(error),
+            Some(axis) if error > 0.0 => {
+                let (top, bottom) = self.scale;
+                bottom - (bottom - top) * axis.share(error)
+            }
             _ => self.exact.row(line),
         }
     }
@@ -66,7 +72,7 @@ impl Layout {
 pub(super) fn draw(chart: &WorkPrecision) -> Scene {
     let mut scene = Scene::default();
     let right = f64::from(WIDTH) - MARGIN;
-    let top = scene.heading(1.1 * EM, MARGIN, right - MARGIN, &chart.title, &chart.subtitle) + 0.5 * EM;
+    let top = scene.heading(1.12 * EM, MARGIN, right - MARGIN, &chart.title, &chart.subtitle) + 0.5 * EM;
 
     let points = || chart.lines.iter().flat_map(|line| &line.points);
     let seconds = points().flat_map(|point| &point.cases).map(|(seconds, _)| *seconds);
@@ -80,9 +86,13 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
 
     let band = |lines: &[usize]| if lines.is_empty() { 0.0 } else { lines.len() as f64 * ROW + 0.3 * EM };
     let plot_top = top + band(&failing);
-    let plot_bottom = plot_top + HEIGHT;
+    let plot_height = if y_axis.is_some() { HEIGHT } else { EMPTY_HEIGHT };
+    let plot_bottom = plot_top + plot_height;
+    // Beside a band the scale ends early, so that the label of its last tick stays clear of the label of the band.
+    let clear = |lines: &[usize]| if lines.is_empty() { 0.0 } else { 0.7 * EM };
+    let (scale_top, scale_bottom) = (plot_top + clear(&failing), plot_bottom - clear(&exact));
     let y_ticks = y_axis.map_or_else(Ticks::default, |axis| {
-        let place = |value: f64| plot_bottom - HEIGHT * axis.share(value);
+        let place = |value: f64| scale_bottom - (scale_bottom - scale_top) * axis.share(value);
         ticks::fitting(
             |most| axis.ticks(most),
             |tick| (place(tick.value) - 0.6 * EM, place(tick.value) + 0.6 * EM),
@@ -93,7 +103,7 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
     names.extend((!failing.is_empty()).then_some("failed"));
     names.extend((!exact.is_empty()).then_some("0 (exact)"));
     let widest = names.iter().map(|name| font::width(name, EM)).fold(0.0, f64::max);
-    let whole_height = band(&failing) + HEIGHT + band(&exact);
+    let whole_height = band(&failing) + plot_height + band(&exact);
     let label_width = scene::thickness(&chart.y_label, 1.1 * EM, whole_height);
     let plot = Area {
         left: MARGIN + label_width + 0.3 * EM + widest + 0.4 * EM,
@@ -104,6 +114,7 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
     };
     let layout = Layout {
         plot,
+        scale: (scale_top, scale_bottom),
         failed: Band { area: Area { top, bottom: plot.top, ..plot }, lines: failing },
         exact: Band { area: Area { top: plot.bottom, bottom: plot.bottom + band(&exact), ..plot }, lines: exact },
         x_axis,
@@ -165,7 +176,7 @@ fn draw_axes(scene: &mut Scene, layout: &Layout, y_ticks: &Ticks) -> f64 {
     for tick in &x_ticks.major {
         let x = layout.x(tick.value);
         scene.line((x, whole.bottom), (x, whole.bottom + 12.0), 3.0, FRAME);
-        scene.text((x, whole.bottom + 14.0 + 0.9 * EM), Anchor::Middle, EM, TEXT, tick.label.as_str());
+        scene.text((x, whole.bottom + 1.4 * EM), Anchor::Middle, EM, TEXT, tick.label.as_str());
     }
     for value in &x_ticks.minor {
         scene.line((layout.x(*value), whole.bottom), (layout.x(*value), whole.bottom + 6.0), 2.0, FRAME);
@@ -174,7 +185,7 @@ fn draw_axes(scene: &mut Scene, layout: &Layout, y_ticks: &Ticks) -> f64 {
         let edge = if band.area.top < plot.top { plot.top } else { plot.bottom };
         scene.line((plot.left, edge), (plot.right, edge), 2.0, FRAME);
     }
-    whole.bottom + 14.0 + 1.2 * EM
+    whole.bottom + 1.7 * EM
 }
 
 fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
@@ -238,10 +249,10 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
     }
     obstacles.solid = markers.iter().map(|(_, at)| Area::about(*at, LARGE_RADIUS * EM + 4.0)).collect();
 
-    // Those that must be shown choose first.
+    // Those beside the band choose first, since they have the fewest places; then those that must be shown.
     wanted.sort_by_key(|label| match label.effort {
-        Effort::Always => 0,
-        Effort::Far => 1,
+        Effort::Far => 0,
+        Effort::Always => 1,
         Effort::Near => 2,
     });
     let texts: Vec<Text> = wanted.iter().filter_map(|label| place(label, &mut obstacles, scene)).flatten().collect();
@@ -265,11 +276,10 @@ fn place(label: &Wanted, obstacles: &mut Obstacles, scene: &mut Scene) -> Option
         let height = 1.12 * em * label.words.len() as f64 + 4.0;
         obstacles.place(label.at, (width, height), reach, *effort).map(|area| (em, area))
     })?;
-    let (x, y) = label.at;
+    let x = label.at.0;
     let ink = palette::darkened(palette::line_colour(label.line));
-    let nearest = (x.clamp(area.left, area.right), y.clamp(area.top, area.bottom));
-    if (nearest.0 - x).hypot(nearest.1 - y) > 1.7 * reach {
-        scene.line(label.at, nearest, 2.0, ink);
+    if let Some((from, to)) = placement::leader(label.at, &area, reach) {
+        scene.line(from, to, 2.0, ink);
     }
     scene.rectangle(area, faded(PAPER, 0.75));
     let (anchor, at) = if area.left >= x {
