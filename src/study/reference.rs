@@ -74,7 +74,9 @@ pub fn tolerance(variants: &[Variant]) -> f64 {
         Setting::Panels { .. } => OF_PANELS,
         Setting::Grid(_) => OF_GRIDS,
     };
-    variants.iter().map(of).fold(f64::INFINITY, f64::min).max(*Settings::TOLERANCE.start())
+    let tightest = variants.iter().map(of).fold(f64::INFINITY, f64::min).max(*Settings::TOLERANCE.start());
+    // 1e-7 and not 1.0000000000000001e-7, for people read it
+    format!("{tightest:.2e}").parse().expect("a number was printed")
 }
 
 /// References of some cases. Where a tolerance is out of reach (a film too thin for it) one ten times as large is tried, up to

@@ -143,7 +143,10 @@ fn stability_table(study: &Study, rows: &[Row]) -> String {
         let [condition, worst_condition] = spread(rows.clone().filter_map(|row| stable(row)?.condition));
         let [_, estimated] = spread(rows.clone().filter_map(|row| stable(row)?.estimated_error));
         let [_, error] = spread(rows.clone().filter_map(|row| Some(row.errors?.largest())));
-        let failed = rows.clone().filter(|row| stable(row).is_some_and(|found| found.other_failure.is_some())).count();
+        let other_failed = |row: &&Row| {
+            row.failure.is_none() && stable(row).is_some_and(|found| found.other_failure.is_some())
+        };
+        let failed = rows.clone().filter(other_failed).count();
         let disagree = rows.clone().filter(|row| stable(row).is_some_and(|found| found.seeds_agree == Some(false)));
         let disagree = disagree.count();
         let [_, difference] = spread(rows.clone().filter_map(|row| stable(row)?.seed_difference));
@@ -154,7 +157,7 @@ fn stability_table(study: &Study, rows: &[Row]) -> String {
              {worst_condition} | {estimated} | {error} | {failed} | {disagree} | {difference} |\n"
         );
     }
-    text + "\nThe other seed is the solution at twice the β, or half of it where that fails. Two solutions disagree if μ_v, μ_h or c \
+    text + "\nThe other seed is the solution at twice the β, or half of it where that fails; counted are cases that converge only without it. Two solutions disagree if μ_v, μ_h or c \
             differ by more than two tolerances (collocation), their estimated errors (fixed panels), or 10⁴ residuals (relaxation).\n"
 }
 

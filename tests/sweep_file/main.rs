@@ -218,6 +218,9 @@ fn the_shipped_sweeps_are_valid() {
     let mut names = Vec::new();
     for entry in fs::read_dir(&directory).expect("the sweeps are there") {
         let path = entry.expect("readable").path();
+        if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("study-")) {
+            continue; // a study file, which tests/study reads
+        }
         let sweep = Sweep::read(&path).unwrap_or_else(|error| panic!("{}", drawn(&error)));
         let plan = Plan::new(&sweep);
         let solved: usize = plan.chains().map(|chain| plan.ids(&chain).len()).sum();
