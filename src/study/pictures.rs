@@ -18,7 +18,7 @@ pub struct Picture {
 }
 
 /// Symbols of the quantities of [`Errors::values`](super::Errors::values).
-const SYMBOLS: [&str; 4] = ["μ_v", "μ_h", "c", "u_min"];
+const SYMBOLS: [&str; 4] = ["μᵥ", "μₕ", "c", "uₘᵢₙ"];
 
 /// A number of a row that is drawn as a map.
 type Quantity = (&'static str, &'static str, fn(&Row) -> Option<f64>);
@@ -26,8 +26,8 @@ type Quantity = (&'static str, &'static str, fn(&Row) -> Option<f64>);
 /// The maps: name, label of the colours, number.
 const MAPS: [Quantity; 7] = [
     ("iterations", "iterations", |row| Some(row.iterations as f64)),
-    ("error", "largest error of μ_v, μ_h and c", |row| Some(row.errors?.largest())),
-    ("estimated_error", "largest estimated error of μ_v, μ_h and c", |row| row.stability.as_ref()?.estimated_error),
+    ("error", "largest error of μᵥ, μₕ and c", |row| Some(row.errors?.largest())),
+    ("estimated_error", "largest estimated error of μᵥ, μₕ and c", |row| row.stability.as_ref()?.estimated_error),
     ("pressure_min", "largest tension / largest pressure", |row| Some(-row.stability.as_ref()?.pressure_min?)),
     ("load_residual", "load residual", |row| row.stability.as_ref()?.load_residual),
     ("condition", "condition number", |row| row.stability.as_ref()?.condition),
