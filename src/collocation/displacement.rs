@@ -7,17 +7,20 @@ use super::discretisation::Discretisation;
 use super::inlet::Inlet;
 use super::matrix::Matrix;
 use super::mesh::Mesh;
-use super::reference::ReferencePanel;
+use super::reference::{ReferencePanel, dot};
 use super::retardation::RetardationFilter;
 use super::stages::{Stages, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
-/// w and the part of w′ that does work, both as matrices on the pressure; for all cases with the same mesh, α and f.
+/// w relative to the outlet, and the part of w′ that does work, both as matrices on the pressure; for all cases with the same mesh, α and f.
 pub struct Displacement {
     /// The mesh it is for.
     pub discretisation: Discretisation,
-    /// w at the rows from p at the nodes (T9), rows × nodes.
-    pub matrix: Matrix,
+    /// w less w(0) at the rows from p at the nodes (T9), rows × nodes. The film near the outlet differs from c by far less
+    /// than w from 0, and only so is the difference known.
+    pub relative: Matrix,
+    /// w(0), at the outlet, from p at the nodes.
+    outlet: Vec<f64>,
     /// Σ f_j/(1+f) v_j′ at the film's points from p at the nodes, points × nodes.
     /// Without retardation, where nothing dissipates, it has no rows.
     pub retarded_slope: Matrix,
@@ -35,7 +38,8 @@ impl Displacement {
     pub fn new(reference: &Arc<ReferencePanel>) -> Self {
         Self {
             discretisation: Discretisation::new(reference),
-            matrix: Matrix::default(),
+            relative: Matrix::default(),
+            outlet: Vec::new(),
             retarded_slope: Matrix::default(),
             retarded: Matrix::default(),
             slopes: Matrix::default(),
@@ -53,18 +57,19 @@ impl Displacement {
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, matrix, retarded_slope, retarded, slopes, panel, filters, elastic_weight } = self;
+        let Self { discretisation, relative, outlet, retarded_slope, retarded, slopes, panel, filters, elastic_weight } =
+            self;
         let (film, elastic) = (discretisation.film(), &discretisation.elastic);
         *elastic_weight = kernel.singular_weight();
         filters.clear();
-        matrix.copy_scaled(elastic, *elastic_weight);
+        relative.copy_scaled(elastic, *elastic_weight);
         retarded_slope.reset(if kernel.retarded().is_empty() { 0 } else { film.len() }, elastic.columns());
         for &(weight, alpha) in kernel.retarded() {
             let filter = RetardationFilter::new(discretisation, alpha);
             filter.apply(discretisation, retarded, slopes, panel);
             for j in 0..elastic.columns() {
                 let v = retarded.column(j);
-                for (w, v) in matrix.column_mut(j).iter_mut().zip(v) {
+                for (w, v) in relative.column_mut(j).iter_mut().zip(v) {
                     *w += weight * v;
                 }
                 let slopes = &slopes.column(j)[film.clone()];
@@ -74,6 +79,21 @@ impl Displacement {
             }
             filters.push((weight, filter));
         }
+        let row = discretisation.outlet();
+        outlet.clear();
+        for j in 0..elastic.columns() {
+            let column = relative.column_mut(j);
+            let at_outlet = column[row];
+            outlet.push(at_outlet);
+            for w in column {
+                *w -= at_outlet;
+            }
+        }
+    }
+
+    /// w(0), the displacement at the outlet, from p at the nodes.
+    pub fn at_outlet(&self, pressure: &[f64]) -> f64 {
+        dot(&self.outlet, pressure)
     }
 
     /// w of the load ahead of the mesh, which is so far away that all of the contact is displaced alike: it is a part of h₀

@@ -46,9 +46,10 @@ fn film(displacement: &Displacement, beta: f64, state: &State, places: &[f64]) -
     let parity = if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
     coefficients[degree] = parity * (state.c.ln() - evaluate(&coefficients[..degree], -1.0));
     let mut deformed = displacement.interpolate(&state.pressure, places).into_iter();
+    let separation = state.c + displacement.at_outlet(&state.pressure);
     let ahead = displacement.of_load_ahead(&inlet(displacement, beta, state));
     let at = |&y: &f64| {
-        let undeformed = state.separation + state.outlet * y + 0.5 * y * y;
+        let undeformed = separation + state.outlet * y + 0.5 * y * y;
         let deformed = deformed.next().expect("one for each place");
         let film = undeformed - deformed;
         if (0.0..=mesh.reach()).contains(&y) {

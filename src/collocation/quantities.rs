@@ -46,8 +46,9 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
         x_p_max: state.outlet + x_p_max,
         x_outlet: state.outlet,
         centroid,
-        // (T12) in terms of x: h₀′ = h₀ + x_out²/2, and the same for the load ahead of the mesh
-        separation: state.separation - 0.5 * state.outlet * state.outlet + displacement.of_load_ahead(&inlet),
+        // u(x_out) = c in (T3), and the same for the load ahead of the mesh
+        separation: state.c + displacement.at_outlet(&state.pressure) - 0.5 * state.outlet * state.outlet
+            + displacement.of_load_ahead(&inlet),
         load_residual: (load / FRAC_PI_2 - 1.0).abs(),
     }
 }
@@ -101,9 +102,9 @@ fn cavity_friction(displacement: &Displacement, beta: f64, state: &State, cavity
     let discretisation = &displacement.discretisation;
     let rows = discretisation.behind();
     let mut displaced = vec![0.0; rows.len()];
-    displacement.matrix.multiply_rows(0, &state.pressure, &mut displaced);
+    displacement.relative.multiply_rows(0, &state.pressure, &mut displaced);
     let (y, weights) = (&discretisation.points[rows.clone()], &discretisation.weights[rows.clone()]);
-    let gap = |i: usize| state.separation + state.outlet * y[i] + 0.5 * y[i] * y[i] - displaced[i];
+    let gap = |i: usize| state.c + state.outlet * y[i] + 0.5 * y[i] * y[i] - displaced[i];
     let inside: f64 = rows.clone().map(|i| weights[i] * shear(gap(i))).sum();
     // beyond, u = x²/2 + g as for the inlet, with x = −X/t
     let x = state.outlet + discretisation.mesh.behind[0];

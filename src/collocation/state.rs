@@ -15,8 +15,6 @@ pub struct State {
     pub film: Vec<f64>,
     /// c, the film where p′ = 0, and at the outlet.
     pub c: f64,
-    /// h₀′ of (T12): the film at the outlet but for the displacement there.
-    pub separation: f64,
     /// x_out.
     pub outlet: f64,
     /// The estimated error over the tolerance, once it is known: it tells how the next mesh should be.

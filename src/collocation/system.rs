@@ -15,19 +15,19 @@ pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f6
 
 /// The system of one case on one mesh, linearised about a state.
 ///
-/// Unknowns are p at the nodes, u at the Gauss points, c, h₀′ and x_out. p is 0 at the outlet, and at Y that of the [`Inlet`].
-/// The film equation (T12) is linear: it gives δu, and what is left is
+/// Unknowns are p at the nodes, u at the Gauss points, c and x_out. p is 0 at the outlet, and at Y that of the [`Inlet`].
+/// With u = c at the outlet (T5) the film equation (T12) is u = c + x_out y + y²/2 − W p, W being the displacement relative to
+/// the outlet. It is linear: it gives δu, and what is left is
 ///
 /// ```text
-///             δp (m·d − 1)                     δc     δh₀′   δx_out
+///             δp (m·d − 1)                     δc        δx_out
 ///   ┌                                                              ┐
-///   │  βu²D − a∘W                             −1/u     a      a y   │  flow / u (T2), m·d rows
-///   │  node weights                             0      0     −p(X)  │  load (T4)
-///   │  −W at the outlet                        −1      1      0     │  u = c at the outlet (T5), over c
+///   │  βu²D − a∘W                             3βp′u       a y       │  flow / u (T2), m·d rows
+///   │  node weights                             0        −p(X)      │  load (T4)
 ///   └                                                              ┘
 /// ```
 ///
-/// with D the derivative, W the displacement and a = (3βp′u² + 1)/u. The last node, whose pressure follows from the inlet, adds
+/// with D the derivative and a = (3βp′u² + 1)/u. The last node, whose pressure follows from the inlet, adds
 /// its column times dp(Y)/dx_out to that of x_out; the derivatives of the inlet with respect to c and u are left out.
 #[derive(Default)]
 pub struct System {
@@ -35,10 +35,8 @@ pub struct System {
     gradient: Vec<f64>,
     /// W p at the film's rows.
     displacement: Vec<f64>,
-    /// u less the right side of (T12).
+    /// u less the right side of the film equation.
     film_residual: Vec<f64>,
-    /// W p at the outlet.
-    outlet_displacement: f64,
     /// ∂(flow residual/u)/∂u.
     stiffness: Vec<f64>,
     /// Ahead of the mesh.
@@ -56,7 +54,7 @@ pub struct System {
 
 /// Number of unknowns of the reduced system.
 pub fn unknowns(displacement: &Displacement) -> usize {
-    displacement.discretisation.film_points() + 2
+    displacement.discretisation.film_points() + 1
 }
 
 /// p′ at the Gauss points.
@@ -78,16 +76,15 @@ impl System {
         let discretisation = &displacement.discretisation;
         let (points, film_rows) = (discretisation.film_points(), discretisation.film());
         pressure_gradient(displacement, &state.pressure, &mut self.gradient);
-        // the first row after the film's is the outlet
-        self.displacement.resize(points + 1, 0.0);
-        displacement.matrix.multiply_rows(film_rows.start, &state.pressure, &mut self.displacement);
-        self.outlet_displacement = self.displacement[points];
+        self.displacement.resize(points, 0.0);
+        displacement.relative.multiply_rows(film_rows.start, &state.pressure, &mut self.displacement);
 
         self.film_residual.clear();
         let y = discretisation.film_y();
-        self.film_residual.extend((0..points).map(|i| {
-            state.film[i] - (state.separation + state.outlet * y[i] + 0.5 * y[i] * y[i] - self.displacement[i])
-        }));
+        self.film_residual.extend(
+            (0..points)
+                .map(|i| state.film[i] - (state.c + state.outlet * y[i] + 0.5 * y[i] * y[i] - self.displacement[i])),
+        );
         let reach = discretisation.mesh.reach();
         let x = state.outlet + reach;
         let last_y = y[points - 1];
@@ -106,7 +103,6 @@ impl System {
         }
         let load = dot(&discretisation.node_weights, &state.pressure) + inlet.load - FRAC_PI_2;
         self.right_side.push(-load);
-        self.right_side.push((state.c - state.separation + self.outlet_displacement) / state.c);
         self.inlet = Some(inlet);
     }
 
@@ -116,20 +112,18 @@ impl System {
         let reference = &discretisation.reference;
         let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
         let first = discretisation.film().start;
-        matrix.reset(points + 2, points + 2);
+        matrix.reset(points + 1, points + 1);
         let inlet = self.inlet.as_ref().expect("linearised before");
-        let outlet_scale = 1.0 / state.c;
         for node in 1..=points {
             // the last node is not an unknown of its own: its column counts with dp(Y)/dx_out
             let last = node == points;
-            let displaced = &displacement.matrix.column(node)[first..first + points + 1];
-            let column = matrix.column_mut(if last { points + 1 } else { node - 1 });
+            let displaced = &displacement.relative.column(node)[first..first + points];
+            let column = matrix.column_mut(if last { points } else { node - 1 });
             let factor = if last { inlet.gradient } else { 1.0 };
             for ((entry, a), w) in column.iter_mut().zip(&self.stiffness).zip(displaced) {
                 *entry = -factor * a * w;
             }
             column[points] = factor * discretisation.node_weights[node];
-            column[points + 1] = -factor * displaced[points] * outlet_scale;
         }
         for (panel, ends) in discretisation.mesh.film.windows(2).enumerate() {
             let scale = 2.0 * beta / (ends[1] - ends[0]);
@@ -140,7 +134,7 @@ impl System {
                 }
                 let last = node == points;
                 let factor = scale * if last { inlet.gradient } else { 1.0 };
-                let column = matrix.column_mut(if last { points + 1 } else { node - 1 });
+                let column = matrix.column_mut(if last { points } else { node - 1 });
                 for i in 0..degree {
                     let u = state.film[panel * degree + i];
                     column[panel * degree + i] += factor * u * u * reference.derivative[i * size + j];
@@ -148,14 +142,10 @@ impl System {
             }
         }
         let c_column = matrix.column_mut(points - 1);
-        for (entry, u) in c_column.iter_mut().zip(&state.film) {
-            *entry = -1.0 / u;
+        for ((entry, gradient), u) in c_column.iter_mut().zip(&self.gradient).zip(&state.film) {
+            *entry = 3.0 * beta * gradient * u;
         }
-        c_column[points + 1] = -outlet_scale;
-        let separation = matrix.column_mut(points);
-        separation[..points].copy_from_slice(&self.stiffness);
-        separation[points + 1] = outlet_scale;
-        let outlet = matrix.column_mut(points + 1);
+        let outlet = matrix.column_mut(points);
         for ((entry, a), y) in outlet.iter_mut().zip(&self.stiffness).zip(discretisation.film_y()) {
             *entry += a * y;
         }
@@ -170,12 +160,11 @@ impl System {
         let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
         let first = discretisation.film().start;
         let change = self.end_correction;
-        let displaced = &displacement.matrix.column(points)[first..first + points + 1];
+        let displaced = &displacement.relative.column(points)[first..first + points];
         for ((value, a), w) in self.right_side.iter_mut().zip(&self.stiffness).zip(displaced) {
             *value += change * a * w;
         }
         self.right_side[points] -= change * discretisation.node_weights[points];
-        self.right_side[points + 1] += change * displaced[points] / state.c;
         let ends = &discretisation.mesh.film;
         let scale = 2.0 * beta / (ends[ends.len() - 1] - ends[ends.len() - 2]);
         for i in points - degree..points {
@@ -189,7 +178,7 @@ impl System {
         let discretisation = &displacement.discretisation;
         let points = discretisation.film_points();
         let solution = &self.right_side;
-        let (separation, outlet) = (solution[points], solution[points + 1]);
+        let (c, outlet) = (solution[points - 1], solution[points]);
         let inlet = self.inlet.as_ref().expect("linearised before");
         self.step_pressure.clear();
         self.step_pressure.push(0.0);
@@ -197,12 +186,11 @@ impl System {
         self.step_pressure.push(self.end_correction + inlet.gradient * outlet);
         self.step_displacement.resize(points, 0.0);
         let first = discretisation.film().start;
-        displacement.matrix.multiply_rows(first, &self.step_pressure, &mut self.step_displacement);
+        displacement.relative.multiply_rows(first, &self.step_pressure, &mut self.step_displacement);
         self.step_film.clear();
         let y = discretisation.film_y();
-        self.step_film.extend(
-            (0..points).map(|i| -self.film_residual[i] + separation + outlet * y[i] - self.step_displacement[i]),
-        );
+        self.step_film
+            .extend((0..points).map(|i| -self.film_residual[i] + c + outlet * y[i] - self.step_displacement[i]));
     }
 
     /// The part of the step, at most 1, that leaves every film at least a fifth of itself.
@@ -235,8 +223,7 @@ impl System {
             *u += part * step;
         }
         state.c += part * self.right_side[points - 1];
-        state.separation += part * self.right_side[points];
-        state.outlet += part * self.right_side[points + 1];
+        state.outlet += part * self.right_side[points];
     }
 }
 
@@ -279,7 +266,7 @@ mod tests {
             let n = unknowns(&displacement);
             let mut matrix = Matrix::default();
             system.matrix(&displacement, beta, &state, &mut matrix);
-            let scales: Vec<f64> = (0..n).map(|i| if i < n - 3 { 0.1 } else { state.c }).collect();
+            let scales: Vec<f64> = (0..n).map(|i| if i < n - 2 { 0.1 } else { state.c }).collect();
             let direction: Vec<f64> =
                 scales.iter().enumerate().map(|(i, s)| s * (0.3 + 1.7 * i as f64).sin()).collect();
             let mut predicted = vec![0.0; n];

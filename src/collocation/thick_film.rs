@@ -38,14 +38,11 @@ pub fn state(displacement: &Displacement, beta: f64) -> State {
     });
     let mut pressure: Vec<f64> = nodes.map(|y| film.pressure(outlet + y)).collect();
     pressure[0] = 0.0;
-    let mut displaced = [0.0];
-    displacement.matrix.multiply_rows(discretisation.outlet(), &pressure, &mut displaced);
     State {
         mesh: Arc::clone(&discretisation.mesh),
         film: discretisation.film_y().iter().map(|y| film.film(outlet + y)).collect(),
         pressure,
         c: film.c(),
-        separation: film.c() + displaced[0],
         outlet,
         error: None,
         outlet_panel: OUTLET_PANEL,

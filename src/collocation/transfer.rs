@@ -17,7 +17,6 @@ impl State {
             pressure: Vec::new(),
             film: Vec::new(),
             c: self.c,
-            separation: self.separation,
             outlet: self.outlet,
             error: None,
             outlet_panel: self.outlet_panel,
@@ -81,7 +80,6 @@ impl State {
             pressure: self.pressure.iter().map(|p| p / factor).collect(),
             film: self.film.iter().map(|u| u * factor * factor).collect(),
             c: self.c * factor * factor,
-            separation: self.separation * factor * factor,
             outlet: self.outlet * factor,
             error: None,
             outlet_panel: self.outlet_panel,
@@ -99,7 +97,6 @@ impl State {
             *u *= (of / from).powf(factor);
         }
         self.c *= (of.c / from.c).powf(factor);
-        self.separation += factor * (of.separation - from.separation);
         self.outlet += factor * (of.outlet - from.outlet);
     }
 }
