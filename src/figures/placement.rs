@@ -26,8 +26,9 @@ pub(super) enum Effort {
     Always,
 }
 
-/// What covering costs, and a step away from the point.
+/// What it costs to cover a marker or a label, to lead a line through one, to cover a line, and to step away from the point.
 const SOLID: u64 = 1_000_000;
+const CROSSED: u64 = 10_000;
 const LINE: u64 = 60;
 const FAR: f64 = 12.0;
 
@@ -46,7 +47,8 @@ impl Obstacles {
             (corner, corner),
             (-corner, corner),
         ];
-        let distances = if effort == Effort::Near { &[1.0, 1.6][..] } else { &[1.0, 1.6, 2.4, 3.5, 5.0, 7.0][..] };
+        let distances =
+            if effort == Effort::Near { &[1.0, 1.6][..] } else { &[1.0, 1.6, 2.4, 3.5, 5.0, 7.0, 10.0, 14.0][..] };
         let mut best: Option<(u64, Area)> = None;
         for distance in distances {
             for (dx, dy) in directions {
@@ -59,7 +61,7 @@ impl Obstacles {
                     continue;
                 }
                 let behind = leader((x, y), &area, reach).map_or(0, |(from, to)| self.covered(from, to));
-                let cost = self.cost(&area) + SOLID * behind + (FAR * distance) as u64;
+                let cost = self.cost(&area) + CROSSED * behind + (FAR * distance) as u64;
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, area));
                 }
