@@ -16,8 +16,7 @@ use super::{font, scene};
 const EM: f64 = 40.0;
 /// Size of the font of the labels of settings.
 const LABEL_EM: f64 = 34.0;
-/// Height of the part between the bands, and what is left of it if no error is above zero.
-const HEIGHT: f64 = 900.0;
+/// Height of the part between the bands if no error is above zero.
 const EMPTY_HEIGHT: f64 = 360.0;
 /// Height of one method's row in a band.
 const ROW: f64 = 0.85 * EM;
@@ -69,8 +68,25 @@ impl Layout {
     }
 }
 
-/// The chart; it has been checked and has at least one case.
+/// How the number of cases that failed is written at a setting.
+#[derive(Clone, Copy, PartialEq)]
+enum Wording {
+    /// "3 of 63 failed"
+    Full,
+    /// "(3)", which the legend explains.
+    Short,
+}
+
+/// The chart; it has been checked and has at least one case. Where labels crowd they become shorter, then the chart higher.
 pub(super) fn draw(chart: &WorkPrecision) -> Scene {
+    let roomy = [(900.0, Wording::Full), (900.0, Wording::Short), (1200.0, Wording::Short)];
+    let scenes = roomy.into_iter().map(|(height, wording)| lay_out(chart, height, wording));
+    let found = scenes.into_iter().find(|(_, crowded)| !crowded);
+    found.unwrap_or_else(|| lay_out(chart, 1600.0, Wording::Short)).0
+}
+
+/// The chart with `height` pixels between the bands, and whether its labels crowd.
+fn lay_out(chart: &WorkPrecision, height: f64, wording: Wording) -> (Scene, bool) {
     let mut scene = Scene::default();
     let right = f64::from(WIDTH) - MARGIN;
     let top = scene.heading(1.12 * EM, MARGIN, right - MARGIN, &chart.title, &chart.subtitle) + 0.5 * EM;
@@ -87,7 +103,7 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
 
     let band = |lines: &[usize]| if lines.is_empty() { 0.0 } else { lines.len() as f64 * ROW + 0.3 * EM };
     let plot_top = top + band(&failing);
-    let plot_height = if y_axis.is_some() { HEIGHT } else { EMPTY_HEIGHT };
+    let plot_height = if y_axis.is_some() { height } else { EMPTY_HEIGHT };
     let plot_bottom = plot_top + plot_height;
     // Beside a band the scale ends early, so that the label of its last tick stays clear of the label of the band.
     let clear = |lines: &[usize]| if lines.is_empty() { 0.0 } else { 0.7 * EM };
@@ -135,12 +151,12 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
         scene.text((plot.centre().0, plot.bottom - 0.5 * EM), Anchor::Middle, EM, QUIET_TEXT, words);
     }
     draw_cases(&mut scene, chart, &layout);
-    draw_medians(&mut scene, chart, &layout);
+    let crowded = draw_medians(&mut scene, chart, &layout, wording);
     scene.frame(layout.whole(), 3.0, FRAME);
 
-    let bottom = legend::draw(&mut scene, &entries(chart), (MARGIN, x_bottom + 0.5 * EM), right, EM);
+    let bottom = legend::draw(&mut scene, &entries(chart, wording), (MARGIN, x_bottom + 0.5 * EM), right, EM);
     scene.height = (bottom + 0.6 * EM).ceil();
-    scene
+    (scene, crowded)
 }
 
 /// Ticks of the horizontal axis from `left` to `right`.
@@ -205,9 +221,22 @@ fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
     }
 }
 
-fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
+/// The lines of the label of a setting.
+fn words(point: &SettingPoint, wording: Wording) -> Vec<String> {
+    let (label, failures, cases) = (&point.label, point.failures(), point.cases.len());
+    match wording {
+        _ if failures == 0 => vec![label.clone()],
+        Wording::Short => vec![format!("{label} ({failures})")],
+        Wording::Full if failures == cases => vec![label.clone(), format!("all {cases} failed")],
+        Wording::Full => vec![label.clone(), format!("{failures} of {cases} failed")],
+    }
+}
+
+/// Lines, median markers and the labels of settings; returns whether labels crowd.
+fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wording: Wording) -> bool {
     let mut wanted = Vec::new();
-    let mut obstacles = Obstacles { bounds: layout.whole().grown(-8.0), solid: vec![], lines: vec![], faint: vec![] };
+    let mut obstacles =
+        Obstacles { bounds: layout.whole().grown(-8.0), solid: vec![], lines: vec![], faint: vec![], crowded: false };
     obstacles.bounds.top = layout.plot.top + 8.0;
     if layout.y_axis.is_none() {
         // There the chart says why it is empty.
@@ -230,8 +259,7 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
         for (k, (point, at)) in medians.iter().enumerate() {
             markers.push((i, *at));
             let failures = point.failures();
-            let mut words = vec![point.label.clone()];
-            words.extend((failures > 0).then(|| format!("{failures} of {} failed", point.cases.len())));
+            let words = words(point, wording);
             let ends = k == 0 || k + 1 == medians.len();
             let effort = if ends || failures > 0 { Effort::Always } else { Effort::Near };
             wanted.push(SettingLabel { at: *at, ink: text_ink, words, effort });
@@ -239,7 +267,7 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
         for point in line.points.iter().filter(|point| point.failures() > 0 && point.medians().is_none()) {
             let logarithms = point.cases.iter().map(|(seconds, _)| seconds.log10());
             let middle = 10f64.powf(logarithms.sum::<f64>() / point.cases.len() as f64);
-            let words = vec![point.label.clone(), format!("all {} failed", point.cases.len())];
+            let words = words(point, wording);
             wanted.push(SettingLabel {
                 at: (layout.x(middle), layout.plot.top),
                 ink: text_ink,
@@ -265,9 +293,10 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
         marker::rimmed(scene, Form::of(line), at, LARGE_RADIUS * EM, palette::line_colour(line));
     }
     scene.shapes.extend(texts);
+    obstacles.crowded
 }
 
-fn entries(chart: &WorkPrecision) -> Vec<Entry> {
+fn entries(chart: &WorkPrecision, wording: Wording) -> Vec<Entry> {
     let points = || chart.lines.iter().flat_map(|line| &line.points);
     let mut entries: Vec<Entry> = chart
         .lines
@@ -283,7 +312,11 @@ fn entries(chart: &WorkPrecision) -> Vec<Entry> {
         entries.push(Entry { swatch: Swatch::Small { form: Form::Disc, ink: TEXT }, label });
     }
     if points().any(|point| point.failures() > 0) {
-        entries.push(Entry { swatch: Swatch::Cross { ink: TEXT }, label: "case that failed".to_string() });
+        let label = match wording {
+            Wording::Full => "case that failed",
+            Wording::Short => "case that failed; in brackets: how many of a setting",
+        };
+        entries.push(Entry { swatch: Swatch::Cross { ink: TEXT }, label: label.to_string() });
     }
     entries
 }
