@@ -98,7 +98,7 @@ impl CellAxis {
             let major = labels.map(|(value, label)| Tick { value: *value, label }).collect();
             let one_by_one = with_special(Ticks { major, minor: vec![] });
             let told_apart = one_by_one.major.windows(2).all(|pair| pair[0].label != pair[1].label);
-            if told_apart && ticks::fits(&one_by_one, &extent, gap) {
+            if told_apart && ticks::fits(&one_by_one, extent, gap) {
                 return one_by_one;
             }
         }
@@ -107,10 +107,16 @@ impl CellAxis {
         if ticks::fits(&fitting, extent, gap) {
             return fitting;
         }
-        // Too short for two labels: one, of the value in the middle.
-        let middle = &between[between.len() / 2..][..1];
-        let major = vec![Tick { value: middle[0], label: number::short(middle).remove(0) }];
-        with_special(Ticks { major, minor: vec![] })
+        // Too short for two labels: one, of the value nearest to the middle that leaves room for 0 and ∞.
+        let mut candidates: Vec<f64> = between.clone();
+        let off_middle = |value: f64| (self.share(value) - 0.5).abs();
+        candidates.sort_by(|one, other| off_middle(*one).total_cmp(&off_middle(*other)));
+        let single = |value: f64| {
+            let label = number::short(&[value]).remove(0);
+            with_special(Ticks { major: vec![Tick { value, label }], minor: vec![] })
+        };
+        let found = candidates.into_iter().map(single).find(|ticks| ticks::fits(ticks, extent, gap));
+        found.unwrap_or_else(|| with_special(Ticks::default()))
     }
 }
 

@@ -26,8 +26,7 @@ fn bounds(text: &Text) -> Area {
 }
 
 fn texts(scene: &Scene) -> Vec<&Text> {
-    let text = |shape| if let &Shape::Text(ref text) = shape { Some(text) } else { None };
-    scene.shapes.iter().filter_map(text).collect()
+    scene.shapes.iter().filter_map(|shape| if let Shape::Text(text) = shape { Some(text) } else { None }).collect()
 }
 
 /// Texts that cover each other.
@@ -105,7 +104,7 @@ fn map() -> impl Strategy<Value = Map> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(128))]
 
     #[test]
     fn maps_keep_their_texts_apart_and_inside(map in map()) {

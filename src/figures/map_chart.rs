@@ -47,13 +47,13 @@ pub(super) fn draw(map: &Map) -> Scene {
     let colours = ColourRange::of(&values, map.scale.logarithmic, map.scale.range);
     let (x, y) = (CellAxis::new(&map.x), CellAxis::new(&map.y));
 
-    // Widths. The height follows from the width of a panel, and the labels that fit from both, so they are found twice:
-    // first with a panel of the width it would have without labels.
+    // Widths. The height follows from the width of a panel, and the labels that fit from both, so they are found in a few
+    // rounds: first with a panel of the width it would have without labels.
     let across = |panel: f64, gap: f64| columns as f64 * panel + (columns as f64 - 1.0) * gap;
     let mut panel_width = (right - MARGIN - 6.0 * em) / columns as f64;
     let (mut gap, mut left, mut bar_left) = (0.0, 0.0, 0.0);
     let (mut panel_height, mut bar_length) = (0.0, 0.0);
-    for _ in 0..2 {
+    for _ in 0..4 {
         panel_height = (panel_width * if columns == 1 { 0.75 } else { 0.9 }).max(9.0 * em);
         bar_length = panel_height * if rows * folds == 1 { 1.0 } else { 1.6 };
         let y_ticks = y.ticks(panel_height, em, true);
@@ -61,7 +61,7 @@ pub(super) fn draw(map: &Map) -> Scene {
         left = MARGIN + thickness(&map.y_label, 1.1 * em, panel_height) + 0.5 * em + widest + 0.4 * em;
         let x_ticks = x.ticks(panel_width, em, false);
         let overhang = overhang(&x, &x_ticks, panel_width, em);
-        gap = (overhang.0 + overhang.1 + 0.5 * em).max(0.9 * em);
+        gap = (overhang.0 + overhang.1 + 0.5 * em).max(0.9 * em).max(gap);
         let bar = colours.map_or(0.0, |range| range.width(bar_length, em, &map.scale.label) + 0.8 * em);
         let panels_right = right - bar - overhang.1;
         panel_width = (panels_right - left - (columns as f64 - 1.0) * gap) / columns as f64;
@@ -116,7 +116,7 @@ pub(super) fn draw(map: &Map) -> Scene {
     let end = if entries.is_empty() {
         below
     } else {
-        legend::draw(&mut scene, &entries, (left, below), right, em) + 0.4 * em
+        legend::draw(&mut scene, &entries, (left, below), right, em) + 0.6 * em
     };
     scene.height = end.ceil();
     scene
@@ -201,16 +201,17 @@ fn draw_ticks(scene: &mut Scene, layout: &Layout, area: Area, with_y_labels: boo
 
 /// Entries for what the map shows beside values.
 fn entries(map: &Map) -> Vec<Entry> {
+    let shown = |is: &dyn Fn(&Cell) -> bool| map.cells().any(is);
     let zero = |cell: &Cell| map.scale.logarithmic && *cell == Cell::Value(0.0);
-    let kinds: [(&dyn Fn(&Cell) -> bool, _, bool, &str); 4] = [
-        (&|cell| *cell == Cell::Failed, FAILED, true, "failed"),
-        (&zero, EXACT, false, "0 (exact)"),
-        (&|cell| *cell == Cell::Unknown, UNKNOWN, false, "solved, quantity not known"),
-        (&|cell| *cell == Cell::Absent, PAPER, false, "no case"),
+    let kinds = [
+        (shown(&|cell| *cell == Cell::Failed), FAILED, true, "failed"),
+        (shown(&zero), EXACT, false, "0 (exact)"),
+        (shown(&|cell| *cell == Cell::Unknown), UNKNOWN, false, "solved, quantity not known"),
+        (shown(&|cell| *cell == Cell::Absent), PAPER, false, "no case"),
     ];
-    kinds
-        .into_iter()
-        .filter(|(is, ..)| map.cells().any(is))
-        .map(|(_, ink, crossed, label)| Entry { swatch: Swatch::Cell { ink, crossed }, label: label.to_string() })
-        .collect()
+    let entry = |(_, ink, crossed, label): (bool, _, _, &str)| Entry {
+        swatch: Swatch::Cell { ink, crossed },
+        label: label.to_string(),
+    };
+    kinds.into_iter().filter(|kind| kind.0).map(entry).collect()
 }

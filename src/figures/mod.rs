@@ -6,7 +6,8 @@
 //! | [`Map`] | one quantity over two axes, a panel for each third value and method |
 //! | `ticks`, `number` | where an axis is labelled, and how a number is written |
 //! | `log_axis`, `cell_axis`, `colour_bar` | from a value to a place or a colour |
-//! | `palette`, `marker`, `legend`, `placement` | what marks look like, and where labels find room |
+//! | `palette`, `marker`, `legend` | what marks look like |
+//! | `setting_label`, `placement` | labels beside points, and where they find room |
 //! | `scene`, `paint`, `indexed`, `font` | shapes in pixels; the two formats they are painted in; colours of a PNG; widths of text |
 //!
 //! A chart lays itself out as a list of shapes (`scene`), which does not depend on the format: the SVG and the PNG of one
@@ -29,6 +30,7 @@ mod paint;
 mod palette;
 mod placement;
 mod scene;
+mod setting_label;
 mod ticks;
 mod work_precision;
 mod work_precision_chart;

@@ -13,6 +13,8 @@ pub(super) struct Obstacles {
     pub(super) lines: Vec<(Point, Point)>,
     /// Small marks: the fewer covered the better.
     pub(super) faint: Vec<Point>,
+    /// Whether some label had to cover a marker or another label, or be led through one.
+    pub(super) crowded: bool,
 }
 
 /// How far a label goes to be shown.
@@ -26,8 +28,9 @@ pub(super) enum Effort {
     Always,
 }
 
-/// What covering costs, and a step away from the point.
+/// What it costs to cover a marker or a label, to lead a line through one, to cover a line, and to step away from the point.
 const SOLID: u64 = 1_000_000;
+const CROSSED: u64 = 10_000;
 const LINE: u64 = 60;
 const FAR: f64 = 12.0;
 
@@ -46,7 +49,8 @@ impl Obstacles {
             (corner, corner),
             (-corner, corner),
         ];
-        let distances = if effort == Effort::Near { &[1.0, 1.6][..] } else { &[1.0, 1.6, 2.4, 3.5, 5.0, 7.0][..] };
+        let distances =
+            if effort == Effort::Near { &[1.0, 1.6][..] } else { &[1.0, 1.6, 2.4, 3.5, 5.0, 7.0, 10.0, 14.0][..] };
         let mut best: Option<(u64, Area)> = None;
         for distance in distances {
             for (dx, dy) in directions {
@@ -59,7 +63,7 @@ impl Obstacles {
                     continue;
                 }
                 let behind = leader((x, y), &area, reach).map_or(0, |(from, to)| self.covered(from, to));
-                let cost = self.cost(&area) + SOLID * behind + (FAR * distance) as u64;
+                let cost = self.cost(&area) + CROSSED * behind + (FAR * distance) as u64;
                 if best.is_none_or(|(least, _)| cost < least) {
                     best = Some((cost, area));
                 }
@@ -69,6 +73,7 @@ impl Obstacles {
         if cost >= SOLID && effort != Effort::Always {
             return None;
         }
+        self.crowded |= cost >= CROSSED;
         self.solid.push(area);
         self.lines.extend(leader((x, y), &area, reach));
         Some(area)
@@ -137,7 +142,7 @@ mod tests {
     #[test]
     fn labels_of_one_point_do_not_cover_each_other_while_there_is_room() {
         let bounds = Area { left: 0.0, top: 0.0, right: 1000.0, bottom: 1000.0 };
-        let mut obstacles = Obstacles { bounds, solid: vec![], lines: vec![], faint: vec![] };
+        let mut obstacles = Obstacles { bounds, solid: vec![], lines: vec![], faint: vec![], crowded: false };
         let placed: Vec<Area> =
             (0..4).map(|_| obstacles.place((500.0, 500.0), (100.0, 40.0), 20.0, Effort::Far).unwrap()).collect();
         for (i, one) in placed.iter().enumerate() {
@@ -149,7 +154,7 @@ mod tests {
     #[test]
     fn a_label_without_room_is_left_out_unless_it_must_be_shown() {
         let bounds = Area { left: 0.0, top: 0.0, right: 300.0, bottom: 300.0 };
-        let mut obstacles = Obstacles { bounds, solid: vec![bounds], lines: vec![], faint: vec![] };
+        let mut obstacles = Obstacles { bounds, solid: vec![bounds], lines: vec![], faint: vec![], crowded: false };
         assert_eq!(obstacles.place((150.0, 150.0), (60.0, 20.0), 10.0, Effort::Far), None);
         assert!(obstacles.place((150.0, 150.0), (60.0, 20.0), 10.0, Effort::Always).is_some());
     }

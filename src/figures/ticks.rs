@@ -54,21 +54,22 @@ pub(super) fn logarithmic(low: f64, high: f64, most: usize) -> Ticks {
 /// Ticks of a linear axis from `low` < `high`: multiples of 1, 2 or 5 times a power of ten, 2 to `most` of them.
 pub(super) fn linear(low: f64, high: f64, most: usize) -> Ticks {
     let mut power = number::exponent(high - low) + 1;
-    let mut coarser: Option<Vec<f64>> = None;
-    let mut step_of_coarser = 0.0;
+    let mut coarser: Option<Ticks> = None;
     // From coarse to fine, until the next finer step has too many.
     loop {
         for digit in [5.0, 2.0, 1.0] {
             let step = digit * power_of_ten(power);
             let (first, last) = ((low / step).ceil(), (high / step).floor());
             let count = (last - first) as i64 + 1;
-            if count > most as i64 && coarser.is_some() {
-                return labelled(&coarser.expect("checked just before"), step_of_coarser);
+            if count > most as i64
+                && let Some(ticks) = coarser
+            {
+                return ticks;
             }
             if count >= 2 {
                 let values: Vec<f64> = (0..count).map(|i| multiple(first + i as f64, digit, power)).collect();
-                step_of_coarser = step;
-                coarser = Some(if values.len() > most { ends(&values) } else { values });
+                let kept = if values.len() > most { ends(&values) } else { values };
+                coarser = Some(labelled(&kept, step));
             }
         }
         power -= 1;

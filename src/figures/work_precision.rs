@@ -7,7 +7,7 @@ use super::{FigureError, paint};
 ///
 /// Single cases are small faint markers. A large marker stands at the median (of the logarithms) of the seconds and errors
 /// of the cases that a setting solved, and a line joins the settings of a method. A case that failed is a × in a band
-/// along the upper edge, at its seconds; the median marker says how many did. An error of exactly zero lies in a band along the
+/// along the upper edge, at its seconds; the label of the setting says how many did. An error of exactly zero lies in a band along the
 /// lower edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkPrecision {

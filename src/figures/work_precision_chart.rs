@@ -4,19 +4,19 @@ use super::legend::{self, Entry, LARGE_RADIUS, SMALL_OPACITY, SMALL_RADIUS, Swat
 use super::log_axis::LogAxis;
 use super::marker::{self, Form};
 use super::paint::WIDTH;
-use super::palette::{self, EXACT, FAILED, FRAME, GRID, PAPER, QUIET_TEXT, TEXT, faded};
+use super::palette::{self, EXACT, FAILED, FRAME, GRID, QUIET_TEXT, TEXT, faded};
 use super::placement::{Effort, Obstacles};
-use super::scene::{Anchor, Area, Point, Scene, Shape, Text};
-use super::ticks::{self, Ticks};
+use super::scene::{Anchor, Area, Point, Scene, Shape};
+use super::setting_label::SettingLabel;
+use super::ticks::{self, Tick, Ticks};
 use super::work_precision::{SettingPoint, WorkPrecision};
-use super::{font, placement, scene};
+use super::{font, scene};
 
 /// Size of the font of ticks: 6 points when the picture is 8.5 cm wide.
 const EM: f64 = 40.0;
 /// Size of the font of the labels of settings.
 const LABEL_EM: f64 = 34.0;
-/// Height of the part between the bands, and what is left of it if no error is above zero.
-const HEIGHT: f64 = 900.0;
+/// Height of the part between the bands if no error is above zero.
 const EMPTY_HEIGHT: f64 = 360.0;
 /// Height of one method's row in a band.
 const ROW: f64 = 0.85 * EM;
@@ -68,8 +68,25 @@ impl Layout {
     }
 }
 
-/// The chart; it has been checked and has at least one case.
+/// How the number of cases that failed is written at a setting.
+#[derive(Clone, Copy, PartialEq)]
+enum Wording {
+    /// "3 of 63 failed"
+    Full,
+    /// "(3)", which the legend explains.
+    Short,
+}
+
+/// The chart; it has been checked and has at least one case. Where labels crowd they become shorter, then the chart higher.
 pub(super) fn draw(chart: &WorkPrecision) -> Scene {
+    let roomy = [(900.0, Wording::Full), (900.0, Wording::Short), (1200.0, Wording::Short)];
+    let scenes = roomy.into_iter().map(|(height, wording)| lay_out(chart, height, wording));
+    let found = scenes.into_iter().find(|(_, crowded)| !crowded);
+    found.unwrap_or_else(|| lay_out(chart, 1600.0, Wording::Short)).0
+}
+
+/// The chart with `height` pixels between the bands, and whether its labels crowd.
+fn lay_out(chart: &WorkPrecision, height: f64, wording: Wording) -> (Scene, bool) {
     let mut scene = Scene::default();
     let right = f64::from(WIDTH) - MARGIN;
     let top = scene.heading(1.12 * EM, MARGIN, right - MARGIN, &chart.title, &chart.subtitle) + 0.5 * EM;
@@ -86,7 +103,7 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
 
     let band = |lines: &[usize]| if lines.is_empty() { 0.0 } else { lines.len() as f64 * ROW + 0.3 * EM };
     let plot_top = top + band(&failing);
-    let plot_height = if y_axis.is_some() { HEIGHT } else { EMPTY_HEIGHT };
+    let plot_height = if y_axis.is_some() { height } else { EMPTY_HEIGHT };
     let plot_bottom = plot_top + plot_height;
     // Beside a band the scale ends early, so that the label of its last tick stays clear of the label of the band.
     let clear = |lines: &[usize]| if lines.is_empty() { 0.0 } else { 0.7 * EM };
@@ -105,13 +122,11 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
     let widest = names.iter().map(|name| font::width(name, EM)).fold(0.0, f64::max);
     let whole_height = band(&failing) + plot_height + band(&exact);
     let label_width = scene::thickness(&chart.y_label, 1.1 * EM, whole_height);
-    let plot = Area {
-        left: MARGIN + label_width + 0.3 * EM + widest + 0.4 * EM,
-        top: plot_top,
-        // Half a label of the horizontal axis may stand out.
-        right: right - 0.6 * EM,
-        bottom: plot_bottom,
-    };
+    let left = MARGIN + label_width + 0.3 * EM + widest + 0.4 * EM;
+    // Half of the last label of the horizontal axis may stand out to the right.
+    let labels = x_ticks(&x_axis, left, right).major;
+    let half_label = labels.iter().map(|tick| 0.5 * font::width(&tick.label, EM));
+    let plot = Area { left, top: plot_top, right: right - half_label.fold(0.6 * EM, f64::max), bottom: plot_bottom };
     let layout = Layout {
         plot,
         scale: (scale_top, scale_bottom),
@@ -133,28 +148,30 @@ pub(super) fn draw(chart: &WorkPrecision) -> Scene {
     if y_axis.is_none() {
         let words =
             if points().any(|point| point.solved().count() > 0) { "no error above zero" } else { "no case was solved" };
-        scene.text(plot.centre(), Anchor::Middle, EM, QUIET_TEXT, words);
+        scene.text((plot.centre().0, plot.bottom - 0.5 * EM), Anchor::Middle, EM, QUIET_TEXT, words);
     }
     draw_cases(&mut scene, chart, &layout);
-    draw_medians(&mut scene, chart, &layout);
+    let crowded = draw_medians(&mut scene, chart, &layout, wording);
     scene.frame(layout.whole(), 3.0, FRAME);
 
-    let bottom = legend::draw(&mut scene, &entries(chart), (MARGIN, x_bottom + 0.5 * EM), right, EM);
-    scene.height = (bottom + 0.4 * EM).ceil();
-    scene
+    let bottom = legend::draw(&mut scene, &entries(chart, wording), (MARGIN, x_bottom + 0.5 * EM), right, EM);
+    scene.height = (bottom + 0.6 * EM).ceil();
+    (scene, crowded)
+}
+
+/// Ticks of the horizontal axis from `left` to `right`.
+fn x_ticks(axis: &LogAxis, left: f64, right: f64) -> Ticks {
+    let extent = |tick: &Tick| {
+        let (middle, half) = ((right - left) * axis.share(tick.value), 0.5 * font::width(&tick.label, EM));
+        (middle - half, middle + half)
+    };
+    ticks::fitting(|most| axis.ticks(most), extent, 0.6 * EM)
 }
 
 /// Bands, grid, ticks and their labels; returns where the labels of the horizontal axis end.
 fn draw_axes(scene: &mut Scene, layout: &Layout, y_ticks: &Ticks) -> f64 {
     let (plot, whole) = (layout.plot, layout.whole());
-    let x_ticks = ticks::fitting(
-        |most| layout.x_axis.ticks(most),
-        |tick| {
-            let half = 0.5 * font::width(&tick.label, EM);
-            (layout.x(tick.value) - half, layout.x(tick.value) + half)
-        },
-        0.6 * EM,
-    );
+    let x_ticks = x_ticks(&layout.x_axis, plot.left, plot.right);
     for (band, ink, name) in [(&layout.failed, FAILED, "failed"), (&layout.exact, EXACT, "0 (exact)")] {
         if !band.lines.is_empty() {
             scene.rectangle(band.area, faded(ink, 0.6));
@@ -204,21 +221,31 @@ fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
     }
 }
 
-/// A label that a setting wants.
-struct Wanted {
-    at: Point,
-    line: usize,
-    words: Vec<String>,
-    effort: Effort,
+/// The lines of the label of a setting.
+fn words(point: &SettingPoint, wording: Wording) -> Vec<String> {
+    let (label, failures, cases) = (&point.label, point.failures(), point.cases.len());
+    match wording {
+        _ if failures == 0 => vec![label.clone()],
+        Wording::Short => vec![format!("{label} ({failures})")],
+        Wording::Full if failures == cases => vec![label.clone(), format!("all {cases} failed")],
+        Wording::Full => vec![label.clone(), format!("{failures} of {cases} failed")],
+    }
 }
 
-fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
+/// Lines, median markers and the labels of settings; returns whether labels crowd.
+fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wording: Wording) -> bool {
     let mut wanted = Vec::new();
-    let mut obstacles = Obstacles { bounds: layout.whole().grown(-8.0), solid: vec![], lines: vec![], faint: vec![] };
+    let mut obstacles =
+        Obstacles { bounds: layout.whole().grown(-8.0), solid: vec![], lines: vec![], faint: vec![], crowded: false };
     obstacles.bounds.top = layout.plot.top + 8.0;
+    if layout.y_axis.is_none() {
+        // There the chart says why it is empty.
+        obstacles.bounds.bottom = layout.plot.bottom - 1.5 * EM;
+    }
     let mut markers = Vec::new();
     for (i, line) in chart.lines.iter().enumerate() {
         let ink = palette::line_colour(i);
+        let text_ink = palette::darkened(ink);
         let medians: Vec<(&SettingPoint, Point)> = line
             .points
             .iter()
@@ -232,17 +259,21 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
         for (k, (point, at)) in medians.iter().enumerate() {
             markers.push((i, *at));
             let failures = point.failures();
-            let mut words = vec![point.label.clone()];
-            words.extend((failures > 0).then(|| format!("{failures} of {} failed", point.cases.len())));
+            let words = words(point, wording);
             let ends = k == 0 || k + 1 == medians.len();
             let effort = if ends || failures > 0 { Effort::Always } else { Effort::Near };
-            wanted.push(Wanted { at: *at, line: i, words, effort });
+            wanted.push(SettingLabel { at: *at, ink: text_ink, words, effort });
         }
         for point in line.points.iter().filter(|point| point.failures() > 0 && point.medians().is_none()) {
             let logarithms = point.cases.iter().map(|(seconds, _)| seconds.log10());
             let middle = 10f64.powf(logarithms.sum::<f64>() / point.cases.len() as f64);
-            let words = vec![point.label.clone(), format!("all {} failed", point.cases.len())];
-            wanted.push(Wanted { at: (layout.x(middle), layout.plot.top), line: i, words, effort: Effort::Far });
+            let words = words(point, wording);
+            wanted.push(SettingLabel {
+                at: (layout.x(middle), layout.plot.top),
+                ink: text_ink,
+                words,
+                effort: Effort::Far,
+            });
         }
         let cases = line.points.iter().flat_map(SettingPoint::solved);
         obstacles.faint.extend(cases.map(|(seconds, error)| (layout.x(seconds), layout.y(i, error))));
@@ -255,52 +286,17 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
         Effort::Always => 1,
         Effort::Near => 2,
     });
-    let texts: Vec<Text> = wanted.iter().filter_map(|label| place(label, &mut obstacles, scene)).flatten().collect();
+    let reach = LARGE_RADIUS * EM + 8.0;
+    let texts: Vec<Shape> =
+        wanted.iter().flat_map(|label| label.place(&mut obstacles, reach, LABEL_EM, scene)).collect();
     for (line, at) in markers {
         marker::rimmed(scene, Form::of(line), at, LARGE_RADIUS * EM, palette::line_colour(line));
     }
-    scene.shapes.extend(texts.into_iter().map(Shape::Text));
+    scene.shapes.extend(texts);
+    obstacles.crowded
 }
 
-/// Finds room for a label, smaller if need be, and draws what lies behind it.
-fn place(label: &Wanted, obstacles: &mut Obstacles, scene: &mut Scene) -> Option<Vec<Text>> {
-    let reach = LARGE_RADIUS * EM + 8.0;
-    let attempts: &[(f64, Effort)] = match label.effort {
-        Effort::Near => &[(1.0, Effort::Near)],
-        Effort::Far => &[(1.0, Effort::Far), (0.85, Effort::Far)],
-        Effort::Always => &[(1.0, Effort::Far), (0.85, Effort::Far), (0.85, Effort::Always)],
-    };
-    let (em, area) = attempts.iter().find_map(|(size, effort)| {
-        let em = size * LABEL_EM;
-        let width = label.words.iter().map(|line| font::width(line, em)).fold(0.0, f64::max) + 8.0;
-        let height = 1.12 * em * label.words.len() as f64 + 4.0;
-        obstacles.place(label.at, (width, height), reach, *effort).map(|area| (em, area))
-    })?;
-    let x = label.at.0;
-    let ink = palette::darkened(palette::line_colour(label.line));
-    if let Some((from, to)) = placement::leader(label.at, &area, reach) {
-        scene.line(from, to, 2.0, ink);
-    }
-    scene.rectangle(area, faded(PAPER, 0.75));
-    let (anchor, at) = if area.left >= x {
-        (Anchor::Start, area.left + 4.0)
-    } else if area.right <= x {
-        (Anchor::End, area.right - 4.0)
-    } else {
-        (Anchor::Middle, area.centre().0)
-    };
-    let text = |(i, words): (usize, &String)| Text {
-        at: (at, area.top + 2.0 + 1.12 * em * (i as f64 + 1.0) - 0.28 * em),
-        anchor,
-        em,
-        ink,
-        turned: false,
-        words: words.clone(),
-    };
-    Some(label.words.iter().enumerate().map(text).collect())
-}
-
-fn entries(chart: &WorkPrecision) -> Vec<Entry> {
+fn entries(chart: &WorkPrecision, wording: Wording) -> Vec<Entry> {
     let points = || chart.lines.iter().flat_map(|line| &line.points);
     let mut entries: Vec<Entry> = chart
         .lines
@@ -316,7 +312,11 @@ fn entries(chart: &WorkPrecision) -> Vec<Entry> {
         entries.push(Entry { swatch: Swatch::Small { form: Form::Disc, ink: TEXT }, label });
     }
     if points().any(|point| point.failures() > 0) {
-        entries.push(Entry { swatch: Swatch::Cross { ink: TEXT }, label: "case that failed".to_string() });
+        let label = match wording {
+            Wording::Full => "case that failed",
+            Wording::Short => "case that failed; in brackets: how many of a setting",
+        };
+        entries.push(Entry { swatch: Swatch::Cross { ink: TEXT }, label: label.to_string() });
     }
     entries
 }
