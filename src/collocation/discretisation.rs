@@ -25,8 +25,13 @@ pub struct Discretisation {
     pub weights: Vec<f64>,
     /// Weight of each node in ∫ p dy.
     pub node_weights: Vec<f64>,
-    /// e at the rows from p at the nodes (T7), rows × nodes.
+    /// e − e(0) at the rows from p at the nodes (T7), rows × nodes. Near the outlet it is far smaller than e, and only so are
+    /// its digits kept.
     pub elastic: Matrix,
+    /// e(0), at the outlet, from p at the nodes.
+    pub elastic_at_outlet: Vec<f64>,
+    /// Buffer: moments of the kernel, rows × degrees.
+    moments: Matrix,
 }
 
 impl Discretisation {
@@ -39,12 +44,14 @@ impl Discretisation {
             weights: Vec::new(),
             node_weights: Vec::new(),
             elastic: Matrix::default(),
+            elastic_at_outlet: Vec::new(),
+            moments: Matrix::default(),
         }
     }
 
     /// Computes what depends on the mesh alone, in the memory of the mesh before.
     pub fn set_mesh(&mut self, mesh: &Arc<Mesh>) {
-        let Self { reference, points, weights, node_weights, elastic, .. } = self;
+        let Self { reference, points, weights, node_weights, .. } = self;
         let degree = reference.degree;
         assert_eq!(degree, mesh.degree, "a mesh is made for one degree");
         points.clear();
@@ -63,8 +70,8 @@ impl Discretisation {
                 node_weights[panel * degree + j] += 0.5 * (ends[1] - ends[0]) * weight;
             }
         }
-        elastic_displacement(reference, mesh, points, elastic);
         self.mesh = Arc::clone(mesh);
+        self.set_elastic_displacement();
     }
 
     /// Number of nodes of the pressure.
@@ -100,6 +107,56 @@ impl Discretisation {
         (row(panel), row(panel + 1))
     }
 
+    /// The columns of a panel are the moments of the kernel for the Legendre polynomials on it (T31), times their coefficients.
+    fn set_elastic_displacement(&mut self) {
+        let Self { mesh, reference, points, elastic, moments, .. } = self;
+        let (degree, rows) = (reference.degree, points.len());
+        let size = degree + 1;
+        elastic.reset(rows, mesh.panels() * degree + 1);
+        moments.reset(rows, size);
+        let first_film_row = (mesh.behind.len() - 1) * degree;
+        let mut together = [[0.0; LANES]; MOST_MOMENTS];
+        for (panel, ends) in mesh.film.windows(2).enumerate() {
+            let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            for (block, y) in points.chunks(LANES).enumerate() {
+                // a last block that is not full is filled with its first place
+                let places = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
+                log_moments_together(&places, &mut together[..size]);
+                for (k, values) in together[..size].iter().enumerate() {
+                    moments.column_mut(k)[block * LANES..][..y.len()].copy_from_slice(&values[..y.len()]);
+                }
+            }
+            let own = first_film_row + panel * degree;
+            for k in 0..size {
+                let values = &reference.own_log_moments[k * degree..(k + 1) * degree];
+                moments.column_mut(k)[own..own + degree].copy_from_slice(values);
+            }
+            // ln|y − s| = ln|t − t′| + ln half, and ∫ P_0 = 2
+            for moment in moments.column_mut(0) {
+                *moment += 2.0 * half.ln();
+            }
+            elastic.add_product(panel * degree, half / PI, moments, &reference.node_coefficients);
+        }
+        let outlet = self.outlet();
+        self.elastic_at_outlet.clear();
+        for j in 0..self.elastic.columns() {
+            let column = self.elastic.column_mut(j);
+            let at_outlet = column[outlet];
+            self.elastic_at_outlet.push(at_outlet);
+            for e in column {
+                *e -= at_outlet;
+            }
+        }
+    }
+
+    /// What a vector over the rows has at the Gauss points of a panel, and at its ends; panels are counted as for
+    /// [`Discretisation::ends`].
+    pub fn on_panel<'v>(&self, values: &'v [f64], panel: usize) -> (&'v [f64], [f64; 2]) {
+        let degree = self.reference.degree;
+        let (left, right) = self.ends(panel);
+        (&values[panel * degree..(panel + 1) * degree], [values[left], values[right]])
+    }
+
     /// y at the Gauss points of the film.
     pub fn film_y(&self) -> &[f64] {
         &self.points[self.film()]
@@ -112,46 +169,6 @@ pub fn film_points<'a>(reference: &'a ReferencePanel, mesh: &'a Mesh) -> impl Do
         let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
         reference.points.iter().map(move |t| centre + half * t)
     })
-}
-
-/// e = (1/π) ∫ p ln|y − s| ds (T7) at `points`, of which those of the film are the Gauss points of its panels.
-fn elastic_displacement(reference: &ReferencePanel, mesh: &Mesh, points: &[f64], elastic: &mut Matrix) {
-    let (degree, rows) = (reference.degree, points.len());
-    let size = degree + 1;
-    elastic.reset(rows, mesh.panels() * degree + 1);
-    let first_film_row = (mesh.behind.len() - 1) * degree;
-    let mut by_degree = vec![0.0; size * rows];
-    let mut together = [[0.0; LANES]; MOST_MOMENTS];
-    for (panel, ends) in mesh.film.windows(2).enumerate() {
-        let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-        for (block, y) in points.chunks(LANES).enumerate() {
-            // a last block that is not full is filled with its first place
-            let places = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
-            log_moments_together(&places, &mut together[..size]);
-            for (k, moments) in together[..size].iter().enumerate() {
-                let from = k * rows + block * LANES;
-                by_degree[from..from + y.len()].copy_from_slice(&moments[..y.len()]);
-            }
-        }
-        let own = first_film_row + panel * degree;
-        for k in 0..size {
-            let moments = &reference.own_log_moments[k * degree..(k + 1) * degree];
-            by_degree[k * rows + own..k * rows + own + degree].copy_from_slice(moments);
-        }
-        // ln|y − s| = ln|t − t′| + ln half, and ∫ P_0 = 2
-        for moment in &mut by_degree[..rows] {
-            *moment += 2.0 * half.ln();
-        }
-        for j in 0..size {
-            let column = elastic.column_mut(panel * degree + j);
-            for k in 0..size {
-                let factor = half / PI * reference.node_coefficients[k * size + j];
-                for (value, moment) in column.iter_mut().zip(&by_degree[k * rows..(k + 1) * rows]) {
-                    *value += factor * moment;
-                }
-            }
-        }
-    }
 }
 
 impl Discretisation {

@@ -12,25 +12,30 @@ use super::retardation::RetardationFilter;
 use super::stages::{Stages, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
-/// w relative to the outlet, and the part of w′ that does work, both as matrices on the pressure; for all cases with the same mesh, α and f.
+/// w relative to the outlet as a matrix on the pressure, and what else follows from it along the mesh; for all cases with the
+/// same mesh, α and f.
 pub struct Displacement {
     /// The mesh it is for.
     pub discretisation: Discretisation,
-    /// w less w(0) at the rows from p at the nodes (T9), rows × nodes. The film near the outlet differs from c by far less
-    /// than w from 0, and only so is the difference known.
+    /// w less w(0) at the film's Gauss points from p at the nodes (T9), points × nodes. The film near the outlet differs from c by
+    /// far less than w from 0, and only so is the difference known.
     pub relative: Matrix,
     /// w(0), at the outlet, from p at the nodes.
     outlet: Vec<f64>,
-    /// Σ f_j/(1+f) v_j′ at the film's points from p at the nodes, points × nodes.
-    /// Without retardation, where nothing dissipates, it has no rows.
-    pub retarded_slope: Matrix,
     /// Buffers.
-    retarded: Matrix,
-    slopes: Matrix,
+    retarded_outlet: Vec<f64>,
     panel: Matrix,
     /// f_j/(1+f) of each mode, with its filter.
     filters: Vec<(f64, RetardationFilter)>,
     elastic_weight: f64,
+}
+
+/// What follows from the displacement of one solution.
+pub struct Along {
+    /// Σ f_j/(1+f) v_j′ at the film's Gauss points, the part of w′ that does work; all 0 without retardation.
+    pub retarded_slope: Vec<f64>,
+    /// w less w(0) at the Gauss points behind the outlet, if wanted.
+    pub behind: Vec<f64>,
 }
 
 impl Displacement {
@@ -40,9 +45,7 @@ impl Displacement {
             discretisation: Discretisation::new(reference),
             relative: Matrix::default(),
             outlet: Vec::new(),
-            retarded_slope: Matrix::default(),
-            retarded: Matrix::default(),
-            slopes: Matrix::default(),
+            retarded_outlet: Vec::new(),
             panel: Matrix::default(),
             filters: Vec::new(),
             elastic_weight: 1.0,
@@ -57,43 +60,52 @@ impl Displacement {
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, relative, outlet, retarded_slope, retarded, slopes, panel, filters, elastic_weight } =
-            self;
-        let (film, elastic) = (discretisation.film(), &discretisation.elastic);
+        let Self { discretisation, relative, outlet, retarded_outlet, panel, filters, elastic_weight } = self;
         *elastic_weight = kernel.singular_weight();
         filters.clear();
-        relative.copy_scaled(elastic, *elastic_weight);
-        retarded_slope.reset(if kernel.retarded().is_empty() { 0 } else { film.len() }, elastic.columns());
+        relative.copy_scaled(&discretisation.elastic, discretisation.film(), *elastic_weight);
+        outlet.clear();
+        outlet.extend(discretisation.elastic_at_outlet.iter().map(|e| *elastic_weight * e));
         for &(weight, alpha) in kernel.retarded() {
             let filter = RetardationFilter::new(discretisation, alpha);
-            filter.apply(discretisation, retarded, slopes, panel);
-            for j in 0..elastic.columns() {
-                let v = retarded.column(j);
-                for (w, v) in relative.column_mut(j).iter_mut().zip(v) {
-                    *w += weight * v;
-                }
-                let slopes = &slopes.column(j)[film.clone()];
-                for (sum, slope) in retarded_slope.column_mut(j).iter_mut().zip(slopes) {
-                    *sum += weight * slope;
-                }
+            filter.add_to(discretisation, weight, relative, retarded_outlet, panel);
+            for ((w, e), difference) in outlet.iter_mut().zip(&discretisation.elastic_at_outlet).zip(&*retarded_outlet)
+            {
+                *w += weight * (e + difference);
             }
             filters.push((weight, filter));
-        }
-        let row = discretisation.outlet();
-        outlet.clear();
-        for j in 0..elastic.columns() {
-            let column = relative.column_mut(j);
-            let at_outlet = column[row];
-            outlet.push(at_outlet);
-            for w in column {
-                *w -= at_outlet;
-            }
         }
     }
 
     /// w(0), the displacement at the outlet, from p at the nodes.
     pub fn at_outlet(&self, pressure: &[f64]) -> f64 {
         dot(&self.outlet, pressure)
+    }
+
+    /// What follows from the displacement along the mesh, from p at the nodes.
+    pub fn along(&self, pressure: &[f64], behind: bool) -> Along {
+        let discretisation = &self.discretisation;
+        let mut e = vec![0.0; discretisation.points.len()];
+        if behind || !self.filters.is_empty() {
+            discretisation.elastic.multiply_rows(0, pressure, &mut e);
+        }
+        let places = if behind { discretisation.behind() } else { 0..0 };
+        let mut found = Along {
+            retarded_slope: vec![0.0; discretisation.film_points()],
+            behind: e[places].iter().map(|e| self.elastic_weight * e).collect(),
+        };
+        for (weight, filter) in &self.filters {
+            let (slope, outlet) = filter.slope(discretisation, &e, pressure);
+            for (sum, slope) in found.retarded_slope.iter_mut().zip(slope) {
+                *sum += weight * slope;
+            }
+            if behind {
+                for (w, v) in found.behind.iter_mut().zip(filter.behind(discretisation, &e, outlet)) {
+                    *w += weight * v;
+                }
+            }
+        }
+        found
     }
 
     /// w of the load ahead of the mesh, which is so far away that all of the contact is displaced alike: it is a part of h₀

@@ -20,11 +20,13 @@ impl Matrix {
         self.values.resize(rows * columns, 0.0);
     }
 
-    /// Makes it a multiple of another one; what it holds already is used again.
-    pub fn copy_scaled(&mut self, other: &Self, factor: f64) {
-        self.rows = other.rows;
+    /// Makes it a multiple of some rows of another one; what it holds already is used again.
+    pub fn copy_scaled(&mut self, other: &Self, rows: Range<usize>, factor: f64) {
+        self.rows = rows.len();
         self.values.clear();
-        self.values.extend(other.values.iter().map(|value| factor * value));
+        for j in 0..other.columns() {
+            self.values.extend(other.column(j)[rows.clone()].iter().map(|value| factor * value));
+        }
     }
 
     /// Number of rows.
@@ -69,6 +71,17 @@ impl Matrix {
         let right = MatRef::from_column_major_slice(&right.values, right.rows, columns).subrows(rows.start, rows.len());
         let product = MatMut::from_column_major_slice_mut(&mut self.values, count, columns);
         matmul(product, Accum::Replace, left, right, 1.0, Par::Seq);
+    }
+
+    /// Adds to some columns from `first` on a factor times the product of a matrix with another, given row by row.
+    pub fn add_product(&mut self, first: usize, factor: f64, left: &Self, right: &[f64]) {
+        let (count, inner) = (self.rows, left.columns());
+        let columns = right.len() / inner;
+        let left = MatRef::from_column_major_slice(&left.values, count, inner);
+        let right = MatRef::from_row_major_slice(right, inner, columns);
+        let values = &mut self.values[first * count..(first + columns) * count];
+        let sum = MatMut::from_column_major_slice_mut(values, count, columns);
+        matmul(sum, Accum::Add, left, right, factor, Par::Seq);
     }
 
     /// The rows `from..from + product.len()` of the product with a vector.

@@ -30,9 +30,10 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
     }
     let centroid = moment / FRAC_PI_2;
     let hydrodynamic_film = (pressure_flow + shear / 3.0) / PI;
-    let hydrodynamic_cavity = cavity_friction(displacement, beta, state, cavity_shear);
+    let along = displacement.along(&state.pressure, cavity_shear != CavityShear::None);
+    let hydrodynamic_cavity = cavity_friction(displacement, beta, state, &along.behind, cavity_shear);
     let friction = Friction {
-        viscoelastic: viscoelastic_friction(displacement, &pressure, &state.pressure),
+        viscoelastic: viscoelastic_friction(weights, &pressure, &along.retarded_slope),
         hydrodynamic_film,
         hydrodynamic_cavity,
         drag: hydrodynamic_film + hydrodynamic_cavity + centroid,
@@ -76,21 +77,20 @@ fn at_points(displacement: &Displacement, nodes: &[f64]) -> Vec<f64> {
 
 /// F_v = (2/π) ∫ p w′ dx (Eq. 22). The elastic part of w′ does no work, as its kernel is odd; what is left is
 /// (2/π) Σ f_j/(1+f) ∫ p v_j′ dx with v_j′ = α_j (v_j − e) (T8).
-fn viscoelastic_friction(displacement: &Displacement, at_points: &[f64], nodes: &[f64]) -> f64 {
-    let slopes = &displacement.retarded_slope;
-    if slopes.rows() == 0 {
-        return 0.0;
-    }
-    let discretisation = &displacement.discretisation;
-    let mut slope = vec![0.0; at_points.len()];
-    slopes.multiply_rows(0, nodes, &mut slope);
-    let weights = &discretisation.weights[discretisation.film()];
-    let sum: f64 = (0..slope.len()).map(|i| weights[i] * at_points[i] * slope[i]).sum();
+fn viscoelastic_friction(weights: &[f64], pressure: &[f64], retarded_slope: &[f64]) -> f64 {
+    let sum: f64 =
+        weights.iter().zip(pressure).zip(retarded_slope).map(|((weight, p), slope)| weight * p * slope).sum();
     sum / FRAC_PI_2
 }
 
-/// F_h,cavity = ∫ θ/(3πβu) dx behind the outlet (Eq. 20), θ = 1, c/u or 0.
-fn cavity_friction(displacement: &Displacement, beta: f64, state: &State, cavity_shear: CavityShear) -> f64 {
+/// F_h,cavity = ∫ θ/(3πβu) dx behind the outlet (Eq. 20), θ = 1, c/u or 0; `displaced` is w less w(0) there.
+fn cavity_friction(
+    displacement: &Displacement,
+    beta: f64,
+    state: &State,
+    displaced: &[f64],
+    cavity_shear: CavityShear,
+) -> f64 {
     let shear = |u: f64| match cavity_shear {
         CavityShear::Full => 1.0 / u,
         CavityShear::Streamers => state.c / (u * u),
@@ -101,8 +101,6 @@ fn cavity_friction(displacement: &Displacement, beta: f64, state: &State, cavity
     }
     let discretisation = &displacement.discretisation;
     let rows = discretisation.behind();
-    let mut displaced = vec![0.0; rows.len()];
-    displacement.relative.multiply_rows(0, &state.pressure, &mut displaced);
     let (y, weights) = (&discretisation.points[rows.clone()], &discretisation.weights[rows.clone()]);
     let gap = |i: usize| state.c + state.outlet * y[i] + 0.5 * y[i] * y[i] - displaced[i];
     let inside: f64 = rows.clone().map(|i| weights[i] * shear(gap(i))).sum();

@@ -18,6 +18,8 @@ use crate::model::retarded_mode;
 pub struct RetardationFilter {
     alpha: f64,
     panels: Vec<PanelFilter>,
+    /// v(Y) − e(0) from p at the nodes.
+    ahead: Vec<f64>,
 }
 
 /// κ from which on α(v − e) is not formed as the difference that it is: its rounding error, about κ, would be above that of
@@ -115,7 +117,11 @@ impl RetardationFilter {
         let mesh = &discretisation.mesh;
         let ends = mesh.behind.windows(2).chain(mesh.film.windows(2));
         let panel = |ends: &[f64]| PanelFilter::new(&discretisation.reference, alpha, 0.5 * (ends[1] - ends[0]));
-        Self { alpha, panels: ends.map(panel).collect() }
+        let mut ahead = far_field(discretisation, alpha, mesh.reach());
+        for (v, e) in ahead.iter_mut().zip(&discretisation.elastic_at_outlet) {
+            *v -= e;
+        }
+        Self { alpha, panels: ends.map(panel).collect(), ahead }
     }
 
     /// α of the mode.
@@ -123,67 +129,106 @@ impl RetardationFilter {
         self.alpha
     }
 
-    /// v and v′ at the Gauss points, and v at the outlet, from p at the nodes, rows × nodes; 0 at the other ends. `panel` is a
-    /// buffer.
-    pub fn apply(
+    /// Adds `weight` times v − v(0) at the film's Gauss points, from p at the nodes, to a matrix of points × nodes. Leaves
+    /// v(0) − e(0) from p at the nodes in `outlet`; `panel` is a buffer.
+    pub fn add_to(
         &self,
         discretisation: &Discretisation,
-        retarded: &mut Matrix,
-        slopes: &mut Matrix,
+        weight: f64,
+        sum: &mut Matrix,
+        outlet: &mut Vec<f64>,
         panel: &mut Matrix,
     ) {
         let elastic = &discretisation.elastic;
         let degree = discretisation.reference.degree;
-        let outlet = discretisation.outlet();
-        retarded.reset(elastic.rows(), elastic.columns());
-        slopes.reset(elastic.rows(), elastic.columns());
+        let first = discretisation.film().start;
         panel.reset(degree + 1, elastic.columns());
-        let mut right = far_field(discretisation, self.alpha, discretisation.mesh.reach());
-        let last_end = discretisation.ends(self.panels.len() - 1).1;
-        let mut right_slope: Vec<f64> =
-            right.iter().enumerate().map(|(j, v)| self.alpha * (v - elastic.column(j)[last_end])).collect();
-        for (index, filter) in self.panels.iter().enumerate().rev() {
+        outlet.clear();
+        outlet.extend_from_slice(&self.ahead);
+        for (index, filter) in self.panels.iter().enumerate().skip(first / degree).rev() {
             let rows = index * degree..(index + 1) * degree;
             let ends = discretisation.ends(index);
-            // a place's share of what is handed on, of e at the Gauss points (in `panel`), and of e at the ends
-            let at = |weights: &Weights, panel: &Matrix, j: usize, i: usize, handed_on: f64| {
-                let e = elastic.column(j);
-                let [left, right] = weights.ends[i];
-                filter.decay[i] * handed_on + panel.column(j)[i] + left * e[ends.0] + right * e[ends.1]
-            };
-            panel.set_to_product(&filter.displacement.points, elastic, rows.clone());
-            for (j, right) in right.iter_mut().enumerate() {
-                let column = retarded.column_mut(j);
-                for (i, v) in column[rows.clone()].iter_mut().enumerate() {
-                    *v = at(&filter.displacement, panel, j, i, *right);
-                }
-                *right = at(&filter.displacement, panel, j, degree, *right);
-                if ends.0 == outlet {
-                    column[outlet] = *right;
-                }
-            }
-            let Some(weights) = &filter.slope else {
-                for (j, right_slope) in right_slope.iter_mut().enumerate() {
-                    let (v, e) = (&retarded.column(j)[rows.clone()], elastic.column(j));
-                    for ((slope, v), e) in slopes.column_mut(j)[rows.clone()].iter_mut().zip(v).zip(&e[rows.clone()]) {
-                        *slope = self.alpha * (v - e);
-                    }
-                    *right_slope = self.alpha * (right[j] - e[ends.0]);
-                }
-                continue;
-            };
+            let weights = &filter.displacement;
             panel.set_to_product(&weights.points, elastic, rows.clone());
-            for (j, right_slope) in right_slope.iter_mut().enumerate() {
-                for (i, slope) in slopes.column_mut(j)[rows.clone()].iter_mut().enumerate() {
-                    *slope = at(weights, panel, j, i, *right_slope);
+            for (j, handed_on) in outlet.iter_mut().enumerate() {
+                let (e, share) = (elastic.column(j), panel.column(j));
+                let (e_left, e_right) = (e[ends.0], e[ends.1]);
+                let at = |i: usize| {
+                    let [left, right] = weights.ends[i];
+                    filter.decay[i] * *handed_on + share[i] + left * e_left + right * e_right
+                };
+                let column = &mut sum.column_mut(j)[rows.start - first..rows.end - first];
+                for (i, sum) in column.iter_mut().enumerate() {
+                    *sum += weight * at(i);
                 }
-                *right_slope = at(weights, panel, j, degree, *right_slope);
+                *handed_on = at(degree);
+            }
+        }
+        for (j, outlet) in outlet.iter().enumerate() {
+            for sum in sum.column_mut(j) {
+                *sum -= weight * outlet;
             }
         }
     }
 
-    /// v at any places of one solution: `e` and `pressure` are its elastic displacement at the rows and its pressure at the
-    /// nodes.
+    /// v′ at the film's Gauss points, and v(0) − e(0), of one solution: `e` is its elastic displacement relative to the outlet at
+    /// the rows, `pressure` its pressure at the nodes.
+    pub fn slope(&self, discretisation: &Discretisation, e: &[f64], pressure: &[f64]) -> (Vec<f64>, f64) {
+        let degree = discretisation.reference.degree;
+        let first = discretisation.film().start;
+        let mut slopes = vec![0.0; discretisation.film_points()];
+        let mut v = dot(&self.ahead, pressure);
+        let mut slope = self.alpha * (v - e[discretisation.ends(self.panels.len() - 1).1]);
+        for (index, filter) in self.panels.iter().enumerate().skip(first / degree).rev() {
+            let (on_panel, ends) = discretisation.on_panel(e, index);
+            let slopes = &mut slopes[index * degree - first..(index + 1) * degree - first];
+            let at = |weights: &Weights, i: usize, handed_on: f64| {
+                filter.decay[i] * handed_on + weights.apply(i, on_panel, ends)
+            };
+            let left = at(&filter.displacement, degree, v);
+            match &filter.slope {
+                Some(weights) => {
+                    for (i, value) in slopes.iter_mut().enumerate() {
+                        *value = at(weights, i, slope);
+                    }
+                    slope = at(weights, degree, slope);
+                }
+                None => {
+                    for (i, value) in slopes.iter_mut().enumerate() {
+                        *value = self.alpha * (at(&filter.displacement, i, v) - on_panel[i]);
+                    }
+                    slope = self.alpha * (left - ends[0]);
+                }
+            }
+            v = left;
+        }
+        (slopes, v)
+    }
+
+    /// v − v(0) at the Gauss points behind the outlet; `e` as above, and `outlet` is v(0) − e(0).
+    pub fn behind(&self, discretisation: &Discretisation, e: &[f64], outlet: f64) -> Vec<f64> {
+        let degree = discretisation.reference.degree;
+        let mut values = vec![0.0; discretisation.behind().len()];
+        // constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the outlet
+        let mut relative = vec![0.0; degree];
+        let mut handed_on = 0.0;
+        for (index, values) in values.chunks_exact_mut(degree).enumerate().rev() {
+            let filter = &self.panels[index];
+            let (on_panel, ends) = discretisation.on_panel(e, index);
+            for (relative, e) in relative.iter_mut().zip(on_panel) {
+                *relative = e - outlet;
+            }
+            let ends = ends.map(|e| e - outlet);
+            let at = |i: usize| filter.decay[i] * handed_on + filter.displacement.apply(i, &relative, ends);
+            for (i, value) in values.iter_mut().enumerate() {
+                *value = at(i);
+            }
+            handed_on = at(degree);
+        }
+        values
+    }
+
+    /// v at any places of one solution; `e` and `pressure` as above.
     pub fn interpolate(
         &self,
         discretisation: &Discretisation,
@@ -193,15 +238,12 @@ impl RetardationFilter {
     ) -> Vec<f64> {
         let (mesh, reference) = (&discretisation.mesh, &discretisation.reference);
         let degree = reference.degree;
-        let on_panel = |index: usize| {
-            let (left, right) = discretisation.ends(index);
-            (&e[index * degree..(index + 1) * degree], [e[left], e[right]])
-        };
+        let e_outlet = dot(&discretisation.elastic_at_outlet, pressure);
         let mut at_right = vec![0.0; self.panels.len()];
-        let mut right = dot(&far_field(discretisation, self.alpha, mesh.reach()), pressure);
+        let mut right = dot(&self.ahead, pressure);
         for (index, filter) in self.panels.iter().enumerate().rev() {
             at_right[index] = right;
-            let (e, e_ends) = on_panel(index);
+            let (e, e_ends) = discretisation.on_panel(e, index);
             right = filter.decay[degree] * right + filter.displacement.apply(degree, e, e_ends);
         }
         let ends: Vec<f64> = mesh.behind.iter().chain(&mesh.film[1..]).copied().collect();
@@ -212,9 +254,10 @@ impl RetardationFilter {
             }
             let (panel, t) = locate(&ends, y);
             let kappa = 0.5 * self.alpha * (ends[panel + 1] - ends[panel]);
-            let (e, e_ends) = on_panel(panel);
+            let (e, e_ends) = discretisation.on_panel(e, panel);
             let [left, right] = response(reference, kappa, t, &mut weights);
-            (-kappa * (1.0 - t)).exp() * at_right[panel] + dot(&weights, e) + left * e_ends[0] + right * e_ends[1]
+            let handed_on = (-kappa * (1.0 - t)).exp() * at_right[panel];
+            e_outlet + handed_on + dot(&weights, e) + left * e_ends[0] + right * e_ends[1]
         };
         places.iter().map(at).collect()
     }
@@ -302,14 +345,22 @@ mod tests {
         discretisation.elastic.multiply_rows(0, &nodes, &mut e);
         for alpha in [1e-4, 0.05, 1.0, 7.0, 60.0, 1e4] {
             let filter = RetardationFilter::new(&discretisation, alpha);
-            let (mut retarded, mut slopes, mut buffer) = Default::default();
-            filter.apply(&discretisation, &mut retarded, &mut slopes, &mut buffer);
-            let (mut v, mut slope) = (vec![0.0; e.len()], vec![0.0; e.len()]);
-            retarded.multiply_rows(0, &nodes, &mut v);
-            slopes.multiply_rows(0, &nodes, &mut slope);
-            for row in discretisation.film() {
+            let film = discretisation.film();
+            let (slope, outlet) = filter.slope(&discretisation, &e, &nodes);
+            let v_outlet = outlet + dot(&discretisation.elastic_at_outlet, &nodes);
+            // as a matrix, less twice the elastic part
+            let (mut matrix, mut outlets, mut buffer) = (Matrix::default(), Vec::new(), Matrix::default());
+            matrix.copy_scaled(&discretisation.elastic, film.clone(), -2.0);
+            filter.add_to(&discretisation, 3.0, &mut matrix, &mut outlets, &mut buffer);
+            assert!((dot(&outlets, &nodes) - outlet).abs() < 1e-13);
+            let mut product = vec![0.0; film.len()];
+            matrix.multiply_rows(0, &nodes, &mut product);
+            let mut v = filter.behind(&discretisation, &e, outlet);
+            v.extend(film.clone().zip(&product).map(|(row, product)| (product + 2.0 * e[row]) / 3.0));
+            v.push(0.0);
+            for row in film {
                 // v′ = α(v − e) (T8), up to what that difference loses
-                let difference = (slope[row] - alpha * (v[row] - e[row])).abs();
+                let difference = (slope[row - discretisation.film().start] - alpha * (v[row] + outlet - e[row])).abs();
                 assert!(difference < 1e-10 + 1e-15 * alpha, "α {alpha}, row {row}: {difference:e}");
             }
             let rows = discretisation.film().step_by(11).chain(discretisation.behind().step_by(7));
@@ -318,7 +369,7 @@ mod tests {
                 let exact = by_kernel(&discretisation, &nodes, alpha, y);
                 // panels behind the contact grow with the distance, as the gap does that v is a part of
                 let bound = if y < 0.0 { 1e-9 * (1.0 + y * y) } else { 1e-10 };
-                assert!((v[row] - exact).abs() < bound, "α {alpha}, y {y}: {} {exact}", v[row]);
+                assert!((v[row] + v_outlet - exact).abs() < bound, "α {alpha}, y {y}: {} {exact}", v[row]);
             }
             let places = [-300.0, -0.33, 0.017, 0.9, 2.0, 77.0];
             let interpolated = filter.interpolate(&discretisation, &e, &nodes, &places);

@@ -356,7 +356,7 @@ impl CollocationSolver {
         Ok(complete(workspace, beta, state, solution, output, work))
     }
 
-    /// The matrix of Newton's method at a solution: rows relative to u, to 1 and to c, columns p at the nodes, c, h₀′ and x_out.
+    /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as columns.
     pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
         workspace.enter(parameters);
         workspace.prepare_coarse(&state.mesh, &mut Effort::default());

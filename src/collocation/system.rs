@@ -74,10 +74,10 @@ impl System {
     /// Residuals of a state; the right side is left in `right_side`.
     pub fn linearise(&mut self, displacement: &Displacement, beta: f64, state: &State) {
         let discretisation = &displacement.discretisation;
-        let (points, film_rows) = (discretisation.film_points(), discretisation.film());
+        let points = discretisation.film_points();
         pressure_gradient(displacement, &state.pressure, &mut self.gradient);
         self.displacement.resize(points, 0.0);
-        displacement.relative.multiply_rows(film_rows.start, &state.pressure, &mut self.displacement);
+        displacement.relative.multiply_rows(0, &state.pressure, &mut self.displacement);
 
         self.film_residual.clear();
         let y = discretisation.film_y();
@@ -111,13 +111,12 @@ impl System {
         let discretisation = &displacement.discretisation;
         let reference = &discretisation.reference;
         let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
-        let first = discretisation.film().start;
         matrix.reset(points + 1, points + 1);
         let inlet = self.inlet.as_ref().expect("linearised before");
         for node in 1..=points {
             // the last node is not an unknown of its own: its column counts with dp(Y)/dx_out
             let last = node == points;
-            let displaced = &displacement.relative.column(node)[first..first + points];
+            let displaced = displacement.relative.column(node);
             let column = matrix.column_mut(if last { points } else { node - 1 });
             let factor = if last { inlet.gradient } else { 1.0 };
             for ((entry, a), w) in column.iter_mut().zip(&self.stiffness).zip(displaced) {
@@ -158,9 +157,8 @@ impl System {
         let discretisation = &displacement.discretisation;
         let reference = &discretisation.reference;
         let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
-        let first = discretisation.film().start;
         let change = self.end_correction;
-        let displaced = &displacement.relative.column(points)[first..first + points];
+        let displaced = displacement.relative.column(points);
         for ((value, a), w) in self.right_side.iter_mut().zip(&self.stiffness).zip(displaced) {
             *value += change * a * w;
         }
@@ -185,8 +183,7 @@ impl System {
         self.step_pressure.extend_from_slice(&solution[..points - 1]);
         self.step_pressure.push(self.end_correction + inlet.gradient * outlet);
         self.step_displacement.resize(points, 0.0);
-        let first = discretisation.film().start;
-        displacement.relative.multiply_rows(first, &self.step_pressure, &mut self.step_displacement);
+        displacement.relative.multiply_rows(0, &self.step_pressure, &mut self.step_displacement);
         self.step_film.clear();
         let y = discretisation.film_y();
         self.step_film

@@ -143,9 +143,8 @@ fn stability_table(study: &Study, rows: &[Row]) -> String {
         let [condition, worst_condition] = spread(rows.clone().filter_map(|row| stable(row)?.condition));
         let [_, estimated] = spread(rows.clone().filter_map(|row| stable(row)?.estimated_error));
         let [_, error] = spread(rows.clone().filter_map(|row| Some(row.errors?.largest())));
-        let other_failed = |row: &&Row| {
-            row.failure.is_none() && stable(row).is_some_and(|found| found.other_failure.is_some())
-        };
+        let other_failed =
+            |row: &&Row| row.failure.is_none() && stable(row).is_some_and(|found| found.other_failure.is_some());
         let failed = rows.clone().filter(other_failed).count();
         let disagree = rows.clone().filter(|row| stable(row).is_some_and(|found| found.seeds_agree == Some(false)));
         let disagree = disagree.count();

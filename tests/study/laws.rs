@@ -103,7 +103,11 @@ fn solutions_are_examined_from_the_inside() {
         assert!(found.load_residual.expect("solved") < 1e-7);
         // seeds are what they say they are: from the neighbour only the second time
         assert_ne!(row.seed, "neighbour");
-        assert!(found.other_seed == "neighbour" || found.other_seed.starts_with("intermediate"), "{}", found.other_seed);
+        assert!(
+            found.other_seed == "neighbour" || found.other_seed.starts_with("intermediate"),
+            "{}",
+            found.other_seed
+        );
         // the estimate is near the error
         let ratio = found.estimated_error.expect("there is one") / row.errors.expect("solved").largest();
         assert!((0.1..30.0).contains(&ratio), "{ratio}");

@@ -2,9 +2,9 @@
 
 mod files;
 mod laws;
-mod published;
 #[path = "../program/mod.rs"]
 mod program;
+mod published;
 
 use std::num::NonZeroUsize;
 

@@ -83,7 +83,8 @@ fn failures_are_shown_as_failures() {
     assert_eq!(code(&output), 3, "{}", err(&output));
     assert!(out(&output).contains("1 converged, 1 failed"), "{}", out(&output));
     let results = directory.path().join("there");
-    let failed: Vec<_> = table(&results.join("study.csv")).into_iter().filter(|row| row["status"] == "failed").collect();
+    let failed: Vec<_> =
+        table(&results.join("study.csv")).into_iter().filter(|row| row["status"] == "failed").collect();
     assert_eq!(failed.len(), 1);
     assert!(!failed[0]["reason"].is_empty() && failed[0]["error_c"].is_empty() && !failed[0]["seconds"].is_empty());
     let text = fs::read_to_string(results.join("study.md")).expect("written");
@@ -145,7 +146,9 @@ fn an_interrupted_study_keeps_what_is_finished() {
     let rest: Vec<String> = lines.map_while(Result::ok).collect();
     assert_eq!(child.wait().expect("ended").code(), Some(130), "{rest:?}");
     assert!(rest.iter().any(|line| line.contains("interrupted by SIGINT") && line.contains("of 6 rows")), "{rest:?}");
-    assert!(fs::read_to_string(directory.path().join("results/long/study.csv")).expect("written").starts_with("case,f,"));
+    assert!(
+        fs::read_to_string(directory.path().join("results/long/study.csv")).expect("written").starts_with("case,f,")
+    );
 }
 
 /// A table reads back what was found, to the last bit.
