@@ -33,9 +33,13 @@ const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 /// on cases that were not fitted (`cargo run --release --example film_formula`). The limits hold everywhere:
 /// 1/(πβ) for β → 0, the elastic film for α → 0 (with the instantaneous modulus) and α → ∞, and for β → ∞ the power −3/5 with the
 /// exact factor at any α and f.
+///
+/// # Panics
+/// If β is not a positive finite number, α or f negative or not a number, or f infinite.
 pub fn fitted_c(parameters: &Parameters) -> Option<f64> {
     let &[mode] = parameters.substrate.modes() else { return None };
     let Parameters { beta, f, .. } = *parameters;
+    assert!(beta > 0.0 && beta.is_finite(), "beta must be a positive number, not {beta}");
     let alpha = parameters.alpha / mode.time;
     let contact = DryContact::new(alpha, f);
     // an elastic contact answers with the modulus that makes its width
