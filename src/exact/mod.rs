@@ -5,6 +5,7 @@
 //! | β → ∞ | dry sliding, closed form for one retardation time | [`DryContact`] |
 //! | β → ∞, elastic | Hertz | [`HertzContact`] |
 //! | β large | film and shear on top of dry sliding; an approximation | [`LargeBeta`] |
+//! | any β | c from a formula fitted to solutions, no limit | [`fitted_c`] |
 //! | β → 0 | a rigid cylinder on a rigid plane | [`RigidFilm`] |
 
 mod bessel_ratio;
@@ -13,6 +14,7 @@ mod carried_shear;
 mod dry;
 mod dry_gradient;
 mod dry_pressure;
+mod film_formula;
 mod hertz;
 mod large_beta;
 mod limits;
@@ -23,6 +25,7 @@ mod root;
 
 pub use bounds::contact_bounds;
 pub use dry::DryContact;
+pub use film_formula::fitted_c;
 pub use hertz::HertzContact;
 pub use large_beta::{LargeBeta, approx_elastic_c, approx_elastic_film};
 pub use limits::{ChainLimits, limits};

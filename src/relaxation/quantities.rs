@@ -169,6 +169,9 @@ fn cavity_friction(state: &Iteration, outlet: &Outlet, c: f64, cavity_shear: Cav
         CavityShear::Streamers => c / (u * u),
         CavityShear::None => 0.0,
     };
+    if cavity_shear == CavityShear::None {
+        return 0.0;
+    }
     let (grid, u) = (&state.shared.grid, &state.u);
     let (dx, behind) = (grid.spacing(), outlet.ahead - 1);
     let part = outlet.x - grid.x(behind);

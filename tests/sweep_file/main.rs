@@ -232,7 +232,7 @@ fn the_shipped_sweeps_are_valid() {
         names.push(sweep.name);
     }
     names.sort();
-    assert_eq!(names, ["hundred-thousand", "quick", "surface", "two-modes"]);
+    assert_eq!(names, ["film", "hundred-thousand", "quick", "surface", "two-modes"]);
 }
 
 #[test]
