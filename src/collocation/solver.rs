@@ -41,6 +41,9 @@ const CLOSE: f64 = 0.45;
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = 160;
+/// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
+/// thousand times at a steep inlet.
+const THINNEST: f64 = 1e-11;
 /// Least pressure over the largest; below it the film would carry tension.
 const TENSION: f64 = -1e-6;
 /// The same for a solution that is only good enough to go on from.
@@ -81,6 +84,13 @@ impl CollocationSolver {
         let (corrector, displacement) = workspace.coarse.parts();
         corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
         state.error = None;
+        if state.c < THINNEST {
+            let c = state.c;
+            let reason = format!(
+                "the film carries a flow of c = {c:.1e}; below {THINNEST:e} it is lost in the rounding errors of double precision"
+            );
+            return Err(Halt::Failed(Failure { reason, conclusive: true }));
+        }
         Ok(())
     }
 

@@ -16,7 +16,7 @@ use crate::model::{Failure, Limits, Output, Parameters};
 /// A ladder of seeds is tried: the predictor from the last two solved cases; a walk from the last one, whose first step is
 /// the whole way; from each of the solver's origins, its start there and a walk to the case. The first case has the origins
 /// alone. So every number is a function of the chain, and of nothing that happens elsewhere. A conclusive failure ends the
-/// search.
+/// search. Cases that are not [computable](Parameters::computable) fail without a try.
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last case is done; what was solved of the chain is dropped.
@@ -26,34 +26,28 @@ pub fn solve_chain<S: CaseSolver>(
     output: &Output,
     interrupt: &Interrupt,
 ) -> Result<Vec<SolvedCase>, Interrupted> {
-    let Some(first) = cases.first() else { return Ok(Vec::new()) };
-    let start = Instant::now();
-    let mut chain = solver.prepare(first, output).map(|workspace| Chain {
-        solver,
-        workspace,
-        control: solver.step_control(),
-        solved: Vec::with_capacity(2),
-        output,
-        interrupt,
-    });
-    let mut preparation = start.elapsed().as_secs_f64();
+    let mut chain: Option<Result<Chain<S>, Failure>> = None;
     let mut chain_limits = ChainLimits::default();
     let mut results = Vec::with_capacity(cases.len());
     for parameters in cases {
         let start = Instant::now();
-        let limits = if output.limits { chain_limits.of(parameters) } else { Limits::UNKNOWN };
-        let mut result = match &mut chain {
+        let computable = parameters.computable();
+        let wanted = output.limits && computable.is_ok();
+        let limits = if wanted { chain_limits.of(parameters) } else { Limits::UNKNOWN };
+        // the first case pays for what the chain shares
+        let begin = || Chain::begin(solver, parameters, output, interrupt);
+        let begun = computable.and_then(|()| chain.get_or_insert_with(begin).as_mut().map_err(|why| why.clone()));
+        let mut result = match begun {
             Ok(chain) => chain.solve(parameters, limits)?,
             Err(failure) => SolvedCase {
-                outcome: Err(failure.clone()),
+                outcome: Err(failure),
                 limits,
                 seed: Seed::None,
                 path: Path::default(),
                 effort: Effort::default(),
             },
         };
-        // the first case pays for what the chain shares
-        result.effort.seconds = start.elapsed().as_secs_f64() + std::mem::take(&mut preparation);
+        result.effort.seconds = start.elapsed().as_secs_f64();
         results.push(result);
     }
     Ok(results)
@@ -77,7 +71,13 @@ enum Rung {
     Origin(Parameters),
 }
 
-impl<S: CaseSolver> Chain<'_, S> {
+impl<'a, S: CaseSolver> Chain<'a, S> {
+    /// A chain without any solution yet, ready for a case.
+    fn begin(solver: &'a S, first: &Parameters, output: &'a Output, interrupt: &'a Interrupt) -> Result<Self, Failure> {
+        let workspace = solver.prepare(first, output)?;
+        Ok(Self { solver, workspace, control: solver.step_control(), solved: Vec::with_capacity(2), output, interrupt })
+    }
+
     /// Tries one rung after the other.
     fn solve(&mut self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
         let solver = self.solver;

@@ -228,7 +228,22 @@ fn the_shipped_sweeps_are_valid() {
         names.push(sweep.name);
     }
     names.sort();
-    assert_eq!(names, ["hundred-thousand", "quick", "surface", "two-modes"]);
+    assert_eq!(
+        names,
+        [
+            "extreme-alpha",
+            "extreme-beta",
+            "extreme-f",
+            "extreme-stiffness",
+            "hundred-thousand",
+            "paper-range",
+            "quick",
+            "six-decades",
+            "surface",
+            "tight-tolerance",
+            "two-modes"
+        ]
+    );
 }
 
 #[test]
