@@ -37,6 +37,8 @@ const AIM: f64 = 0.15;
 /// The next case gets a new mesh if the error over the tolerance was outside of these.
 const IDLE: f64 = 0.001;
 const CLOSE: f64 = 0.45;
+/// So does one whose mesh would reach less than this part of what it should: no estimate sees what lies beyond a mesh.
+const SHORT: f64 = 0.8;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
@@ -208,13 +210,18 @@ impl CaseSolver for CollocationSolver {
             let back = if back.mesh.film == near.mesh.film { back } else { back.on(&self.coarse, &near.mesh) };
             guess.add_difference(secant(far_parameters, near_parameters, parameters), near, &back);
         }
+        let reach = to.reach(self.settings.tolerance);
         match near.error {
             Some(error) if !(IDLE..=CLOSE).contains(&error) => {
                 let panels = Panels::Number(self.panels(near.mesh.panels(), error));
-                self.remeshed(parameters, &guess, panels, to.reach(self.settings.tolerance))
+                self.remeshed(parameters, &guess, panels, reach)
             }
-            None => self.remeshed(parameters, &guess, Panels::Indicator(SMOOTH), to.reach(self.settings.tolerance)),
+            Some(_) if guess.mesh.reach() < SHORT * reach => {
+                let panels = Panels::Number(near.mesh.panels());
+                self.remeshed(parameters, &guess, panels, reach)
+            }
             Some(_) => guess,
+            None => self.remeshed(parameters, &guess, Panels::Indicator(SMOOTH), reach),
         }
     }
 
