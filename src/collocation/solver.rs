@@ -46,6 +46,9 @@ const MOST_PANELS: usize = 160;
 /// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
 /// thousand times at a steep inlet.
 const THINNEST: f64 = 1e-11;
+/// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be trusted,
+/// for they may happen to be alike on two meshes.
+const ROUNDING: f64 = 5e-17;
 /// Least pressure over the largest; below it the film would carry tension.
 const TENSION: f64 = -1e-6;
 /// The same for a solution that is only good enough to go on from.
@@ -258,6 +261,15 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<Solution, Halt> {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        let rounding = ROUNDING / state.c;
+        if rounding > ACCEPTED * self.settings.tolerance {
+            let (c, tolerance) = (state.c, self.settings.tolerance);
+            let reason = format!(
+                "a flow of c = {c:.1e} is known to {rounding:.0e} of itself in double precision, not to the tolerance {tolerance:e}; \
+                 ask for a larger tolerance"
+            );
+            return Err(Halt::Failed(Failure { reason, conclusive: true }));
+        }
         let (mut least, mut vain) = (f64::INFINITY, 0);
         loop {
             let (judgement, solution) = self.judge(workspace, beta, state, output, work);
