@@ -41,10 +41,18 @@ const AIM: f64 = 0.15;
 /// The next case gets a new mesh if the error over the tolerance was outside of these.
 const IDLE: f64 = 0.001;
 const CLOSE: f64 = 0.45;
+/// So does one whose mesh would reach less than this part of what it should: no estimate sees what lies beyond a mesh.
+const SHORT: f64 = 0.8;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = *Settings::PANELS.end();
+/// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
+/// thousand times at a steep inlet.
+const THINNEST: f64 = 1e-11;
+/// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be trusted,
+/// for they may happen to be alike on two meshes.
+const ROUNDING: f64 = 5e-17;
 /// Least pressure over the largest; below it the film would carry tension.
 const TENSION: f64 = -1e-6;
 /// The same for a solution that is only good enough to go on from.
@@ -98,6 +106,13 @@ impl CollocationSolver {
         let (corrector, displacement) = workspace.coarse.parts();
         corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
         state.error = None;
+        if state.c < THINNEST {
+            let c = state.c;
+            let reason = format!(
+                "the film carries a flow of c = {c:.1e}; below {THINNEST:e} it is lost in the rounding errors of double precision"
+            );
+            return Err(Halt::Failed(Failure { reason, conclusive: true }));
+        }
         Ok(())
     }
 
@@ -215,13 +230,18 @@ impl CaseSolver for CollocationSolver {
             let back = if back.mesh.film == near.mesh.film { back } else { back.on(&self.coarse, &near.mesh) };
             guess.add_difference(secant(far_parameters, near_parameters, parameters), near, &back);
         }
+        let reach = to.reach(self.settings.tolerance);
         match near.error {
             Some(error) if !(IDLE..=CLOSE).contains(&error) => {
                 let panels = Panels::Number(self.panels(near.mesh.panels(), error));
-                self.remeshed(parameters, &guess, panels, to.reach(self.settings.tolerance))
+                self.remeshed(parameters, &guess, panels, reach)
             }
-            None => self.remeshed(parameters, &guess, Panels::Indicator(SMOOTH), to.reach(self.settings.tolerance)),
+            Some(_) if guess.mesh.reach() < SHORT * reach => {
+                let panels = Panels::Number(near.mesh.panels());
+                self.remeshed(parameters, &guess, panels, reach)
+            }
             Some(_) => guess,
+            None => self.remeshed(parameters, &guess, Panels::Indicator(SMOOTH), reach),
         }
     }
 
@@ -260,6 +280,15 @@ impl CaseSolver for CollocationSolver {
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
         if let Some(panels) = self.panels {
             return self.evaluate_on(panels, workspace, parameters, state, output, work);
+        }
+        let rounding = ROUNDING / state.c;
+        if rounding > ACCEPTED * self.settings.tolerance {
+            let (c, tolerance) = (state.c, self.settings.tolerance);
+            let reason = format!(
+                "a flow of c = {c:.1e} is known to {rounding:.0e} of itself in double precision, not to the tolerance {tolerance:e}; \
+                 ask for a larger tolerance"
+            );
+            return Err(Halt::Failed(Failure { reason, conclusive: true }));
         }
         let (mut least, mut vain) = (f64::INFINITY, 0);
         loop {

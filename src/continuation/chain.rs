@@ -16,7 +16,7 @@ use crate::model::{Failure, Limits, Output, Parameters};
 /// A ladder of seeds is tried: the predictor from the last two solved cases; a walk from the last one, whose first step is
 /// the whole way; from each of the solver's origins, its start there and a walk to the case. The first case has the origins
 /// alone. So every number is a function of the chain, and of nothing that happens elsewhere. A conclusive failure ends the
-/// search.
+/// search. Cases that are not [computable](Parameters::computable) fail without a try.
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last case is done; what was solved of the chain is dropped.
@@ -26,17 +26,15 @@ pub fn solve_chain<S: CaseSolver>(
     output: &Output,
     interrupt: &Interrupt,
 ) -> Result<Vec<SolvedCase>, Interrupted> {
-    let Some(first) = cases.first() else { return Ok(Vec::new()) };
-    let mut chain = Chain::new(solver, first, output, interrupt);
+    let mut chain = Chain::new(solver, output, interrupt);
     cases.iter().map(|parameters| chain.solve(parameters)).collect()
 }
 
 /// A chain at work, case by case; [`solve_chain`] says how.
 pub struct Chain<'a, S: CaseSolver> {
     solver: &'a S,
-    workspace: Result<S::Workspace, Failure>,
-    /// Seconds that the workspace took, for the first case to pay.
-    preparation: f64,
+    /// What the cases share, once the first one is there.
+    workspace: Option<Result<S::Workspace, Failure>>,
     limits: ChainLimits,
     solved: Solved<S>,
     output: &'a Output,
@@ -47,44 +45,46 @@ pub struct Chain<'a, S: CaseSolver> {
 type Solved<S> = Vec<(Parameters, <S as CaseSolver>::State)>;
 
 impl<'a, S: CaseSolver> Chain<'a, S> {
-    /// A chain that will begin with a case.
-    pub fn new(solver: &'a S, first: &Parameters, output: &'a Output, interrupt: &'a Interrupt) -> Self {
-        let start = Instant::now();
-        let workspace = solver.prepare(first, output);
-        let preparation = start.elapsed().as_secs_f64();
+    /// A chain without any case yet.
+    pub fn new(solver: &'a S, output: &'a Output, interrupt: &'a Interrupt) -> Self {
         let (limits, solved) = (ChainLimits::default(), Vec::with_capacity(2));
-        Self { solver, workspace, preparation, limits, solved, output, interrupt }
+        Self { solver, workspace: None, limits, solved, output, interrupt }
     }
 
-    /// Solves the next case.
+    /// Solves the next case. The first one pays for what the chain shares.
     ///
     /// # Errors
     /// [`Interrupted`] if the user asks to stop before it is done.
     pub fn solve(&mut self, parameters: &Parameters) -> Result<SolvedCase, Interrupted> {
         let start = Instant::now();
-        let limits = if self.output.limits { self.limits.of(parameters) } else { Limits::UNKNOWN };
-        let mut result = match &mut self.workspace {
+        let Self { solver, workspace, solved, output, interrupt, .. } = self;
+        let computable = parameters.computable();
+        let wanted = output.limits && computable.is_ok();
+        let limits = if wanted { self.limits.of(parameters) } else { Limits::UNKNOWN };
+        let prepare = || solver.prepare(parameters, output);
+        let prepared =
+            computable.and_then(|()| workspace.get_or_insert_with(prepare).as_mut().map_err(|why| why.clone()));
+        let mut result = match prepared {
             Ok(workspace) => {
-                let Self { solver, solved, output, interrupt, .. } = self;
-                Ladder { solver: *solver, workspace, control: solver.step_control(), solved, output, interrupt }
-                    .climb(parameters, limits)?
+                let control = solver.step_control();
+                Ladder { solver: *solver, workspace, control, solved, output, interrupt }.climb(parameters, limits)?
             }
             Err(failure) => SolvedCase {
-                outcome: Err(failure.clone()),
+                outcome: Err(failure),
                 limits,
                 seed: Seed::None,
                 path: Path::default(),
                 effort: Effort::default(),
             },
         };
-        result.effort.seconds = start.elapsed().as_secs_f64() + std::mem::take(&mut self.preparation);
+        result.effort.seconds = start.elapsed().as_secs_f64();
         Ok(result)
     }
 
     /// The last case that was solved, in the solver's own unknowns, and the workspace; `None` before the first.
     pub fn last(&mut self) -> Option<(&mut S::Workspace, &Parameters, &S::State)> {
         let (parameters, state) = self.solved.last()?;
-        let workspace = self.workspace.as_mut().ok()?;
+        let workspace = self.workspace.as_mut()?.as_mut().ok()?;
         Some((workspace, parameters, state))
     }
 }

@@ -1,6 +1,9 @@
 //! What defines a case: α, β, f and the retardation modes of the substrate.
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
+
+use super::Failure;
 
 /// One retardation time of the substrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,6 +130,36 @@ impl Parameters {
         }
         let modes = self.substrate.modes().iter();
         modes.map(|mode| Retardation { strength: mode.share * self.f, rate: self.alpha / mode.time }).collect()
+    }
+
+    /// Magnitudes that products of parameters, lengths and films can be formed of without leaving the range of double
+    /// precision. It has no physical meaning: solvers give up long before.
+    pub const MAGNITUDES: RangeInclusive<f64> = 1e-50..=1e50;
+
+    /// Tells why a case is none that numbers of double precision can be computed of: β, or α of a mode (0 and ∞ apart), or f
+    /// is beyond [`MAGNITUDES`](Self::MAGNITUDES), or none of the numbers it may be. f may be as small as it likes.
+    ///
+    /// # Errors
+    /// A conclusive [`Failure`], the same for every solver.
+    pub fn computable(&self) -> Result<(), Failure> {
+        let (least, most) = (Self::MAGNITUDES.start(), Self::MAGNITUDES.end());
+        let refuse = |what: &str, value: f64, allowed: &str| {
+            let reason =
+                format!("{what} = {value:e} is beyond what double precision can be used with: it must be {allowed}");
+            Err(Failure { reason, conclusive: true })
+        };
+        if !Self::MAGNITUDES.contains(&self.beta) {
+            return refuse("beta", self.beta, &format!("between {least:e} and {most:e}"));
+        }
+        if !(0.0..=*most).contains(&self.f) {
+            return refuse("f", self.f, &format!("between 0 and {most:e}"));
+        }
+        let limit = self.alpha == 0.0 || self.alpha == f64::INFINITY;
+        let rates = self.substrate.modes().iter().map(|mode| self.alpha / mode.time);
+        match rates.into_iter().find(|rate| !limit && !Self::MAGNITUDES.contains(rate)) {
+            Some(rate) => refuse("alpha of a mode", rate, &format!("0, inf, or between {least:e} and {most:e}")),
+            None => Ok(()),
+        }
     }
 
     /// Compliance at once over relaxed compliance, E∞/E₀ = 1/(1 + f).

@@ -128,8 +128,7 @@ impl<S: Examine> Subject for S {
         interrupt: &Interrupt,
         look: &mut dyn FnMut(Option<Examination>),
     ) -> Result<Vec<SolvedCase>, Interrupted> {
-        let Some(first) = cases.first() else { return Ok(Vec::new()) };
-        let mut chain = Chain::new(self, first, output, interrupt);
+        let mut chain = Chain::new(self, output, interrupt);
         let solve = |case| {
             let solved = chain.solve(case)?;
             let last = if solved.outcome.is_ok() { chain.last() } else { None };

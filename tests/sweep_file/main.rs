@@ -232,7 +232,23 @@ fn the_shipped_sweeps_are_valid() {
         names.push(sweep.name);
     }
     names.sort();
-    assert_eq!(names, ["film", "hundred-thousand", "quick", "surface", "two-modes"]);
+    assert_eq!(
+        names,
+        [
+            "extreme-alpha",
+            "extreme-beta",
+            "extreme-f",
+            "extreme-stiffness",
+            "film",
+            "hundred-thousand",
+            "paper-range",
+            "quick",
+            "six-decades",
+            "surface",
+            "tight-tolerance",
+            "two-modes"
+        ]
+    );
 }
 
 #[test]

@@ -1,0 +1,9 @@
+//! Laws of stiff and extreme cases: a right answer, or a reason why there is none.
+
+mod cases;
+mod limits;
+mod magnitudes;
+#[path = "../collocation/measure.rs"]
+mod measure;
+mod random;
+mod sets;
