@@ -3,6 +3,7 @@
 mod cases;
 mod limits;
 mod magnitudes;
+#[allow(dead_code, reason = "shared with other tests, which need the rest of it")]
 #[path = "../collocation/measure.rs"]
 mod measure;
 mod random;
