@@ -80,7 +80,8 @@ fn solutions_of_the_shipped_sets_are_right() {
         for Verdict { case, error, .. } in &compared {
             assert!(error.is_none_or(|error| error <= 2.0), "{name}, {case:?}: {error:?} times the tolerance");
         }
+        let solved = compared.iter().filter(|verdict| verdict.solved.outcome.is_ok()).count();
         let known = compared.iter().filter(|verdict| verdict.error.is_some()).count();
-        assert!(known >= compared.len() - compared.len() / 20, "{name}: only {known} of {}", compared.len());
+        assert!(known >= solved - solved / 20, "{name}: only {known} of {solved}");
     }
 }
