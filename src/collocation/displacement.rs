@@ -22,9 +22,8 @@ pub struct Displacement {
     pub relative: Matrix,
     /// w(0), at the outlet, from p at the nodes.
     outlet: Vec<f64>,
-    /// Buffers.
+    /// Buffer.
     retarded_outlet: Vec<f64>,
-    panel: Matrix,
     /// f_j/(1+f) of each mode, with its filter.
     filters: Vec<(f64, RetardationFilter)>,
     elastic_weight: f64,
@@ -46,7 +45,6 @@ impl Displacement {
             relative: Matrix::default(),
             outlet: Vec::new(),
             retarded_outlet: Vec::new(),
-            panel: Matrix::default(),
             filters: Vec::new(),
             elastic_weight: 1.0,
         }
@@ -60,7 +58,7 @@ impl Displacement {
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, relative, outlet, retarded_outlet, panel, filters, elastic_weight } = self;
+        let Self { discretisation, relative, outlet, retarded_outlet, filters, elastic_weight } = self;
         *elastic_weight = kernel.singular_weight();
         filters.clear();
         relative.copy_scaled(&discretisation.elastic, discretisation.film(), *elastic_weight);
@@ -68,7 +66,7 @@ impl Displacement {
         outlet.extend(discretisation.elastic_at_outlet.iter().map(|e| *elastic_weight * e));
         for &(weight, alpha) in kernel.retarded() {
             let filter = RetardationFilter::new(discretisation, alpha);
-            filter.add_to(discretisation, weight, relative, retarded_outlet, panel);
+            filter.add_to(discretisation, weight, relative, retarded_outlet);
             for ((w, e), difference) in outlet.iter_mut().zip(&discretisation.elastic_at_outlet).zip(&*retarded_outlet)
             {
                 *w += weight * (e + difference);

@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+use faer::{Mat, MatRef};
 
 /// A dense matrix, stored column by column as the factorisation wants it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,24 +63,31 @@ impl Matrix {
         MatRef::from_column_major_slice(&self.values, self.rows, self.columns()).to_owned()
     }
 
-    /// Makes it the product of a matrix, given row by row, with some rows of another.
-    pub fn set_to_product(&mut self, left: &[f64], right: &Self, rows: Range<usize>) {
-        let (count, columns) = (self.rows, self.columns());
-        let left = MatRef::from_row_major_slice(left, count, rows.len());
-        let right = MatRef::from_column_major_slice(&right.values, right.rows, columns).subrows(rows.start, rows.len());
-        let product = MatMut::from_column_major_slice_mut(&mut self.values, count, columns);
-        matmul(product, Accum::Replace, left, right, 1.0, Par::Seq);
-    }
-
-    /// Adds to some columns from `first` on a factor times the product of a matrix with another, given row by row.
+    /// Adds to the columns from `first` on a factor times the product of a matrix with another, given row by row, which is so
+    /// small that a general routine would cost more.
     pub fn add_product(&mut self, first: usize, factor: f64, left: &Self, right: &[f64]) {
         let (count, inner) = (self.rows, left.columns());
         let columns = right.len() / inner;
-        let left = MatRef::from_column_major_slice(&left.values, count, inner);
-        let right = MatRef::from_row_major_slice(right, inner, columns);
-        let values = &mut self.values[first * count..(first + columns) * count];
-        let sum = MatMut::from_column_major_slice_mut(values, count, columns);
-        matmul(sum, Accum::Add, left, right, factor, Par::Seq);
+        for j in 0..columns {
+            let sum = &mut self.values[(first + j) * count..(first + j + 1) * count];
+            let factors = |k: usize| factor * right[k * columns + j];
+            // three columns at a time, so that the sum is not read and written for each
+            let mut k = 0;
+            while k + 3 <= inner {
+                let (a, b, c) = (factors(k), factors(k + 1), factors(k + 2));
+                let columns = left.column(k).iter().zip(left.column(k + 1)).zip(left.column(k + 2));
+                for (sum, ((x, y), z)) in sum.iter_mut().zip(columns) {
+                    *sum += a * x + b * y + c * z;
+                }
+                k += 3;
+            }
+            for k in k..inner {
+                let a = factors(k);
+                for (sum, x) in sum.iter_mut().zip(left.column(k)) {
+                    *sum += a * x;
+                }
+            }
+        }
     }
 
     /// The rows `from..from + product.len()` of the product with a vector.

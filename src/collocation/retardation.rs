@@ -130,33 +130,21 @@ impl RetardationFilter {
     }
 
     /// Adds `weight` times v − v(0) at the film's Gauss points, from p at the nodes, to a matrix of points × nodes. Leaves
-    /// v(0) − e(0) from p at the nodes in `outlet`; `panel` is a buffer.
-    pub fn add_to(
-        &self,
-        discretisation: &Discretisation,
-        weight: f64,
-        sum: &mut Matrix,
-        outlet: &mut Vec<f64>,
-        panel: &mut Matrix,
-    ) {
+    /// v(0) − e(0) from p at the nodes in `outlet`.
+    pub fn add_to(&self, discretisation: &Discretisation, weight: f64, sum: &mut Matrix, outlet: &mut Vec<f64>) {
         let elastic = &discretisation.elastic;
         let degree = discretisation.reference.degree;
         let first = discretisation.film().start;
-        panel.reset(degree + 1, elastic.columns());
         outlet.clear();
         outlet.extend_from_slice(&self.ahead);
         for (index, filter) in self.panels.iter().enumerate().skip(first / degree).rev() {
             let rows = index * degree..(index + 1) * degree;
             let ends = discretisation.ends(index);
             let weights = &filter.displacement;
-            panel.set_to_product(&weights.points, elastic, rows.clone());
             for (j, handed_on) in outlet.iter_mut().enumerate() {
-                let (e, share) = (elastic.column(j), panel.column(j));
-                let (e_left, e_right) = (e[ends.0], e[ends.1]);
-                let at = |i: usize| {
-                    let [left, right] = weights.ends[i];
-                    filter.decay[i] * *handed_on + share[i] + left * e_left + right * e_right
-                };
+                let e = elastic.column(j);
+                let (on_panel, ends) = (&e[rows.clone()], [e[ends.0], e[ends.1]]);
+                let at = |i: usize| filter.decay[i] * *handed_on + weights.apply(i, on_panel, ends);
                 let column = &mut sum.column_mut(j)[rows.start - first..rows.end - first];
                 for (i, sum) in column.iter_mut().enumerate() {
                     *sum += weight * at(i);
@@ -349,9 +337,9 @@ mod tests {
             let (slope, outlet) = filter.slope(&discretisation, &e, &nodes);
             let v_outlet = outlet + dot(&discretisation.elastic_at_outlet, &nodes);
             // as a matrix, less twice the elastic part
-            let (mut matrix, mut outlets, mut buffer) = (Matrix::default(), Vec::new(), Matrix::default());
+            let (mut matrix, mut outlets) = (Matrix::default(), Vec::new());
             matrix.copy_scaled(&discretisation.elastic, film.clone(), -2.0);
-            filter.add_to(&discretisation, 3.0, &mut matrix, &mut outlets, &mut buffer);
+            filter.add_to(&discretisation, 3.0, &mut matrix, &mut outlets);
             assert!((dot(&outlets, &nodes) - outlet).abs() < 1e-13);
             let mut product = vec![0.0; film.len()];
             matrix.multiply_rows(0, &nodes, &mut product);
