@@ -2,9 +2,10 @@
 //!
 //! `reynolds.rs` holds the discrete equation and the pass, `deformation.rs` the displacement, `far_field.rs` what lies
 //! beyond the grid, `iteration.rs` one round of passes and the load balance, `convergence.rs` when to stop and what to do
-//! when it does not converge, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out.
+//! when it does not converge, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out, `condition.rs` how well the equations determine it.
 
 mod anderson;
+mod condition;
 mod convergence;
 mod cost;
 mod deformation;

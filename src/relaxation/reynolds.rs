@@ -5,11 +5,22 @@ use super::stiffness::HALF_WIDTHS;
 /// Coefficients A, B, C, D of one row A p_{i−1} + B p_i + C p_{i+1} = D (Eq. 38), for the film thicknesses `u` at
 /// i−1, i, i+1.
 #[inline]
-fn row(u: [f64; 3], beta: f64, dx: f64) -> [f64; 4] {
+pub fn row(u: [f64; 3], beta: f64, dx: f64) -> [f64; 4] {
     let [behind, here, ahead] = u;
     let scale = here * here / (dx * dx);
     let slope = 0.75 * (ahead - behind);
     [scale * (here - slope), -2.0 * scale * here, scale * (here + slope), -(ahead - behind) / (2.0 * beta * dx)]
+}
+
+/// Derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (Eq. 38) with respect to the film thicknesses at i−1, i, i+1, for the
+/// pressures `p` there.
+pub fn film_derivatives(p: [f64; 3], u: [f64; 3], beta: f64, dx: f64) -> [f64; 3] {
+    let [behind, here, ahead] = u;
+    let slope = 0.75 * (ahead - behind);
+    let curvature = p[0] - 2.0 * p[1] + p[2];
+    let side = (0.75 * here * here * (p[2] - p[0]) / dx + 0.5 / beta) / dx;
+    let middle = here * (3.0 * here * curvature + 2.0 * slope * (p[2] - p[0])) / (dx * dx);
+    [-side, middle, side]
 }
 
 /// How far a pass moves a pressure towards its equation, λ_p of Eq. 42.
