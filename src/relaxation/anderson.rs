@@ -200,7 +200,7 @@ mod tests {
                 (0..8).map(|i| (x[i] - shifts[i] / (1.0 - rates[i])).abs()).fold(0.0, f64::max)
             };
             let mut x = vec![0.0; 8];
-            for _ in 0..60 {
+            for _ in 0..120 {
                 let mut image = map(&x);
                 anderson.mix(&x, &mut image);
                 x = image;
