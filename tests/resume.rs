@@ -95,7 +95,7 @@ fn two_threads_publish_the_bytes_of_one() {
 
 #[test]
 fn neither_tables_nor_fields_depend_on_the_threads_of_the_relaxation_method() {
-    let solver = "[solver]\nmethod = \"relaxation\"\n[solver.relaxation]\npoints = 101\n";
+    let solver = "[solver]\nmethod = \"relaxation\"\n[solver.relaxation]\npoints = 401\n";
     let text = SWEEP.replace("points = 200", "points = 20").replace("[solver]\ntolerance = 1e-8\n", solver);
     let [one, two] = ["1", "2"].map(|threads| run(with_sweep(&text).path(), &["--threads", threads]));
     assert_same(&two, &one);

@@ -47,9 +47,9 @@ pub enum Seed {
     None,
     /// Hertz pressure on the dry contact.
     Hertz,
-    /// The elastic (EHL) solution at the same β.
+    /// Dry pressure, and the film of the elastic (EHL) solution at ā²β on the dry contact of half width ā.
     Elastic,
-    /// The elastic solution at β/(1+f), rescaled to the instantaneous modulus.
+    /// The same where the dry contact is nearer to that of the instantaneous modulus.
     RescaledElastic,
     /// The film under a rigid cylinder on a rigid plane, at the case itself.
     ThickFilm,

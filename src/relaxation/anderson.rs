@@ -2,18 +2,24 @@
 
 use super::inner_product::inner_product;
 
-/// The last iterates of a map g: differences of x and of the residual g(x) − x, both of `size` numbers.
+/// A column whose part outside of the span of the others is smaller than this, relative to itself, adds nothing.
+const DEPENDENT: f64 = 1e-10;
+
+/// The last iterates of a map g: differences of x and of the residual r = g(x) − x, both of `size` numbers.
+///
+/// The differences of the residual are kept as Q R, newest first. A new one costs O(size depth): it is orthogonalised
+/// against Q, put in front, and R made triangular again by rotations.
 pub struct Anderson {
     size: usize,
     depth: usize,
-    /// Differences Δx + Δr, newest last; `used` of them count.
+    /// Differences Δx + Δr, newest first; `used` of them count.
     steps: Vec<Vec<f64>>,
-    /// Differences Δr, newest last.
-    residuals: Vec<Vec<f64>>,
+    /// Columns of Q.
+    orthonormal: Vec<Vec<f64>>,
+    /// R, depth × depth, row by row.
+    triangle: Vec<f64>,
     used: usize,
     previous: Option<Previous>,
-    orthonormal: Vec<Vec<f64>>,
-    triangle: Vec<f64>,
     weights: Vec<f64>,
 }
 
@@ -30,11 +36,10 @@ impl Anderson {
             size,
             depth,
             steps: columns(),
-            residuals: columns(),
-            used: 0,
-            previous: None,
             orthonormal: columns(),
             triangle: vec![0.0; depth * depth],
+            used: 0,
+            previous: None,
             weights: vec![0.0; depth],
         }
     }
@@ -49,68 +54,108 @@ impl Anderson {
     /// make r − Σ γ_j Δr_j smallest.
     pub fn mix(&mut self, x: &[f64], image: &mut [f64]) {
         assert_eq!((x.len(), image.len()), (self.size, self.size));
-        let previous = self.previous.get_or_insert_with(|| Previous { image: Vec::new(), residual: Vec::new() });
-        if previous.image.is_empty() {
-            previous.image = image.to_vec();
-            previous.residual = image.iter().zip(x).map(|(g, x)| g - x).collect();
+        let Some(mut previous) = self.previous.take() else {
+            let residual = image.iter().zip(x).map(|(g, x)| g - x).collect();
+            self.previous = Some(Previous { image: image.to_vec(), residual });
             return;
-        }
-        if self.used == self.depth {
-            self.steps.rotate_left(1);
-            self.residuals.rotate_left(1);
-        } else {
-            self.used += 1;
-        }
-        let newest = self.used - 1;
-        for i in 0..self.size {
-            let residual = image[i] - x[i];
+        };
+        // the oldest makes room
+        self.used = self.used.min(self.depth - 1);
+        self.steps.rotate_right(1);
+        let column = &mut self.orthonormal[self.used];
+        let known = previous.image.iter_mut().zip(&mut previous.residual);
+        let columns = self.steps[0].iter_mut().zip(column);
+        for (((before, residual_before), (step, change)), (g, x)) in known.zip(columns).zip(image.iter().zip(x)) {
+            let residual = g - x;
             // Δx + Δr is the difference of the images
-            self.steps[newest][i] = image[i] - previous.image[i];
-            self.residuals[newest][i] = residual - previous.residual[i];
-            previous.image[i] = image[i];
-            previous.residual[i] = residual;
+            *step = g - *before;
+            *change = residual - *residual_before;
+            *before = *g;
+            *residual_before = residual;
         }
-        self.least_squares();
+        self.put_in_front();
+        self.least_squares(&previous.residual);
+        self.previous = Some(previous);
         for (step, weight) in self.steps[..self.used].iter().zip(&self.weights) {
-            for (image, step) in image.iter_mut().zip(step) {
-                *image -= weight * step;
-            }
+            image.iter_mut().zip(step).for_each(|(image, step)| *image -= weight * step);
         }
     }
 
-    /// γ by Gram–Schmidt from the newest column back; a column that adds nothing new gets no weight.
-    fn least_squares(&mut self) {
-        const DEPENDENT: f64 = 1e-10;
-        let (used, depth) = (self.used, self.depth);
-        let residual = &self.previous.as_ref().expect("a step was made").residual;
-        for j in 0..used {
-            let column = used - 1 - j;
-            let (done, rest) = self.orthonormal.split_at_mut(j);
-            let vector = &mut rest[0];
-            vector.copy_from_slice(&self.residuals[column]);
-            let length = norm(vector);
-            for (k, direction) in done.iter().enumerate() {
-                let part = inner_product(direction, vector);
-                self.triangle[k * depth + j] = part;
-                vector.iter_mut().zip(direction).for_each(|(v, d)| *v -= part * d);
+    /// Takes the column after the last of Q into the factorisation, as the first column. Where it adds nothing to the others,
+    /// the oldest of them go.
+    fn put_in_front(&mut self) {
+        let Self { depth, orthonormal, triangle, used, weights, .. } = self;
+        let (depth, mut count) = (*depth, *used);
+        let (known, rest) = orthonormal.split_at_mut(count);
+        let column = &mut rest[0];
+        let (length, parts) = (norm(column), &mut weights[..count]);
+        parts.fill(0.0);
+        // a second time where the first leaves too little to be trusted
+        for _ in 0..2 {
+            let before = norm(column);
+            for (direction, part) in known.iter().zip(parts.iter_mut()) {
+                let share = inner_product(direction, column);
+                *part += share;
+                column.iter_mut().zip(direction).for_each(|(v, d)| *v -= share * d);
             }
-            let left = norm(vector);
-            if left > DEPENDENT * length {
-                vector.iter_mut().for_each(|v| *v /= left);
-                self.triangle[j * depth + j] = left;
-            } else {
-                vector.fill(0.0);
-                self.triangle[j * depth + j] = 0.0;
+            if norm(column) > 0.5 * before {
+                break;
             }
         }
+        let mut left = norm(column);
+        while left <= DEPENDENT * length && count > 0 {
+            count -= 1;
+            column.iter_mut().zip(&known[count]).for_each(|(v, d)| *v += parts[count] * d);
+            left = norm(column);
+        }
+        if left == 0.0 {
+            *used = 0;
+            return;
+        }
+        column.iter_mut().for_each(|v| *v /= left);
+        orthonormal.swap(count, *used);
+
+        for row in 0..count {
+            triangle.copy_within(row * depth + row..row * depth + count, row * depth + row + 1);
+            triangle[row * depth] = weights[row];
+        }
+        triangle[count * depth..count * depth + count + 1].fill(0.0);
+        triangle[count * depth] = left;
+        for row in (0..count).rev() {
+            let (upper, lower) = triangle.split_at_mut((row + 1) * depth);
+            let upper = &mut upper[row * depth..];
+            // behind the new column the lower row begins one place further
+            lower[row + 1] = 0.0;
+            let length = upper[0].hypot(lower[0]);
+            let (cosine, sine) = (upper[0] / length, lower[0] / length);
+            (upper[0], lower[0]) = (length, 0.0);
+            rotate(&mut upper[row + 1..=count], &mut lower[row + 1..=count], cosine, sine);
+            let (before, after) = orthonormal.split_at_mut(row + 1);
+            rotate(&mut before[row], &mut after[0], cosine, sine);
+        }
+        *used = count + 1;
+    }
+
+    /// γ by substitution; a column that adds nothing to newer ones gets no weight.
+    fn least_squares(&mut self, residual: &[f64]) {
+        let (used, depth) = (self.used, self.depth);
         for j in (0..used).rev() {
+            let column = (0..j).map(|row| self.triangle[row * depth + j].powi(2)).sum::<f64>();
             let diagonal = self.triangle[j * depth + j];
             let mut right = inner_product(&self.orthonormal[j], residual);
             for k in j + 1..used {
-                right -= self.triangle[j * depth + k] * self.weights[used - 1 - k];
+                right -= self.triangle[j * depth + k] * self.weights[k];
             }
-            self.weights[used - 1 - j] = if diagonal > 0.0 { right / diagonal } else { 0.0 };
+            let counts = diagonal.abs() > DEPENDENT * column.sqrt();
+            self.weights[j] = if counts { right / diagonal } else { 0.0 };
         }
+    }
+}
+
+/// (a, b) to (c a + s b, c b − s a).
+fn rotate(a: &mut [f64], b: &mut [f64], cosine: f64, sine: f64) {
+    for (a, b) in a.iter_mut().zip(b) {
+        (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
     }
 }
 
@@ -155,7 +200,7 @@ mod tests {
                 (0..8).map(|i| (x[i] - shifts[i] / (1.0 - rates[i])).abs()).fold(0.0, f64::max)
             };
             let mut x = vec![0.0; 8];
-            for _ in 0..60 {
+            for _ in 0..120 {
                 let mut image = map(&x);
                 anderson.mix(&x, &mut image);
                 x = image;

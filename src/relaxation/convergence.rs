@@ -1,9 +1,10 @@
 //! From a first guess to the solution: the plain iteration, and the accelerated one that falls back on it.
 
 use super::Acceleration;
+use super::acceptance::{Refusal, judge};
 use super::anderson::Anderson;
-use super::iteration::{Iteration, LOAD_GAIN, PASSES_PER_BALANCE, index_of_largest};
-use super::reynolds::{self, Relaxation};
+use super::iteration::{Iteration, LOAD_GAIN, PASSES_PER_BALANCE};
+use super::reynolds::Relaxation;
 use super::stiffness::thin_film_number;
 use crate::continuation::{Halt, Interrupt};
 use crate::model::Failure;
@@ -18,28 +19,27 @@ const OVER_RELAXATION: f64 = 1.8;
 const LARGEST_UNIFORM: f64 = 0.5;
 /// Rounds between two looks at the residuals of the plain iteration.
 const ROUNDS_PER_LOOK: usize = 20;
-/// Rounds after which acceleration is given up: a small part of what the plain iteration may need.
-const MOST_ACCELERATED_ROUNDS: usize = 6_000;
+/// Passes over the points of the grid after which acceleration is given up: twice what any case needed.
+const MOST_ACCELERATED_PASSES: usize = 25;
 /// Looks with a smaller residual each after which a reduced step is doubled.
 const GOOD_LOOKS: usize = 50;
 /// How often the plain iteration may diverge, and how far its steps may be reduced, before it is given up.
 const MOST_DIVERGENCES: usize = 40;
 const LEAST_REDUCTION: f64 = 1e-3;
-/// Passes after which the iteration that acceleration falls back on is given up.
-const MOST_LOCAL_PASSES: u64 = 400_000;
+/// Passes over the points of the grid after which the iteration that acceleration falls back on is given up.
+const MOST_LOCAL_PASSES: usize = 60;
+/// A plain iteration with local factors stalls if it does not halve its residual in so many passes over the points of the grid.
+const STALL_LOCAL: u64 = 15;
+/// The same for a uniform factor, over the square of the points: its slowest error is smooth and takes O(n²) passes.
+const STALL_UNIFORM: f64 = 0.5;
 /// How often acceleration may run away before it is given up.
-const MOST_RESTARTS: i32 = 6;
+const MOST_RESTARTS: i32 = 5;
 /// Rounds that Anderson acceleration looks back.
 const DEPTH: usize = 20;
 /// A residual this many times the best so far is taken for divergence.
 const DIVERGED: f64 = 1e3;
 /// A relative error of the load beyond this is taken for divergence too.
 const FLOATING: f64 = 0.3;
-/// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
-const MOST_UNRESOLVED: f64 = 0.1;
-
-/// Outlet and largest pressure lie at least so many points inside the grid.
-const NEAREST_TO_AN_END: usize = 4;
 
 /// What an iteration is to reach, and how long it may take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,8 @@ pub fn converge(
                 return Ok(());
             }
             solver.iteration.restore(&start);
-            solver.target.most_passes = solver.target.most_passes.min(MOST_LOCAL_PASSES);
+            let most_passes = (MOST_LOCAL_PASSES * solver.iteration.p.len()) as u64;
+            solver.target.most_passes = solver.target.most_passes.min(most_passes);
             solver.plain(Rule::Local)
         }
     }
@@ -109,6 +110,15 @@ impl Convergence<'_, '_> {
         }
     }
 
+    /// Passes in which a plain iteration has to halve its residual.
+    fn patience(&self, rule: Rule) -> u64 {
+        let n = self.iteration.p.len();
+        match rule {
+            Rule::Local => STALL_LOCAL * n as u64,
+            Rule::Uniform => (STALL_UNIFORM * (n * n) as f64) as u64,
+        }
+    }
+
     /// Rounds without acceleration. A divergence goes back to the best state and halves the steps of pressure and load;
     /// a stretch that goes well doubles them again.
     fn plain(&mut self, rule: Rule) -> Result<(), Halt> {
@@ -116,10 +126,12 @@ impl Convergence<'_, '_> {
         let mut least = f64::INFINITY;
         let (mut reduction, mut divergences, mut good_looks) = (1.0, 0, 0);
         let first_pass = self.iteration.passes;
+        let (mut milestone, mut milestone_pass) = (f64::INFINITY, first_pass);
+        let patience = self.patience(rule);
         loop {
             let residuals = self.iteration.residuals();
             if residuals.within(self.target.tolerance) {
-                return self.check_grid().map_err(Halt::Failed);
+                return judge(self.iteration).map_err(|refusal| Halt::Failed(refusal.into()));
             }
             let size = residuals.largest();
             if size < least {
@@ -139,7 +151,11 @@ impl Convergence<'_, '_> {
                     return Err(self.failed("the iteration diverges with every relaxation factor tried", least));
                 }
             }
-            if self.iteration.passes - first_pass > self.target.most_passes {
+            if least < 0.5 * milestone {
+                (milestone, milestone_pass) = (least, self.iteration.passes);
+            }
+            let passes = self.iteration.passes;
+            if passes - first_pass > self.target.most_passes || passes - milestone_pass > patience {
                 self.iteration.restore(&best);
                 return Err(self.failed("the iteration stalls", least));
             }
@@ -162,13 +178,15 @@ impl Convergence<'_, '_> {
         let mut least = f64::INFINITY;
         let mut restarts = 0;
         let mut relaxation = self.relaxation(Rule::Local, 1.0);
-        let most_rounds = MOST_ACCELERATED_ROUNDS.min(self.target.most_passes as usize / PASSES_PER_BALANCE);
+        let most_passes = (self.target.most_passes as usize).min(MOST_ACCELERATED_PASSES * n);
+        let most_rounds = most_passes / PASSES_PER_BALANCE;
         for _ in 0..most_rounds {
             let residuals = self.iteration.residuals();
             if residuals.within(self.target.tolerance) {
-                return match self.check_grid() {
-                    Err(failure) if failure.conclusive => Err(Halt::Failed(failure)),
-                    other => Ok(other.is_ok()),
+                return match judge(self.iteration) {
+                    Ok(()) => Ok(true),
+                    Err(Refusal::Astray) => Ok(false),
+                    Err(refusal) => Err(Halt::Failed(refusal.into())),
                 };
             }
             let size = residuals.largest();
@@ -195,15 +213,12 @@ impl Convergence<'_, '_> {
             anderson.mix(&x, &mut image);
             let (before, plain_separation) = (self.iteration.film_min(), self.iteration.separation);
             x[..n].copy_from_slice(&self.iteration.p);
-            self.iteration.p.iter_mut().zip(&image).for_each(|(p, mixed)| *p = mixed.max(0.0));
-            self.iteration.separation = image[n] * scale;
-            self.iteration.update_film();
+            image[..n].iter_mut().for_each(|p| *p = p.max(0.0));
+            self.iteration.replace(&image[..n], image[n] * scale);
             let after = self.iteration.film_min();
             if !(after > 0.1 * before && after < 10.0 * before) {
                 // too long a step: the plain one instead, and a new history
-                self.iteration.p.copy_from_slice(&x[..n]);
-                self.iteration.separation = plain_separation;
-                self.iteration.update_film();
+                self.iteration.replace(&x[..n], plain_separation);
                 anderson.forget();
             }
             self.look_for_interrupt()?;
@@ -235,37 +250,6 @@ impl Convergence<'_, '_> {
         Halt::Failed(Failure::new(format!(
             "{what}: residual {residual:.1e} after {passes} passes, tolerance {tolerance:.1e}"
         )))
-    }
-
-    /// A converged state is a solution only on a grid that holds the film and resolves it.
-    ///
-    /// Small residuals alone are not enough: a cylinder that leans its load on an end of the grid has them too.
-    fn check_grid(&self) -> Result<(), Failure> {
-        let iteration = &self.iteration;
-        let grid = &iteration.shared.grid;
-        let outlet = iteration.p.iter().position(|&p| p > 0.0).unwrap_or(0);
-        if outlet < NEAREST_TO_AN_END || index_of_largest(&iteration.p) + NEAREST_TO_AN_END >= grid.points {
-            let (x_min, x_max) = (grid.x_min, grid.x_max);
-            return Err(Failure::new(format!(
-                "the film under pressure is longer than the grid, [{x_min:.3}, {x_max:.3}]; \
-                 set a wider domain = [x_min, x_max] in [solver.relaxation]"
-            )));
-        }
-        let c = iteration.c();
-        let error = reynolds::conservation_error(&iteration.p, &iteration.u, iteration.beta, grid.spacing(), c);
-        if error <= MOST_UNRESOLVED && iteration.film_min() > 0.0 {
-            return Ok(());
-        }
-        if error <= 1.0 {
-            let reason = format!(
-                "the grid does not resolve the film: the flow at mid-points is wrong by {:.0} % of it; use more points",
-                100.0 * error
-            );
-            return Err(Failure { reason, conclusive: true });
-        }
-        Err(Failure::new(
-            "the iteration ends in a state that does not conserve the flow at all; use more points".into(),
-        ))
     }
 }
 

@@ -16,7 +16,7 @@ use crate::model::DisplacementKernel;
 /// [`EndColumn`]. Once per (α, f) and grid.
 pub struct Deformation {
     points: usize,
-    /// Transform of χ_m, m = −(n−1) … n−1, wrapped around.
+    /// Transform of χ_m, m = −(n−2) … n−1, wrapped around: the last pressure has its own column.
     transfer: Vec<Complex<f64>>,
     /// The end of the grid seen from each point.
     end: Vec<EndColumn>,
@@ -36,7 +36,7 @@ impl Deformation {
     /// The displacement operator of a kernel on a grid.
     pub fn new(kernel: &DisplacementKernel, grid: &Grid) -> Self {
         let (n, dx) = (grid.points, grid.spacing());
-        let length = (2 * n).next_power_of_two();
+        let length = transform_length(2 * n - 2);
         let mut planner = RealFftPlanner::new();
         let (forward, inverse) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
 
@@ -44,7 +44,7 @@ impl Deformation {
         for m in 0..n {
             let x = m as f64 * dx;
             influence[m] = kernel.cell_average(x, dx);
-            if m > 0 {
+            if m > 0 && m < n - 1 {
                 influence[length - m] = kernel.cell_average(-x, dx);
             }
         }
@@ -70,8 +70,14 @@ impl Deformation {
 
     /// Displacement `w` (n values) of the pressure `p` (n values) and of the load ahead of the grid.
     pub fn displace(&self, p: &[f64], tail_load: f64, w: &mut [f64], space: &mut DeformationSpace) {
+        self.convolve(p, space);
+        self.assemble(p[self.points - 1], tail_load, w, space);
+    }
+
+    /// The part of the displacement that the pressure `p` but for its last value makes; it stays in `space`.
+    pub fn convolve(&self, p: &[f64], space: &mut DeformationSpace) {
         let last = self.points - 1;
-        assert_eq!((p.len(), w.len()), (self.points, self.points));
+        assert_eq!(p.len(), self.points);
         space.padded[..last].copy_from_slice(&p[..last]);
         space.padded[last..].fill(0.0);
         let lengths = "lengths fit by construction";
@@ -82,10 +88,30 @@ impl Deformation {
         space.spectrum[0].im = 0.0;
         space.spectrum[nyquist].im = 0.0;
         self.inverse.process_with_scratch(&mut space.spectrum, &mut space.padded, &mut space.inverse).expect(lengths);
+    }
+
+    /// Displacement `w` (n values) of what was convolved last, the last pressure, and the load ahead of the grid.
+    pub fn assemble(&self, last_pressure: f64, tail_load: f64, w: &mut [f64], space: &DeformationSpace) {
+        assert_eq!(w.len(), self.points);
         for ((w, convolution), end) in w.iter_mut().zip(&space.padded).zip(&self.end) {
-            *w = convolution + end.displacement(p[last], tail_load);
+            *w = convolution + end.displacement(last_pressure, tail_load);
         }
     }
+}
+
+/// The smallest even 2^a 3^b 5^c that is not below `least`: transforms of such lengths are fast.
+fn transform_length(least: usize) -> usize {
+    let is_smooth = |length: &usize| {
+        let rest = [2, 3, 5].into_iter().fold(*length, |mut rest, prime| {
+            while rest % prime == 0 {
+                rest /= prime;
+            }
+            rest
+        });
+        rest == 1
+    };
+    let mut lengths = (least.next_multiple_of(2)..).step_by(2);
+    lengths.find(is_smooth).expect("powers of two are among them")
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::deformation::{Deformation, DeformationSpace};
 use super::far_field::FarField;
 use super::parabola::{parabola, vertex};
-use super::reynolds::{self, Relaxation};
+use super::reynolds::{self, PassSpace, Relaxation};
 use super::stiffness::HALF_WIDTHS;
 use super::{Grid, State};
 use crate::model::{DisplacementKernel, Parameters};
@@ -90,7 +90,10 @@ pub struct Iteration<'a> {
     pub tail_load: f64,
     /// Passes made.
     pub passes: u64,
+    /// True if `space` holds the convolution of the present `p`.
+    convolved: bool,
     space: DeformationSpace,
+    pass_space: PassSpace,
 }
 
 impl<'a> Iteration<'a> {
@@ -106,7 +109,9 @@ impl<'a> Iteration<'a> {
             separation: 0.0,
             tail_load: 0.0,
             passes: 0,
+            convolved: false,
             space: shared.deformation.space(),
+            pass_space: PassSpace::new(n),
         };
         iteration.restore(state);
         iteration
@@ -114,9 +119,15 @@ impl<'a> Iteration<'a> {
 
     /// Back to a state.
     pub fn restore(&mut self, state: &State) {
-        self.p.copy_from_slice(&state.pressure);
-        self.separation = state.separation;
         self.tail_load = state.tail_load;
+        self.replace(&state.pressure, state.separation);
+    }
+
+    /// Goes on from another pressure and h₀, with the film that belongs to them.
+    pub fn replace(&mut self, pressure: &[f64], separation: f64) {
+        self.p.copy_from_slice(pressure);
+        self.separation = separation;
+        self.convolved = false;
         self.update_film();
     }
 
@@ -137,7 +148,12 @@ impl<'a> Iteration<'a> {
 
     /// The film of the present pressure, u = h₀ + x²/2 − w (T3).
     pub fn update_film(&mut self) {
-        self.shared.deformation.displace(&self.p, self.tail_load, &mut self.w, &mut self.space);
+        let deformation = &self.shared.deformation;
+        if !self.convolved {
+            deformation.convolve(&self.p, &mut self.space);
+            self.convolved = true;
+        }
+        deformation.assemble(self.p[self.p.len() - 1], self.tail_load, &mut self.w, &self.space);
         for ((u, parabola), w) in self.u.iter_mut().zip(&self.shared.parabola).zip(&self.w) {
             *u = self.separation + parabola - w;
         }
@@ -146,17 +162,18 @@ impl<'a> Iteration<'a> {
     /// One pass with the film of the pressure before it.
     pub fn pass(&mut self, relaxation: Relaxation) {
         self.update_film();
-        reynolds::pass(&mut self.p, &self.u, self.beta, self.shared.grid.spacing(), relaxation);
+        let dx = self.shared.grid.spacing();
+        reynolds::pass(&mut self.p, &self.u, self.beta, dx, relaxation, &mut self.pass_space);
+        self.convolved = false;
         self.passes += 1;
     }
 
     /// The passes up to and with one load balance, Eq. 43 with λ_h1 = `gain` times c: the map whose fixed point is the
-    /// solution.
+    /// solution. It leaves the film of the last pass behind, which is that of the pressure before it.
     pub fn round(&mut self, relaxation: Relaxation, gain: f64) {
         for _ in 0..PASSES_PER_BALANCE {
             self.pass(relaxation);
         }
-        self.update_film();
         self.update_inlet();
         // Eq. 43, signed: too much load raises h₀
         self.separation += gain * self.c() * self.load_residual();

@@ -93,8 +93,7 @@ mod tests {
     }
 
     /// The equations themselves, in the order of the rows of [`jacobian`].
-    fn equations(iteration: &mut Iteration, points: &[usize]) -> Vec<f64> {
-        iteration.update_film();
+    fn equations(iteration: &Iteration, points: &[usize]) -> Vec<f64> {
         let (p, u, dx) = (&iteration.p, &iteration.u, iteration.shared.grid.spacing());
         let equation = |&i: &usize| {
             let [a, b, c, d] = reynolds::row([u[i - 1], u[i], u[i + 1]], iteration.beta, dx);
@@ -114,12 +113,13 @@ mod tests {
                 for column in 0..=rows.len() {
                     let step = 1e-4 * state.c;
                     let mut moved = |step: f64| {
-                        iteration.restore(&state);
+                        let mut moved = state.clone();
                         match rows.get(column) {
-                            Some(&k) => iteration.p[k] += step,
-                            None => iteration.separation += step,
+                            Some(&k) => moved.pressure[k] += step,
+                            None => moved.separation += step,
                         }
-                        equations(&mut iteration, &rows)
+                        iteration.restore(&moved);
+                        equations(&iteration, &rows)
                     };
                     let (forward, backward) = (moved(step), moved(-step));
                     for (row, (forward, backward)) in forward.iter().zip(&backward).enumerate() {

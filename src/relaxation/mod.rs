@@ -2,8 +2,9 @@
 //!
 //! `reynolds.rs` holds the discrete equation and the pass, `deformation.rs` the displacement, `far_field.rs` what lies
 //! beyond the grid, `iteration.rs` one round of passes and the load balance, `convergence.rs` when to stop and what to do
-//! when it does not converge, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out, `jacobian.rs` the derivatives of the equations.
+//! when it does not converge, `acceptance.rs` what a grid can hold, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out, `jacobian.rs` the derivatives of the equations.
 
+mod acceptance;
 mod anderson;
 mod convergence;
 mod cost;
@@ -30,4 +31,4 @@ pub use state::State;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 2;
+pub const RESULTS_VERSION: u32 = 3;

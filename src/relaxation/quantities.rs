@@ -53,7 +53,7 @@ impl Peak {
 }
 
 /// Smallest film thickness, by the parabola through the three lowest points.
-fn film_min(state: &Iteration) -> f64 {
+pub fn film_min(state: &Iteration) -> f64 {
     let u = &state.u;
     let i = (0..u.len()).fold(0, |best, i| if u[i] < u[best] { i } else { best }).clamp(1, u.len() - 2);
     parabola(&u[i - 1..=i + 1], vertex(&u[i - 1..=i + 1]))

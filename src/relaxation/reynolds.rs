@@ -41,23 +41,52 @@ pub enum Relaxation {
     },
 }
 
+/// Space for a pass over n points: what each new pressure is, but for the part of its new neighbour, and that part.
+#[derive(Clone, Debug)]
+pub struct PassSpace {
+    target: Vec<f64>,
+    weight: Vec<f64>,
+}
+
+impl PassSpace {
+    /// For n points.
+    pub fn new(points: usize) -> Self {
+        Self { target: vec![0.0; points], weight: vec![0.0; points] }
+    }
+}
+
 /// One Gauss–Seidel pass over the pressures `p` with the film `u`, projected on p ≥ 0 (Eq. 42): new values to the left,
 /// old ones to the right. The first and the last pressure stay.
-pub fn pass(p: &mut [f64], u: &[f64], beta: f64, dx: f64, relaxation: Relaxation) {
-    let last = p.len() - 1;
+pub fn pass(p: &mut [f64], u: &[f64], beta: f64, dx: f64, relaxation: Relaxation, space: &mut PassSpace) {
+    match relaxation {
+        Relaxation::Uniform(factor) => prepare(p, u, beta, dx, |b| factor / b, space),
+        Relaxation::Local { over_relaxation, thin_film } => {
+            // −βb = 2βu³/Δx²
+            let (product, thin_film) = (-over_relaxation * thin_film * beta, thin_film * beta);
+            prepare(p, u, beta, dx, |b| product / (over_relaxation - thin_film * b), space);
+        }
+    }
     let mut behind = p[0];
-    for i in 1..last {
+    let last = p.len() - 1;
+    let coefficients = space.target[1..last].iter().zip(&space.weight[1..last]);
+    for (p, (target, weight)) in p[1..last].iter_mut().zip(coefficients) {
+        behind = f64::max(0.0, target - weight * behind);
+        *p = behind;
+    }
+}
+
+/// What of a pass does not wait for the new value to the left: p_i + s (D − B p_i − C p_{i+1}) and s A with s = λ_p/B.
+/// Apart from the recurrence, so that the compiler can do several points at once.
+#[inline]
+fn prepare(p: &[f64], u: &[f64], beta: f64, dx: f64, step: impl Fn(f64) -> f64, space: &mut PassSpace) {
+    let n = p.len();
+    let (p, u) = (&p[..n], &u[..n]);
+    let (target, weight) = (&mut space.target[..n], &mut space.weight[..n]);
+    for i in 1..n - 1 {
         let [a, b, c, d] = row([u[i - 1], u[i], u[i + 1]], beta, dx);
-        let residual = d - a * behind - b * p[i] - c * p[i + 1];
-        // −βb = 2βu³/Δx²
-        let step = match relaxation {
-            Relaxation::Uniform(factor) => factor / b,
-            Relaxation::Local { over_relaxation, thin_film } => {
-                -(over_relaxation * thin_film * beta) / (over_relaxation - thin_film * beta * b)
-            }
-        };
-        behind = f64::max(0.0, p[i] + step * residual);
-        p[i] = behind;
+        let step = step(b);
+        target[i] = p[i] + step * (d - b * p[i] - c * p[i + 1]);
+        weight[i] = step * a;
     }
 }
 

@@ -1,10 +1,11 @@
 //! The relaxation method as a [`CaseSolver`].
 
 use std::collections::HashMap;
-use std::f64::consts::{LN_10, PI};
+use std::f64::consts::LN_10;
 use std::iter;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::acceptance::{elastic_film, film_on_contact, foresee};
 use super::convergence::{Target, converge};
 use super::far_field::FarField;
 use super::fields::fields;
@@ -54,6 +55,11 @@ impl Workspace {
     /// The grid of the solution, and what lives on it.
     pub(super) fn finest(&self) -> &Discretisation {
         &self.levels[0]
+    }
+
+    /// See [`foresee`].
+    fn foresee(&self, parameters: &Parameters) -> Result<(), Halt> {
+        foresee(parameters, &self.finest().grid, self.stiffness).map_err(|refusal| Halt::Failed(refusal.into()))
     }
 }
 
@@ -189,6 +195,7 @@ impl RelaxationSolver {
         let grid = self.grid(&parameters).unwrap_or_else(|_| self.automatic_grid(&parameters));
         let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
         let workspace = self.workspace(&parameters, grid, &no_fields);
+        workspace.foresee(&parameters)?;
         let pressure = (0..grid.points).map(|i| hertz(grid.x(i))).collect();
         let guess = State::resting(workspace.finest(), pressure, elastic_film(beta));
         let guess = self.refine(&workspace, beta, guess, work)?;
@@ -202,10 +209,10 @@ fn hertz(x: f64) -> f64 {
     (1.0 - x * x).max(0.0).sqrt()
 }
 
-/// A guess at c of an elastic film for any β: a mean of its limits, 0.4458 β^{−3/5} for large β and 1/(πβ) for small.
-fn elastic_film(beta: f64) -> f64 {
-    let (thin, thick) = (0.4458 * beta.powf(-0.6), (PI * beta).recip());
-    thin * thick / (thin + thick)
+/// The nearest β of those at which elastic solutions are shared: a quarter of a decade apart, so that chains share them.
+fn shared_beta(beta: f64) -> f64 {
+    const PER_DECADE: f64 = 4.0;
+    10_f64.powf((PER_DECADE * beta.log10()).round() / PER_DECADE)
 }
 
 /// Richardson's estimate of the relative error of a second-order value, from the grids of Δx and 2Δx.
@@ -241,39 +248,40 @@ impl CaseSolver for RelaxationSolver {
         }
     }
 
-    /// The elastic solution at the same β or, where the dry contact is nearer to that of the instantaneous modulus, at
-    /// β/(1+f); moved onto the dry contact of the case (centre b, half width ā), which carries it away from x = 0 where α
-    /// is about 1/√(1+f): x = b + āξ, p over ā, u times ā², as for an elastic case of compliance ā². Hertz pressure there
-    /// if the elastic case has no solution on its grid.
+    /// The dry pressure of the case, plus what a film adds to that of an elastic contact: p(ξ) − √(1−ξ²) over ā, with
+    /// x = b + āξ (centre b, half width ā), of the elastic solution for the compliance ā², at ā²β. Without the film's part if that has no solution on its
+    /// grid. For several retardation times, whose dry contact has no closed form, the elastic pressure alone.
     fn start(
         &self,
         workspace: &mut Workspace,
         parameters: &Parameters,
         work: &mut Work,
     ) -> Result<(State, Seed), Halt> {
+        workspace.foresee(parameters)?;
         if parameters.is_relaxed_elastic() {
             let seed = self.elastic(parameters.beta, work)?;
             return Ok((seed.1.on(&seed.0, workspace.finest()), Seed::Hertz));
         }
         let (trailing, leading, half_width) = exact::contact_bounds(parameters);
-        let (centre, compliance) = (0.5 * (trailing + leading), half_width * half_width);
-        let instantaneous = parameters.instantaneous_compliance();
-        let rescaled = compliance < instantaneous.sqrt();
-        let seed_beta = parameters.beta * if rescaled { instantaneous } else { 1.0 };
+        let centre = 0.5 * (trailing + leading);
+        let rescaled = half_width * half_width < parameters.instantaneous_compliance().sqrt();
+        let seed_beta = shared_beta(half_width * half_width * parameters.beta);
         let target = workspace.finest();
-        let on_contact = |xi_pressure: &dyn Fn(f64) -> f64| -> Vec<f64> {
-            let at = |i| xi_pressure((target.grid.x(i) - centre) / half_width) / half_width;
-            (0..target.grid.points).map(at).collect()
-        };
-        let own_film = compliance * elastic_film(compliance * parameters.beta);
+        let places: Vec<f64> = (0..target.grid.points).map(|i| target.grid.x(i)).collect();
+        let ellipse = |x: f64| hertz((x - centre) / half_width) / half_width;
+        let dry = exact::DryContact::of(parameters)
+            .map_or_else(|| places.iter().map(|&x| ellipse(x)).collect(), |contact| contact.pressure_on(&places));
+        let own_film = film_on_contact(parameters);
         let (pressure, film, seed) = match self.elastic(seed_beta, work) {
             Ok(elastic) => {
                 let (grid, state) = (&elastic.0, &elastic.1);
-                let pressure = on_contact(&|xi| grid.interpolate(&state.pressure, xi));
+                let film_part =
+                    |x: f64| grid.interpolate(&state.pressure, (x - centre) / half_width) / half_width - ellipse(x);
+                let pressure = places.iter().zip(&dry).map(|(&x, dry)| f64::max(0.0, dry + film_part(x))).collect();
                 let seed = if rescaled { Seed::RescaledElastic } else { Seed::Elastic };
                 (pressure, own_film * state.c / elastic_film(seed_beta), seed)
             }
-            Err(Halt::Failed(_)) => (on_contact(&hertz), own_film, Seed::Hertz),
+            Err(Halt::Failed(_)) => (dry, own_film, Seed::Hertz),
             Err(Halt::Interrupted) => return Err(Halt::Interrupted),
         };
         let guess = State::resting(target, pressure, film);
@@ -302,6 +310,7 @@ impl CaseSolver for RelaxationSolver {
         guess: State,
         work: &mut Work,
     ) -> Result<State, Halt> {
+        workspace.foresee(parameters)?;
         self.solve_on(workspace.finest(), workspace.stiffness, parameters.beta, &guess, self.target(), work)
     }
 

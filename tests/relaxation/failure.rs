@@ -2,14 +2,28 @@
 
 use std::time::Instant;
 
-use stribeck::continuation::SolvedCase;
+use rayon::prelude::*;
+use stribeck::collocation::{self, CollocationSolver};
+use stribeck::continuation::{Interrupt, SolvedCase, solve_chain};
 use stribeck::model::Parameters;
 use stribeck::relaxation::{Domain, Settings};
 
-use crate::cases::{no_fields, outcomes, settings};
+use crate::cases::{no_fields, outcomes, relative, settings};
+use crate::far_cases::far_cases;
 
-/// A reason, or numbers that can be.
-fn is_sane(parameters: &Parameters, case: &SolvedCase) {
+/// Passes over the points of the grid that no case may need, whatever comes of it: some seconds with 801 points.
+const MOST_PASSES: u64 = 400;
+
+/// What comes of one case, which must not take long.
+fn outcome(points: usize, parameters: &Parameters) -> SolvedCase {
+    let solved = outcomes(settings(points), std::slice::from_ref(parameters), &no_fields()).remove(0);
+    let passes = solved.effort.iterations;
+    assert!(passes < MOST_PASSES * points as u64, "{parameters:?}: {passes} passes with {points} points");
+    solved
+}
+
+/// A reason, or numbers that can be; F_v may be wrong by a part of F_tot.
+fn is_sane(parameters: &Parameters, case: &SolvedCase, part: f64) {
     match &case.outcome {
         Err(failure) => assert!(failure.reason.len() > 20, "{parameters:?}: {failure:?}"),
         Ok(solution) => {
@@ -25,7 +39,7 @@ fn is_sane(parameters: &Parameters, case: &SolvedCase) {
             ];
             assert!(positive.iter().all(|value| *value > 0.0 && value.is_finite()), "{parameters:?}: {quantities:?}");
             // zero where the substrate has no time to creep, or all of it
-            let small = 1e-6 * friction.total();
+            let small = part * friction.total();
             assert!(
                 friction.viscoelastic > -small && friction.viscoelastic.is_finite(),
                 "{parameters:?}: {quantities:?}"
@@ -35,14 +49,17 @@ fn is_sane(parameters: &Parameters, case: &SolvedCase) {
     }
 }
 
+/// What no grid of so many points resolves is refused before the first pass; what it nearly resolves (inlets and outlets are as
+/// wide as β^{−2/5}) by its flow.
 #[test]
 fn a_film_that_the_grid_does_not_resolve_is_a_failure_with_a_reason() {
-    for points in [51, 101] {
-        let case = Parameters::elastic(1e5);
-        let solved = outcomes(settings(points), std::slice::from_ref(&case), &no_fields()).remove(0);
-        let reason = solved.outcome.unwrap_err().reason;
-        assert!(!reason.contains("NaN") && !reason.contains("inf:"), "{reason}");
-        assert!(["resolve", "diverges", "stalls"].iter().any(|word| reason.contains(word)), "{reason}");
+    for points in [51, 101, 201] {
+        for (beta, foreseen) in [(1e6, true), (0.0066 * (points as f64 - 1.0).powf(2.5), false)] {
+            let solved = outcome(points, &Parameters::elastic(beta));
+            let reason = solved.outcome.unwrap_err().reason;
+            assert!(reason.contains("does not resolve the film") && reason.contains("more points"), "{reason}");
+            assert_eq!(solved.effort.iterations == 0, foreseen, "β = {beta}, {points} points: {reason}");
+        }
     }
 }
 
@@ -68,7 +85,10 @@ fn a_film_longer_than_its_grid_is_a_failure_that_says_so() {
     for (alpha, beta, f) in cases {
         for points in [201, 401, 801] {
             let case = Parameters::new(alpha, beta, f);
-            let solved = outcomes(settings(points), std::slice::from_ref(&case), &no_fields()).remove(0);
+            let solved = outcome(points, &case);
+            if f == 0.0 {
+                assert_eq!(solved.effort.iterations, 0, "the rigid film tells");
+            }
             let reason = solved.outcome.unwrap_err().reason;
             assert!(reason.contains("longer than the grid") && reason.contains("wider domain"), "{case:?}: {reason}");
         }
@@ -78,7 +98,7 @@ fn a_film_longer_than_its_grid_is_a_failure_that_says_so() {
 /// What fails in the middle of a chain does not take the others along.
 #[test]
 fn a_failure_does_not_stop_the_chain() {
-    let cases = [1e2, 1e9, 2e2].map(Parameters::elastic);
+    let cases = [1e1, 1e9, 2e1].map(Parameters::elastic);
     let solved = outcomes(settings(101), &cases, &no_fields());
     assert!(solved[0].outcome.is_ok() && solved[1].outcome.is_err() && solved[2].outcome.is_ok());
 }
@@ -86,7 +106,6 @@ fn a_failure_does_not_stop_the_chain() {
 /// Far outside of the paper's range.
 #[test]
 fn extreme_parameters_end_soon() {
-    let mut most = 0;
     for f in [0.0, 1.0, 1e6] {
         for alpha in [0.0, 1e-8, 1.0, 1e8] {
             for beta in [1e-4, 1.0, 1e10] {
@@ -95,18 +114,40 @@ fn extreme_parameters_end_soon() {
                 }
                 let parameters = Parameters::new(alpha, beta, f);
                 let begin = Instant::now();
-                let solved = outcomes(settings(201), std::slice::from_ref(&parameters), &no_fields()).remove(0);
+                let solved = outcome(201, &parameters);
                 println!(
                     "f {f:e}, alpha {alpha:e}, beta {beta:e}: {:.2?}, {} passes, {:?}",
                     begin.elapsed(),
                     solved.effort.iterations,
                     solved.outcome.as_ref().map(|solution| solution.quantities.c).map_err(|failure| &failure.reason)
                 );
-                most = most.max(solved.effort.iterations);
-                is_sane(&parameters, &solved);
+                is_sane(&parameters, &solved, 1e-6);
             }
         }
     }
-    // some seconds, on any machine of today
-    assert!(most < 2_000_000, "{most} passes");
+}
+
+/// No wrong answer says converged, in a box that is much larger than the method's range: c of every case that is accepted is
+/// that of collocation within 5 %, the rest has a reason.
+#[test]
+fn what_is_accepted_far_outside_is_right() {
+    let judged: Vec<bool> = far_cases(120)
+        .par_iter()
+        .with_max_len(1)
+        .map(|parameters| {
+            let solved = outcome(201, parameters);
+            // what a short domain leaves of F_v of a thick film
+            is_sane(parameters, &solved, 1e-3);
+            let Ok(solution) = solved.outcome else { return false };
+            let exact = CollocationSolver::new(collocation::Settings { tolerance: 1e-4, ..Default::default() });
+            let exact = solve_chain(&exact, std::slice::from_ref(parameters), &no_fields(), &Interrupt::new());
+            let exact = exact.expect("nobody interrupts").remove(0).outcome;
+            let exact = exact.unwrap_or_else(|why| panic!("{parameters:?}: {}", why.reason)).quantities;
+            let by_c = relative(solution.quantities.c, exact.c);
+            assert!(by_c < 0.05, "{parameters:?}: c is off by {by_c:.1e}");
+            true
+        })
+        .collect();
+    let accepted = judged.iter().filter(|&&accepted| accepted).count();
+    assert!(accepted > 30 && accepted < 100, "{accepted} accepted");
 }

@@ -5,6 +5,7 @@ mod convergence;
 mod effort;
 mod estimate;
 mod failure;
+mod far_cases;
 mod identities;
 mod invariance;
 mod limits;
