@@ -73,7 +73,7 @@ fn introduction(study: &Study, rows: &[Row]) -> String {
 }
 
 /// The rows of one variant.
-fn of<'r>(rows: &'r [Row], variant: usize) -> impl Iterator<Item = &'r Row> + Clone {
+fn of(rows: &[Row], variant: usize) -> impl Iterator<Item = &Row> + Clone {
     rows.iter().filter(move |row| row.variant == variant)
 }
 
