@@ -5,11 +5,12 @@ use std::path::PathBuf;
 
 use miette::MietteHandlerOpts;
 
+use super::solve::ESTIMATE_POINTS;
 use crate::engine::ThreadsError;
 use crate::figures::FigureError;
 use crate::input::InputError;
 use crate::store::StoreError;
-use crate::sweep::{ESTIMATE_POINTS, Method};
+use crate::sweep::Method;
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
@@ -67,15 +68,30 @@ pub enum CliError {
         progress: String,
     },
     /// A study would replace files that no study has written.
-    #[error("{} is not of a study, and would be replaced; choose another directory with -o", file.display())]
+    #[error("{} is there, which no study has written; choose another directory with -o", file.display())]
     Occupied {
         /// The file.
         file: PathBuf,
     },
-    /// A directory cannot be made.
-    #[error("cannot create the directory {}: {source}; choose another place with -o", path.display())]
+    /// A directory cannot be made or read.
+    #[error("cannot {action} the directory {}: {source}; choose another place with -o", path.display())]
     Directory {
+        /// What was tried, as a verb.
+        action: &'static str,
         /// The directory.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A file of a study cannot be written.
+    #[error(
+        "cannot {action} {}: {source}; make room or choose another directory with -o, then run the study again",
+        path.display()
+    )]
+    Unwritten {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// The file.
         path: PathBuf,
         /// What the system said.
         source: io::Error,
@@ -106,6 +122,7 @@ impl CliError {
             | CliError::NotADirectory { .. }
             | CliError::Occupied { .. }
             | CliError::Directory { .. }
+            | CliError::Unwritten { .. }
             | CliError::Picture(_)
             | CliError::Stopped { .. }
             | CliError::System { .. } => 4,

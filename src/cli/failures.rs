@@ -4,23 +4,17 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
-use crate::model::{CaseId, Parameters};
+use crate::model::{CaseId, Parameters, shortest};
 use crate::store::{Holdings, Status, StoreError};
 use crate::sweep::Plan;
 
 /// The parameters of a case in words.
 pub fn place(parameters: &Parameters) -> String {
-    let [f, alpha, beta] = [parameters.f, parameters.alpha, parameters.beta].map(number);
+    let [f, alpha, beta] = [parameters.f, parameters.alpha, parameters.beta].map(shortest);
     if parameters.is_relaxed_elastic() {
         return format!("f = 0, beta = {beta}");
     }
     format!("f = {f}, alpha = {alpha}, beta = {beta}")
-}
-
-/// 10, 0.25, 1e-300: the shortest that reads back as the same.
-fn number(number: f64) -> String {
-    let text = format!("{number:?}");
-    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
 /// The first failed cases of a plan in its order, each with its reason.

@@ -10,8 +10,11 @@ use crate::continuation::Interrupt;
 use crate::model::{FieldSelection, Output, Parameters, Substrate};
 use crate::relaxation::Acceleration;
 use crate::store::Status;
-use crate::sweep::{Axes, ESTIMATE_POINTS, Method, Plan, SolverSettings, Sweep};
+use crate::sweep::{Axes, Method, Plan, SolverSettings, Sweep};
 use crate::{collocation, relaxation};
+
+/// Fewest points of a grid whose errors can be estimated.
+pub const ESTIMATE_POINTS: usize = relaxation::Settings::ESTIMATE_POINTS;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\

@@ -13,20 +13,20 @@ use super::wording::{count, duration};
 use super::{CliError, Exit, console, shell, threads};
 use crate::continuation::Interrupt;
 use crate::engine::{Progress, ProgressStyle, Signals};
-use crate::store::write_whole;
-use crate::study::{Findings, Meter, Picture, Row, Study, csv, markdown, pictures, run};
+use crate::store::{StoreError, write_whole};
+use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 
 /// The file of a study in its directory; a directory that holds one is a study's own.
 const COPY: &str = "study.toml";
 
-/// The files that a study writes whatever it measures.
+/// The tables that a study writes.
 const TABLES: [&str; 2] = ["study.csv", "study.md"];
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 Examples:
   stribeck study sweeps/study-quick.toml                tables and pictures in results/study-quick
-  stribeck study sweeps/stability-box.toml -o map --threads 4
+  stribeck study sweeps/study-stability.toml -o map --threads 4
   stribeck study my-study.toml --quiet && column -s, -t results/my-study/study.csv | less -S
 
 Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG;
@@ -59,8 +59,14 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     let signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the study", source })?;
     // before the work, so that a disk that takes nothing is known before hours are spent
-    fs::create_dir_all(&directory).map_err(|source| CliError::Directory { path: directory.clone(), source })?;
-    write_whole(directory.join(COPY), study.text.as_bytes())?;
+    let action = "create";
+    fs::create_dir_all(&directory).map_err(|source| CliError::Directory { action, path: directory.clone(), source })?;
+    let copy = directory.join(COPY);
+    if fs::read(&copy).is_ok_and(|before| before != study.text.as_bytes()) {
+        let place = directory.display();
+        console::tell(&format!("note: {place} has the results of another study file, which are replaced"));
+    }
+    write(copy, study.text.as_bytes())?;
 
     let all = study.cases.len() * study.variants.len();
     let progress = Progress::start(all as u64, ProgressStyle::detect(arguments.quiet))
@@ -90,26 +96,64 @@ fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError>
     if path.exists() && !path.is_dir() {
         return Err(CliError::NotADirectory { path });
     }
-    if !path.join(COPY).exists() {
-        let taken = TABLES.into_iter().chain(["sweep.toml"]).find(|name| path.join(name).exists());
-        if let Some(file) = taken {
-            return Err(CliError::Occupied { file: path.join(file) });
+    if path.exists() && !path.join(COPY).exists() {
+        let ours = |file: &PathBuf| {
+            let name = file.file_name().unwrap_or_default();
+            ["sweep.toml"].into_iter().chain(TABLES).any(|table| name == table) || is_picture(file)
+        };
+        if let Some(file) = files(&path)?.into_iter().find(ours) {
+            return Err(CliError::Occupied { file });
         }
     }
     Ok(path)
 }
 
+/// The files in a directory, sorted.
+fn files(directory: &Path) -> Result<Vec<PathBuf>, CliError> {
+    let unreadable = |source| CliError::Directory { action: "read", path: directory.to_owned(), source };
+    let entries = fs::read_dir(directory).map_err(unreadable)?;
+    let mut files: Vec<PathBuf> =
+        entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<_, _>>().map_err(unreadable)?;
+    files.sort();
+    Ok(files)
+}
+
+/// True for a file that a study may have drawn.
+fn is_picture(file: &Path) -> bool {
+    let stem = file.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    file.extension().is_some_and(|extension| extension == "svg" || extension == "png") && is_picture_name(stem)
+}
+
+/// Writes a file of the study.
+fn write(file: PathBuf, content: &[u8]) -> Result<(), CliError> {
+    write_whole(file, content).map_err(|error| match error {
+        StoreError::File { path, action, source } => CliError::Unwritten { action, path, source },
+        error => CliError::Store(error),
+    })
+}
+
 /// Writes tables and pictures; the number of pictures.
 fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
     let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
-    write_whole(directory.join("study.csv"), &table)?;
+    write(directory.join("study.csv"), &table)?;
     let drawn = if rows.is_empty() { Vec::new() } else { pictures(study, rows)? };
     for Picture { name, svg, png } in &drawn {
-        write_whole(directory.join(format!("{name}.svg")), svg.as_bytes())?;
-        write_whole(directory.join(format!("{name}.png")), png)?;
+        write(directory.join(format!("{name}.svg")), svg.as_bytes())?;
+        write(directory.join(format!("{name}.png")), png)?;
+    }
+    // pictures of the study before, which this one does not have
+    for file in files(directory)?.iter().filter(|file| is_picture(file)) {
+        let kept = |picture: &Picture| file.file_stem().is_some_and(|stem| stem == picture.name.as_str());
+        if !drawn.iter().any(kept) {
+            fs::remove_file(file).map_err(|source| CliError::Unwritten {
+                action: "remove",
+                path: file.clone(),
+                source,
+            })?;
+        }
     }
     let names: Vec<&str> = drawn.iter().map(|picture| picture.name.as_str()).collect();
-    write_whole(directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
+    write(directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
     Ok(drawn.len())
 }
 

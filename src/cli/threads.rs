@@ -8,7 +8,7 @@ const MOST: usize = 1024;
 /// Reads the value of `--threads`.
 pub fn parse(text: &str) -> Result<NonZeroUsize, String> {
     let number = text.parse().ok().and_then(NonZeroUsize::new).filter(|number| number.get() <= MOST);
-    number.ok_or_else(|| format!("give a whole number from 1 to {MOST}, or leave it out for all cores"))
+    number.ok_or_else(|| format!("give a whole number from 1 to {MOST}, or leave it out"))
 }
 
 /// As many threads as asked for, else one for each core.

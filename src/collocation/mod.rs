@@ -17,7 +17,7 @@
 //! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
 //! | `adaptation.rs`, `estimate.rs` | where panels are wanted, and how large the error is |
 //! | `quantities.rs`, `fields.rs` | what comes out |
-//! | `workspace.rs`, `solver.rs`, `settings.rs`, `state.rs`, `stages.rs` | how it is run, and where the time goes |
+//! | `workspace.rs`, `solver.rs`, `fixed_panels.rs`, `settings.rs`, `state.rs`, `stages.rs` | how it is run, and where the time goes |
 
 mod adaptation;
 mod discretisation;
@@ -26,6 +26,7 @@ mod estimate;
 mod exponential_moments;
 mod factorisation;
 mod fields;
+mod fixed_panels;
 mod inlet;
 mod legendre;
 mod log_moments;

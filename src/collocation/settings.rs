@@ -23,7 +23,7 @@ impl Settings {
     /// Tolerances that the method can keep where films are not too thin for double precision.
     pub const TOLERANCE: RangeInclusive<f64> = 1e-10..=1e-1;
     /// Degrees that make sense.
-    pub const DEGREE: RangeInclusive<usize> = 3..=16;
+    pub const DEGREE: RangeInclusive<usize> = 4..=16;
 }
 
 impl Default for Settings {

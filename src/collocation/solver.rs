@@ -30,8 +30,6 @@ const SMOOTH: f64 = 1e-4;
 const RESOLVED: f64 = 0.3;
 /// Meshes that are tried for a solution that is good enough to go on from.
 const ROUGH_MESHES: usize = 4;
-/// Meshes of a fixed number of panels, each laid out by the solution on the one before.
-const FIXED_MESHES: usize = 3;
 /// A mesh that leaves more than the first part of the least error so far is in vain; after so many there is no other.
 const GAIN: f64 = 0.8;
 const VAIN_MESHES: usize = 4;
@@ -56,15 +54,15 @@ const ROUNDING: f64 = 5e-17;
 /// Least pressure over the largest; below it the film would carry tension.
 const TENSION: f64 = -1e-6;
 /// The same for a solution that is only good enough to go on from.
-const ROUGH_TENSION: f64 = -1e-2;
+pub(super) const ROUGH_TENSION: f64 = -1e-2;
 
 /// The collocation solver with given settings.
 pub struct CollocationSolver {
-    settings: Settings,
+    pub(super) settings: Settings,
     /// A fixed number of panels, or as many as the tolerance takes.
-    panels: Option<usize>,
-    coarse: Arc<ReferencePanel>,
-    fine: Arc<ReferencePanel>,
+    pub(super) panels: Option<usize>,
+    pub(super) coarse: Arc<ReferencePanel>,
+    pub(super) fine: Arc<ReferencePanel>,
 }
 
 impl CollocationSolver {
@@ -84,18 +82,14 @@ impl CollocationSolver {
         }
     }
 
-    /// A solver with so many panels of a degree, whose error is estimated but not controlled. There are more if sizes that
-    /// change gradually take more.
-    ///
-    /// # Panics
-    /// If they are outside of [`Settings::PANELS`] and [`Settings::DEGREE`].
-    pub fn with_panels(panels: usize, degree: usize) -> Self {
-        assert!(Settings::PANELS.contains(&panels), "no solver with {panels} panels");
-        Self { panels: Some(panels), ..Self::new(Settings { tolerance: *Settings::TOLERANCE.start(), degree }) }
-    }
-
     /// Newton's method on the mesh of a state.
-    fn correct(&self, workspace: &mut Workspace, beta: f64, state: &mut State, work: &mut Work) -> Result<(), Halt> {
+    pub(super) fn correct(
+        &self,
+        workspace: &mut Workspace,
+        beta: f64,
+        state: &mut State,
+        work: &mut Work,
+    ) -> Result<(), Halt> {
         let panels = state.mesh.panels();
         if panels > MOST_PANELS {
             let reason =
@@ -131,7 +125,7 @@ impl CollocationSolver {
         ACCEPTED * roughest * roughest / (RESOLVED * RESOLVED * self.settings.tolerance)
     }
 
-    fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
+    pub(super) fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
         let layer = layer(parameters, state.c);
         let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
         let mesh = equidistributed(&self.coarse, state, panels, reach, longest);
@@ -164,7 +158,7 @@ fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize) {
     (least / most, place)
 }
 
-fn tension_failure(tension: f64) -> Halt {
+pub(super) fn tension_failure(tension: f64) -> Halt {
     let reason = format!(
         "Newton's method found a film under tension, {tension:.1e} of the largest pressure: not a solution with cavitation"
     );
@@ -313,7 +307,7 @@ impl CaseSolver for CollocationSolver {
 }
 
 /// The solution with its fields.
-fn complete(
+pub(super) fn complete(
     workspace: &Workspace,
     beta: f64,
     state: &State,
@@ -328,13 +322,13 @@ fn complete(
 }
 
 /// What stands between a solution and its acceptance.
-struct Judgement {
+pub(super) struct Judgement {
     /// Over the tolerance: the largest of the estimated errors, the extremes and the coarseness.
     error: f64,
     /// What that is.
     of: &'static str,
     /// The smallest pressure over the largest, and the panel it is on.
-    tension: f64,
+    pub(super) tension: f64,
     place: usize,
 }
 
@@ -362,29 +356,6 @@ impl Judgement {
 }
 
 impl CollocationSolver {
-    /// The solution on so many panels, laid out for it, whatever its error is.
-    fn evaluate_on(
-        &self,
-        panels: usize,
-        workspace: &mut Workspace,
-        parameters: &Parameters,
-        state: &mut State,
-        output: &Output,
-        work: &mut Work,
-    ) -> Result<Solution, Halt> {
-        let beta = parameters.beta;
-        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
-        for _ in 0..FIXED_MESHES {
-            *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
-            self.correct(workspace, beta, state, work)?;
-        }
-        let (judgement, solution) = self.judge(workspace, beta, state, output, work);
-        if judgement.tension < ROUGH_TENSION {
-            return Err(tension_failure(judgement.tension));
-        }
-        Ok(complete(workspace, beta, state, solution, output, work))
-    }
-
     /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as columns.
     pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
         workspace.enter(parameters);
@@ -399,7 +370,7 @@ impl CollocationSolver {
     }
 
     /// Estimates the errors of a solution and looks at it.
-    fn judge(
+    pub(super) fn judge(
         &self,
         workspace: &mut Workspace,
         beta: f64,

@@ -5,12 +5,14 @@ pub mod kernel;
 
 mod displacement;
 mod identity;
+mod number;
 mod outcome;
 mod output;
 mod parameters;
 
 pub use displacement::{DisplacementKernel, retarded_mode};
 pub use identity::{CaseId, NotACaseId};
+pub use number::shortest;
 pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
 pub use output::{CavityShear, FieldSelection, Output};
 pub use parameters::{Parameters, Retardation, RetardationMode, Substrate, SubstrateError};

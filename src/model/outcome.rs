@@ -62,6 +62,12 @@ pub struct RelativeErrors {
 impl RelativeErrors {
     /// No estimate.
     pub const UNKNOWN: Self = Self { mu_v: f64::NAN, mu_h: f64::NAN, c: f64::NAN };
+
+    /// The largest of them; `None` if one is not known.
+    pub fn largest(&self) -> Option<f64> {
+        let all = [self.mu_v, self.mu_h, self.c];
+        all.iter().all(|error| !error.is_nan()).then(|| all.into_iter().fold(0.0, f64::max))
+    }
 }
 
 /// Fields on the x of the sweep's output; a field that was not asked for is `None`.

@@ -45,6 +45,9 @@ pub struct Settings {
 impl Settings {
     /// Grid points that make sense: enough for a film, few enough for a computer.
     pub const POINTS: RangeInclusive<usize> = 51..=20_001;
+    /// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101 points
+    /// it is of no use.
+    pub const ESTIMATE_POINTS: usize = 201;
     /// Tolerances that double precision can meet and that deserve the name.
     pub const TOLERANCE: RangeInclusive<f64> = 1e-12..=1e-2;
 }

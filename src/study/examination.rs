@@ -8,19 +8,27 @@ use crate::continuation::CaseSolver;
 use crate::model::Parameters;
 use crate::relaxation::RelaxationSolver;
 
+/// Most equations that a condition number is computed of: that takes a time in proportion to their cube, a second or two for
+/// so many.
+pub const MOST_EQUATIONS: usize = 2001;
+
 /// What is found of a solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Examination {
     /// The smallest pressure over the largest; 0 where it is nowhere negative.
     pub tension: f64,
-    /// Condition number of the equations about the solution, equilibrated; infinite if they are singular.
-    pub condition: f64,
+    /// Condition number of the equations about the solution, equilibrated; infinite if they are singular, `None` if they are
+    /// more than [`MOST_EQUATIONS`].
+    pub condition: Option<f64>,
 }
 
 /// A method whose solutions can be looked at from the inside.
 pub(super) trait Examine: CaseSolver {
     /// The smallest pressure over the largest.
     fn tension(&self, state: &Self::State) -> f64;
+
+    /// How many equations there are, at most.
+    fn equations(&self, state: &Self::State) -> usize;
 
     /// The matrix of the linearised equations about a solution.
     fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64>;
@@ -29,6 +37,10 @@ pub(super) trait Examine: CaseSolver {
 impl Examine for CollocationSolver {
     fn tension(&self, state: &Self::State) -> f64 {
         self.tension(state)
+    }
+
+    fn equations(&self, state: &Self::State) -> usize {
+        state.pressure.len()
     }
 
     fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64> {
@@ -40,6 +52,10 @@ impl Examine for RelaxationSolver {
     fn tension(&self, state: &Self::State) -> f64 {
         let (least, most) = state.pressure.iter().fold((0.0_f64, 0.0_f64), |(a, b), &p| (a.min(p), b.max(p)));
         least / most
+    }
+
+    fn equations(&self, state: &Self::State) -> usize {
+        state.pressure.len()
     }
 
     fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64> {
@@ -54,5 +70,7 @@ pub(super) fn examine<S: Examine>(
     parameters: &Parameters,
     state: &S::State,
 ) -> Examination {
-    Examination { tension: solver.tension(state), condition: condition(solver.jacobian(workspace, parameters, state)) }
+    let few = solver.equations(state) <= MOST_EQUATIONS;
+    let condition = few.then(|| condition(solver.jacobian(workspace, parameters, state)));
+    Examination { tension: solver.tension(state), condition }
 }

@@ -71,7 +71,13 @@ fn interpret(name: &str, text: &str) -> Result<Study, Fault> {
     let measure = root.get("measure").map(|entry| read_measure(&entry)).transpose()?;
     let starts = [("alone", Start::Alone), ("chain", Start::Chain)];
     let mut cases = axes.as_ref().map_or_else(Vec::new, |axes| product(axes, &substrate));
-    cases.extend(single);
+    for (case, place) in single.into_iter().zip(root.get("case").iter().filter_map(Entry::list).flatten()) {
+        if cases.contains(&case) {
+            let help = "remove it; a case is solved once by each method";
+            return Err(place.fault("a case may stand there only once", "the same as one before it", help).unquoted());
+        }
+        cases.push(case);
+    }
     Ok(Study {
         title: root.get("title").map(|title| read_title(&title)).transpose()?.unwrap_or_else(|| name.to_owned()),
         axes,

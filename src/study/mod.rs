@@ -27,8 +27,8 @@ mod tables;
 mod timing;
 mod variant;
 
-pub use examination::Examination;
-pub use pictures::{Picture, pictures};
+pub use examination::{Examination, MOST_EQUATIONS};
+pub use pictures::{Picture, is_picture_name, pictures};
 pub use reference::{Errors, Reference};
 pub use row::{Cost, Row, Stability, csv};
 pub use run::{Findings, run};

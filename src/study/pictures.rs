@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::{Row, Study, Variant};
 use crate::figures::{Cell, ColourScale, FigureError, Map, MethodLine, Panel, SettingPoint, WorkPrecision};
+use crate::model::shortest;
 use crate::sweep::Axes;
 
 /// A picture in both formats.
@@ -21,21 +22,74 @@ pub struct Picture {
 const SYMBOLS: [&str; 4] = ["μᵥ", "μₕ", "c", "uₘᵢₙ"];
 
 /// A number of a row that is drawn as a map.
-type Quantity = (&'static str, &'static str, fn(&Row) -> Option<f64>);
+struct Quantity {
+    /// Part of the picture's name.
+    name: &'static str,
+    /// Beside the colour bar.
+    label: &'static str,
+    /// The number.
+    of: fn(&Row) -> Option<f64>,
+    /// Whether it means the same for all methods, so that all pictures of it have the same colours.
+    comparable: bool,
+}
 
-/// The maps: name, label of the colours, number.
+/// The maps.
 const MAPS: [Quantity; 7] = [
-    ("iterations", "iterations", |row| Some(row.iterations as f64)),
-    ("error", "largest error of μᵥ, μₕ and c", |row| Some(row.errors?.largest())),
-    ("estimated_error", "largest estimated error of μᵥ, μₕ and c", |row| row.stability.as_ref()?.estimated_error),
-    ("pressure_min", "largest tension / largest pressure", |row| Some(-row.stability.as_ref()?.pressure_min?)),
-    ("load_residual", "load residual", |row| row.stability.as_ref()?.load_residual),
-    ("condition", "condition number", |row| row.stability.as_ref()?.condition),
-    ("seed_difference", "difference between two seeds", |row| row.stability.as_ref()?.seed_difference),
+    Quantity { name: "iterations", label: "iterations", of: |row| Some(row.iterations as f64), comparable: false },
+    Quantity { name: "error", label: "largest error of μᵥ, μₕ and c", of: Row::largest_error, comparable: true },
+    Quantity {
+        name: "estimated_error",
+        label: "largest estimated error of μᵥ, μₕ and c",
+        of: |row| row.stability.as_ref()?.estimated_error,
+        comparable: true,
+    },
+    Quantity {
+        name: "pressure_min",
+        label: "largest tension / largest pressure",
+        of: |row| Some(-row.stability.as_ref()?.pressure_min?),
+        comparable: false,
+    },
+    Quantity {
+        name: "load_residual",
+        label: "load residual",
+        of: |row| row.stability.as_ref()?.load_residual,
+        comparable: false,
+    },
+    Quantity {
+        name: "condition",
+        label: "condition number",
+        of: |row| row.stability.as_ref()?.condition,
+        comparable: true,
+    },
+    Quantity {
+        name: "seed_difference",
+        label: "difference between two seeds",
+        of: |row| row.stability.as_ref()?.seed_difference,
+        comparable: true,
+    },
 ];
 
-/// Most rows of maps in one picture; more settings go to further pictures with the same colours.
-const MAP_ROWS: usize = 4;
+/// Most rows of maps in one picture.
+const MAP_ROWS: usize = 3;
+
+/// The settings of each picture of maps: those of one method, as far as there is room.
+fn pages(study: &Study) -> Vec<Range<usize>> {
+    let pages = |(_, variants): (&str, Range<usize>)| {
+        let firsts = variants.clone().step_by(MAP_ROWS);
+        firsts.map(move |first| first..variants.end.min(first + MAP_ROWS))
+    };
+    study.methods().into_iter().flat_map(pages).collect()
+}
+
+/// Every name, without extension, that the pictures of a study may have had.
+pub fn is_picture_name(name: &str) -> bool {
+    let errors = || super::Errors::QUANTITIES.iter().map(|name| format!("error_{name}"));
+    let page = |rest: &str| rest.is_empty() || rest.strip_prefix('_').is_some_and(|page| page.parse::<u32>().is_ok());
+    let map = |quantity: &Quantity| {
+        name.strip_prefix("map_").and_then(|rest| rest.strip_prefix(quantity.name)).is_some_and(page)
+    };
+    errors().any(|error| error == name) || MAPS.iter().any(map)
+}
 
 /// The pictures of a study: one of each error against run time, and the maps of its box, if it has one.
 ///
@@ -53,12 +107,11 @@ pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, FigureError
         }
     }
     if let Some(axes) = study.axes.as_ref().filter(|_| study.measure.stability) {
-        for (name, label, number) in MAPS {
-            for (page, first) in (1..).zip((0..study.variants.len()).step_by(MAP_ROWS)) {
-                let variants = first..study.variants.len().min(first + MAP_ROWS);
-                let map = map(study, axes, rows, variants, label, number);
+        for quantity in MAPS {
+            for (page, variants) in (1..).zip(pages(study)) {
+                let map = map(study, axes, rows, variants, &quantity);
                 let page = if page == 1 { String::new() } else { format!("_{page}") };
-                found.push(Picture { name: format!("map_{name}{page}"), svg: map.svg()?, png: map.png()? });
+                found.push(Picture { name: format!("map_{}{page}", quantity.name), svg: map.svg()?, png: map.png()? });
             }
         }
     }
@@ -70,8 +123,8 @@ fn work_precision(study: &Study, rows: &[Row], quantity: usize, symbol: &str) ->
         label: study.variants[variant].setting.mark(),
         cases: rows
             .iter()
-            .filter(|row| row.variant == variant && (row.failure.is_some() || row.errors.is_some()))
-            .filter_map(|row| Some((row.cost?.seconds, row.errors.map(|errors| errors.values()[quantity]))))
+            .filter(|row| row.variant == variant && (row.failure.is_some() || row.errors[quantity].is_some()))
+            .filter_map(|row| Some((row.cost?.seconds, row.errors[quantity])))
             .collect(),
     };
     let line = |(method, variants): (&str, Range<usize>)| MethodLine {
@@ -80,26 +133,22 @@ fn work_precision(study: &Study, rows: &[Row], quantity: usize, symbol: &str) ->
     };
     WorkPrecision {
         title: study.title.clone(),
-        subtitle: format!("{} cases; large markers: medians", study.cases.len()),
+        subtitle: match study.cases.len() {
+            1 => "one case".to_owned(),
+            cases => format!("{cases} cases; large markers: medians"),
+        },
         x_label: "seconds for a case".to_owned(),
         y_label: format!("relative error of {symbol}"),
         lines: study.methods().into_iter().map(line).collect(),
     }
 }
 
-fn map(
-    study: &Study,
-    axes: &Axes,
-    rows: &[Row],
-    variants: Range<usize>,
-    label: &str,
-    number: fn(&Row) -> Option<f64>,
-) -> Map {
+fn map(study: &Study, axes: &Axes, rows: &[Row], variants: Range<usize>, quantity: &Quantity) -> Map {
     let (columns, alphas, betas) = (axes.f.len(), axes.alpha.len(), axes.beta.len());
     let mut panels = vec![Panel { cells: vec![Cell::Absent; alphas * betas] }; columns * variants.len()];
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for row in rows.iter().filter(|row| row.case < axes.cases()) {
-        let cell = match (&row.failure, number(row)) {
+        let cell = match (&row.failure, (quantity.of)(row)) {
             (Some(_), _) => Cell::Failed,
             // −0 is 0
             (None, Some(number)) if number.is_finite() => Cell::Value(number + 0.0),
@@ -107,6 +156,7 @@ fn map(
         };
         if let Cell::Value(value) = cell
             && value > 0.0
+            && (quantity.comparable || variants.contains(&row.variant))
         {
             (least, most) = (least.min(value), most.max(value));
         }
@@ -118,16 +168,16 @@ fn map(
     let name = |variant: &Variant| format!("{}, {}", variant.method, variant.setting.words());
     Map {
         title: study.title.clone(),
-        subtitle: label.to_owned(),
+        subtitle: quantity.label.to_owned(),
         x_label: "α".to_owned(),
         y_label: "β".to_owned(),
-        columns: axes.f.iter().map(|f| format!("f = {f}")).collect(),
+        columns: axes.f.iter().map(|f| format!("f = {}", shortest(*f))).collect(),
         rows: study.variants[variants].iter().map(name).collect(),
         x: axes.alpha.clone(),
         y: axes.beta.clone(),
         panels,
         scale: ColourScale {
-            label: label.to_owned(),
+            label: quantity.label.to_owned(),
             logarithmic: true,
             range: (least < most).then_some((least, most)),
         },

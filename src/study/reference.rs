@@ -1,10 +1,10 @@
 //! What errors are measured against.
 
+use super::variant::guarded;
+use super::{Setting, Variant};
 use crate::collocation::{CollocationSolver, Settings};
 use crate::continuation::{Interrupt, Interrupted, solve_chain};
-use crate::model::{Output, Parameters, Quantities};
-
-use super::{Setting, Variant};
+use crate::model::{Output, Parameters, Quantities, RelativeErrors};
 
 /// How much tighter a reference is than the tightest setting.
 const TIGHTER: f64 = 1e-2;
@@ -12,21 +12,39 @@ const TIGHTER: f64 = 1e-2;
 const OF_PANELS: f64 = *Settings::TOLERANCE.start();
 /// The error of a grid does not come near this.
 const OF_GRIDS: f64 = 1e-7;
-/// Degree of the panels of a reference; not that of the solutions it is the reference of.
-const DEGREE: usize = 12;
+/// No reference is looser than this.
+const LOOSEST: f64 = 1e-4;
+/// Degrees of the panels of a reference: the first one that no variant has, so that no error is common to both.
+const DEGREES: [usize; 3] = [12, 14, 10];
 
-/// A collocation solution that is so much better than what is compared with it that its own error does not count.
+/// A collocation solution that is so much better than what is compared with it that its own error hardly counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// Its numbers.
     pub quantities: Quantities,
     /// The tolerance it was solved to.
     pub tolerance: f64,
-    /// The largest of its estimated errors of μ_v, μ_h and c.
-    pub error: f64,
+    /// Its own estimated errors.
+    pub errors: RelativeErrors,
 }
 
-/// Relative errors against a reference.
+impl Reference {
+    /// The largest of its estimated errors of μ_v, μ_h and c.
+    pub fn error(&self) -> f64 {
+        self.errors.largest().expect("collocation estimates its errors")
+    }
+
+    /// The errors of some numbers, in the order of [`Errors::QUANTITIES`]; `None` where they are below what the reference knows
+    /// itself. (Of the smallest film it knows no more than of the rest.)
+    pub fn errors_of(&self, numbers: &Quantities) -> [Option<f64>; 4] {
+        let RelativeErrors { mu_v, mu_h, c } = self.errors;
+        let known = [mu_v, mu_h, c, self.error()];
+        let errors = Errors::between(numbers, &self.quantities).values();
+        std::array::from_fn(|i| Some(errors[i]).filter(|error| *error >= known[i]))
+    }
+}
+
+/// Relative differences between two solutions of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
     /// Of μ_v; over μ_tot/1000 where μ_v is smaller, for it vanishes on an elastic substrate.
@@ -67,16 +85,28 @@ impl Errors {
     }
 }
 
-/// The tolerance of the references of some variants: a hundredth of the tightest, as far as the method goes.
-pub fn tolerance(variants: &[Variant]) -> f64 {
-    let of = |variant: &Variant| match variant.setting {
+/// How the references of some variants are solved: a hundredth of the tightest tolerance, as far as the method goes.
+pub fn settings(variants: &[Variant]) -> Settings {
+    let tolerance = |variant: &Variant| match variant.setting {
         Setting::Tolerance(settings) => TIGHTER * settings.tolerance,
         Setting::Panels { .. } => OF_PANELS,
         Setting::Grid(_) => OF_GRIDS,
     };
-    let tightest = variants.iter().map(of).fold(f64::INFINITY, f64::min).max(*Settings::TOLERANCE.start());
-    // 1e-7 and not 1.0000000000000001e-7, for people read it
-    format!("{tightest:.2e}").parse().expect("a number was printed")
+    let tightest = variants.iter().map(tolerance).fold(f64::INFINITY, f64::min).max(*Settings::TOLERANCE.start());
+    let taken = |degree: usize| {
+        variants.iter().any(|variant| match variant.setting {
+            Setting::Tolerance(settings) => settings.degree == degree,
+            Setting::Panels { degree: other, .. } => other == degree,
+            Setting::Grid(_) => false,
+        })
+    };
+    let degree = DEGREES.into_iter().find(|&degree| !taken(degree)).unwrap_or(DEGREES[0]);
+    Settings { tolerance: rounded(tightest), degree }
+}
+
+/// To three digits: 1e-7 and not 1.0000000000000001e-7, for people read it.
+fn rounded(tolerance: f64) -> f64 {
+    format!("{tolerance:.2e}").parse().expect("a number was printed")
 }
 
 /// References of some cases. Where a tolerance is out of reach (a film too thin for it) one ten times as large is tried, up to
@@ -86,25 +116,23 @@ pub fn tolerance(variants: &[Variant]) -> f64 {
 /// [`Interrupted`] if the user asks to stop.
 pub fn references(
     cases: &[Parameters],
-    tolerance: f64,
+    settings: Settings,
     output: &Output,
     interrupt: &Interrupt,
 ) -> Result<Vec<Result<Reference, String>>, Interrupted> {
-    const LOOSEST: f64 = 1e-4;
     let mut found = Vec::with_capacity(cases.len());
     for case in cases {
-        let mut wanted = tolerance;
+        let case = std::slice::from_ref(case);
+        let mut tolerance = settings.tolerance;
         found.push(loop {
-            let solver = CollocationSolver::new(Settings { tolerance: wanted, degree: DEGREE });
-            let solved = solve_chain(&solver, std::slice::from_ref(case), output, interrupt)?.remove(0);
+            let solver = CollocationSolver::new(Settings { tolerance, ..settings });
+            let solved = guarded(case, || solve_chain(&solver, case, output, interrupt))?.remove(0);
             match solved.outcome {
                 Ok(solution) => {
-                    let errors = solution.errors;
-                    let error = [errors.mu_v, errors.mu_h, errors.c].into_iter().fold(0.0, f64::max);
-                    break Ok(Reference { quantities: solution.quantities, tolerance: wanted, error });
+                    break Ok(Reference { quantities: solution.quantities, tolerance, errors: solution.errors });
                 }
-                Err(failure) if 10.0 * wanted > LOOSEST => break Err(failure.reason),
-                Err(_) => wanted *= 10.0,
+                Err(failure) if 10.0 * tolerance > 1.01 * LOOSEST => break Err(failure.reason),
+                Err(_) => tolerance = rounded(10.0 * tolerance),
             }
         });
     }

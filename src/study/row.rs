@@ -1,7 +1,7 @@
 //! The table of a study: one row for each case and variant.
 
-use super::reference::{Errors, Reference};
-use super::stability::{Examined, largest};
+use super::reference::Reference;
+use super::stability::Examined;
 use super::timing::Timed;
 use super::{Study, Variant};
 use crate::continuation::SolvedCase;
@@ -22,10 +22,11 @@ pub struct Row {
     pub iterations: u64,
     /// Unknowns, or points of the grid; `None` if it failed.
     pub unknowns: Option<usize>,
-    /// Errors against the reference; `None` if it failed or there is no reference that is good enough.
-    pub errors: Option<Errors>,
-    /// The reference of the case, if there is one.
-    pub reference: Option<Reference>,
+    /// Errors against the reference, in the order of [`Errors::QUANTITIES`](super::Errors::QUANTITIES); `None` if the case failed, or the reference is
+    /// missing or no better.
+    pub errors: [Option<f64>; 4],
+    /// The reference of the case, or why there is none.
+    pub reference: Result<Reference, String>,
     /// What it cost, if that was measured.
     pub cost: Option<Cost>,
     /// How stable it is, if that was examined.
@@ -68,8 +69,8 @@ impl Stability {
         Self {
             pressure_min: examined.examination.map(|found| found.tension),
             load_residual: solution.map(|solution| solution.quantities.load_residual),
-            condition: examined.examination.map(|found| found.condition),
-            estimated_error: solution.and_then(|solution| largest(&solution.errors)),
+            condition: examined.examination.and_then(|found| found.condition),
+            estimated_error: examined.estimated_error,
             other_seed: examined.other.seed.to_string(),
             other_failure: examined.other.failure.clone(),
             seed_difference: examined.other.difference,
@@ -84,11 +85,11 @@ impl Cost {
     }
 }
 
-/// The median of some numbers, of two middle ones their mean.
+/// The median of some times, of two middle ones their mean.
 ///
 /// # Panics
 /// If there are none.
-pub(super) fn median(numbers: &[f64]) -> f64 {
+fn median(numbers: &[f64]) -> f64 {
     let mut sorted = numbers.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
     let middle = sorted.len() / 2;
@@ -96,20 +97,25 @@ pub(super) fn median(numbers: &[f64]) -> f64 {
 }
 
 impl Row {
+    /// The largest known error of μ_v, μ_h and c.
+    pub fn largest_error(&self) -> Option<f64> {
+        self.errors[..3].iter().flatten().copied().reduce(f64::max)
+    }
+
     /// A row without cost and stability.
     pub(super) fn of(
         case: usize,
         variant: (usize, &Variant),
         solved: &SolvedCase,
-        reference: Option<&Reference>,
+        reference: &Result<Reference, String>,
     ) -> Self {
-        // what is compared must be far from the reference, if it is to measure anything
-        let fit = reference.filter(|reference| match variant.1.setting {
+        // a tolerance that is no looser than that of the reference cannot be measured by it
+        let fit = reference.as_ref().ok().filter(|reference| match variant.1.setting {
             super::Setting::Tolerance(settings) => reference.tolerance < 0.5 * settings.tolerance,
             super::Setting::Panels { .. } | super::Setting::Grid(_) => true,
         });
         let solution = solved.outcome.as_ref().ok();
-        let errors = solution.zip(fit).map(|(ours, better)| Errors::between(&ours.quantities, &better.quantities));
+        let errors = solution.zip(fit).map_or([None; 4], |(ours, better)| better.errors_of(&ours.quantities));
         Self {
             case,
             variant: variant.0,
@@ -118,7 +124,7 @@ impl Row {
             iterations: solved.effort.iterations,
             unknowns: solution.map(|_| solved.effort.unknowns),
             errors,
-            reference: reference.copied(),
+            reference: reference.clone(),
             cost: None,
             stability: None,
         }
@@ -126,7 +132,7 @@ impl Row {
 }
 
 /// The header of `study.csv`.
-const HEADER: [&str; 26] = [
+const HEADER: [&str; 28] = [
     "case",
     "f",
     "alpha",
@@ -146,11 +152,13 @@ const HEADER: [&str; 26] = [
     "seed",
     "reference_tolerance",
     "reference_error",
+    "reference_reason",
     "pressure_min",
     "load_residual",
     "condition",
     "estimated_error",
     "other_seed",
+    "other_reason",
     "seed_difference",
     "seeds_agree",
 ];
@@ -171,8 +179,8 @@ pub fn csv(study: &Study, rows: &[Row]) -> csv::Result<Vec<u8>> {
         let Parameters { alpha, beta, f, .. } = &study.cases[row.case];
         let variant = &study.variants[row.variant];
         let stability = row.stability.as_ref();
-        let errors = row.errors.map_or([None; 4], |errors| errors.values().map(Some));
-        let [mu_v, mu_h, c, film_min] = errors.map(number);
+        let [mu_v, mu_h, c, film_min] = row.errors.map(number);
+        let reference = row.reference.as_ref();
         let record: [String; HEADER.len()] = [
             (row.case + 1).to_string(),
             format!("{f:?}"),
@@ -191,13 +199,15 @@ pub fn csv(study: &Study, rows: &[Row]) -> csv::Result<Vec<u8>> {
             if row.failure.is_none() { "converged" } else { "failed" }.to_owned(),
             row.failure.clone().unwrap_or_default(),
             row.seed.clone(),
-            number(row.reference.map(|reference| reference.tolerance)),
-            number(row.reference.map(|reference| reference.error)),
+            number(reference.ok().map(|reference| reference.tolerance)),
+            number(reference.ok().map(Reference::error)),
+            reference.err().cloned().unwrap_or_default(),
             number(stability.and_then(|found| found.pressure_min)),
             number(stability.and_then(|found| found.load_residual)),
             number(stability.and_then(|found| found.condition)),
             number(stability.and_then(|found| found.estimated_error)),
             stability.map_or_else(String::new, |found| found.other_seed.clone()),
+            stability.and_then(|found| found.other_failure.clone()).unwrap_or_default(),
             number(stability.and_then(|found| found.seed_difference)),
             stability.and_then(|found| found.seeds_agree).map_or_else(String::new, |agree| agree.to_string()),
         ];

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::reference::{references, tolerance};
+use super::reference::{references, settings};
 use super::row::{Cost, Row, Stability};
 use super::stability::{Examined, examine};
 use super::timing::time;
@@ -63,8 +63,7 @@ fn rows(
     let output = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
     let cases = &study.cases[group.clone()];
     let variants = &study.variants;
-    let references = references(cases, tolerance(variants), &output, interrupt)?;
-    let reference = |i: usize| references[i].as_ref().ok();
+    let references = references(cases, settings(variants), &output, interrupt)?;
 
     let mut rows: Vec<Row> = Vec::with_capacity(cases.len() * variants.len());
     let timed = match study.measure.error {
@@ -73,7 +72,7 @@ fn rows(
     };
     for (j, timed) in timed.iter().enumerate() {
         for (i, timed) in timed.iter().enumerate() {
-            let mut row = Row::of(group.start + i, (j, &variants[j]), &timed.solved, reference(i));
+            let mut row = Row::of(group.start + i, (j, &variants[j]), &timed.solved, &references[i]);
             row.cost = Some(Cost::of(timed));
             rows.push(row);
             if !study.measure.stability {
@@ -89,7 +88,7 @@ fn rows(
                 match rows.get_mut(j * cases.len() + i).filter(|_| study.measure.error) {
                     Some(row) => row.stability = stability,
                     None => {
-                        let row = Row::of(group.start + i, (j, variant), &examined.solved, reference(i));
+                        let row = Row::of(group.start + i, (j, variant), &examined.solved, &references[i]);
                         rows.push(Row { stability, ..row });
                     }
                 }

@@ -4,7 +4,7 @@ use super::reference::Errors;
 use super::variant::guarded;
 use super::{Examination, Setting, Variant};
 use crate::continuation::{Interrupt, Interrupted, Seed, Solution, SolvedCase};
-use crate::model::{Output, Parameters, RelativeErrors};
+use crate::model::{Failure, Output, Parameters};
 
 /// β of the neighbours that a case is solved from once more, over its own: first from above, where films are thinner, for
 /// every other way to a case comes from thicker ones.
@@ -13,10 +13,12 @@ const NEIGHBOURS: [f64; 2] = [2.0, 0.5];
 /// What one variant did with one case.
 #[derive(Clone, Debug)]
 pub(super) struct Examined {
-    /// The solution in its usual way, with an estimate of its errors.
+    /// The solution in its usual way.
     pub solved: SolvedCase,
     /// How it looks from the inside; `None` if there is none.
     pub examination: Option<Examination>,
+    /// The largest of its estimated errors of μ_v, μ_h and c.
+    pub estimated_error: Option<f64>,
     /// The same case from a neighbour.
     pub other: Other,
 }
@@ -41,18 +43,29 @@ pub(super) fn examine(
     output: &Output,
     interrupt: &Interrupt,
 ) -> Result<Vec<Examined>, Interrupted> {
-    let solver = variant.setting.estimating().solver();
+    let solver = variant.setting.solver();
     let mut examinations = Vec::with_capacity(cases.len());
     let solved =
         guarded(cases, || solver.examine(cases, output, interrupt, &mut |examination| examinations.push(examination)))?;
     // a panic leaves the rest of them out
     examinations.resize(cases.len(), None);
+    let mut estimates: Vec<Option<f64>> = solved.iter().map(estimate).collect();
+    if let Some(setting) = variant.setting.estimating() {
+        let solver = setting.solver();
+        let again = guarded(cases, || solver.solve(cases, output, interrupt))?;
+        estimates = again.iter().map(estimate).collect();
+    }
     let mut found = Vec::with_capacity(cases.len());
-    for ((case, solved), examination) in cases.iter().zip(solved).zip(examinations) {
+    for (((case, solved), examination), estimated_error) in cases.iter().zip(solved).zip(examinations).zip(estimates) {
         let other = from_neighbour(variant, case, &solved, output, interrupt)?;
-        found.push(Examined { solved, examination, other });
+        found.push(Examined { solved, examination, estimated_error, other });
     }
     Ok(found)
+}
+
+/// The largest of the estimated errors of a case.
+fn estimate(solved: &SolvedCase) -> Option<f64> {
+    solved.outcome.as_ref().ok()?.errors.largest()
 }
 
 /// Solves a case from its neighbours, one after the other until one of them is the seed indeed.
@@ -75,7 +88,13 @@ fn from_neighbour(
             break;
         }
     }
-    let other = other.expect("there are neighbours");
+    let mut other = other.expect("there are neighbours");
+    let led = matches!(other.seed, Seed::Neighbour | Seed::Predictor | Seed::Intermediate(_));
+    if !led && other.outcome.is_ok() {
+        // it went the usual way after all, which says nothing about the seed
+        let reason = "no neighbour leads to it".to_owned();
+        other.outcome = Err(Failure::new(reason));
+    }
     let both = solved.outcome.as_ref().ok().zip(other.outcome.as_ref().ok());
     let difference = both.map(|(ours, theirs)| Errors::between(&theirs.quantities, &ours.quantities).largest());
     let allowed = both.map(|both| agreement(&variant.setting, both.into()));
@@ -87,13 +106,7 @@ fn from_neighbour(
 fn agreement(setting: &Setting, solutions: [&Solution; 2]) -> f64 {
     match setting {
         Setting::Tolerance(settings) => 2.0 * settings.tolerance,
-        Setting::Panels { .. } => solutions.into_iter().filter_map(|solution| largest(&solution.errors)).sum(),
+        Setting::Panels { .. } => solutions.into_iter().filter_map(|solution| solution.errors.largest()).sum(),
         Setting::Grid(settings) => 1e4 * settings.tolerance,
     }
-}
-
-/// The largest of the estimated errors; `None` if there are none.
-pub(super) fn largest(errors: &RelativeErrors) -> Option<f64> {
-    let all = [errors.mu_v, errors.mu_h, errors.c];
-    all.iter().all(|error| !error.is_nan()).then(|| all.into_iter().fold(0.0, f64::max))
 }

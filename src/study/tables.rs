@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::reference::Errors;
-use super::row::median;
-use super::{Row, Start, Study, Variant};
+use super::reference::settings;
+use super::{Reference, Row, Start, Study};
+use crate::model::shortest;
 
 /// Failed cases that are listed for each variant.
 const LISTED: usize = 5;
 
-/// Names of the quantities of [`Errors::values`] in a text.
+/// Names of the quantities of [`Row::errors`] in a text.
 const NAMES: [&str; 4] = ["μ_v", "μ_h", "c", "u_min"];
 
 /// The tables of a study, with references to pictures by their names.
@@ -43,33 +44,47 @@ fn introduction(study: &Study, rows: &[Row]) -> String {
         Start::Alone => "each case alone, from its own first guess",
         Start::Chain => "each case seeded by those of smaller β with the same α and f",
     };
-    let mut references: BTreeMap<usize, Option<(f64, f64)>> = BTreeMap::new();
-    for row in rows {
-        references.insert(row.case, row.reference.map(|reference| (reference.tolerance, reference.error)));
-    }
-    let known: Vec<(f64, f64)> = references.values().filter_map(|reference| *reference).collect();
+    let references: BTreeMap<usize, &Result<Reference, String>> =
+        rows.iter().map(|row| (row.case, &row.reference)).collect();
+    let known: Vec<(f64, f64)> = references
+        .values()
+        .filter_map(|reference| reference.as_ref().ok())
+        .map(|reference| (reference.tolerance, reference.error()))
+        .collect();
+    let degree = settings(&study.variants).degree;
     let missing = references.len() - known.len();
     let tightest = known.iter().map(|(tolerance, _)| *tolerance).fold(f64::INFINITY, f64::min);
     let looser = known.iter().filter(|(tolerance, _)| *tolerance > tightest).count();
     let worst = known.iter().map(|(_, error)| *error).fold(0.0, f64::max);
-    let mut text = format!("{} cases, {} settings; {start}. ", references.len(), study.variants.len());
+    let (cases, variants) = (counted(references.len(), "case"), counted(study.variants.len(), "setting"));
+    let mut text = format!("{cases}, {variants}; {start}. ");
     let written = "writing to memory does not fail";
     if !known.is_empty() {
         write!(
             text,
-            "Errors are relative, against collocation solutions with panels of degree 12 and a tolerance of {tightest:e}"
+            "Errors are relative, against collocation solutions with panels of degree {degree} and a tolerance of {tightest:e}"
         )
         .expect(written);
         if looser > 0 {
-            write!(text, " (looser in {looser} cases, where that cannot be reached)").expect(written);
+            write!(text, " (looser in {}, where that cannot be reached)", counted(looser, "case")).expect(written);
         }
-        write!(text, "; the largest of their own estimated errors is {worst:.0e}. ").expect(written);
+        write!(text, "; the largest of their own estimated errors is {worst:.0e}, and smaller errors than that of its reference are left out. ").expect(written);
     }
     if missing > 0 {
-        write!(text, "{missing} cases have no reference. ").expect(written);
+        write!(text, "{} without a reference. ", counted(missing, "case")).expect(written);
     }
     text.truncate(text.trim_end().len());
     text + "\n"
+}
+
+/// `1 case`, `2 cases`.
+fn counted(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
+/// A text that breaks no table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|")
 }
 
 /// The rows of one variant.
@@ -87,6 +102,14 @@ fn spread(numbers: impl Iterator<Item = f64>) -> [String; 2] {
     [median(&numbers), largest].map(short)
 }
 
+/// The median of some numbers; of two middle ones that are not 0 the geometric mean, as in the pictures.
+fn median(numbers: &[f64]) -> f64 {
+    let mut sorted = numbers.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let (lower, upper) = (sorted[(sorted.len() - 1) / 2], sorted[sorted.len() / 2]);
+    if lower == upper { lower } else { (lower * upper).sqrt() }
+}
+
 /// Two digits.
 fn short(number: f64) -> String {
     match number.abs() {
@@ -100,31 +123,33 @@ fn short(number: f64) -> String {
 
 fn error_table(study: &Study, rows: &[Row]) -> String {
     let mut header =
-        "| method | setting | solved | seconds, median | largest | unknowns | iterations | MB |".to_owned();
+        "| method | setting | solved | seconds, median | largest | largest of failed | unknowns | iterations | MB |"
+            .to_owned();
     for name in NAMES {
         header += &format!(" {name}, median | worst |");
     }
-    let mut text = format!("{header}\n|{}\n", " --- |".repeat(8 + 2 * NAMES.len()));
+    let mut text = format!("{header}\n|{}\n", " --- |".repeat(9 + 2 * NAMES.len()));
     for (j, variant) in study.variants.iter().enumerate() {
         let rows = of(rows, j);
         let solved = rows.clone().filter(|row| row.failure.is_none());
-        let [seconds, longest] = spread(rows.clone().filter_map(|row| Some(row.cost?.seconds)));
+        let [seconds, longest] = spread(solved.clone().filter_map(|row| Some(row.cost?.seconds)));
+        let failed = rows.clone().filter(|row| row.failure.is_some());
+        let [_, given_up] = spread(failed.filter_map(|row| Some(row.cost?.seconds)));
         let [unknowns, _] = spread(solved.clone().filter_map(|row| Some(row.unknowns? as f64)));
-        let [iterations, _] = spread(rows.clone().map(|row| row.iterations as f64));
+        let [iterations, _] = spread(solved.clone().map(|row| row.iterations as f64));
         let [_, memory] = spread(rows.clone().filter_map(|row| Some(row.cost?.peak_bytes as f64 / 1e6)));
         let (count, all) = (solved.clone().count(), rows.clone().count());
-        let Variant { method, setting } = variant;
-        let setting = setting.words();
+        let (method, setting) = (cell(&variant.method), variant.setting.words());
         let mut line = format!(
-            "| {method} | {setting} | {count} of {all} | {seconds} | {longest} | {unknowns} | {iterations} | {memory} |"
+            "| {method} | {setting} | {count} of {all} | {seconds} | {longest} | {given_up} | {unknowns} | {iterations} | {memory} |"
         );
         for quantity in 0..Errors::QUANTITIES.len() {
-            let [middle, worst] = spread(rows.clone().filter_map(|row| Some(row.errors?.values()[quantity])));
+            let [middle, worst] = spread(rows.clone().filter_map(|row| row.errors[quantity]));
             line += &format!(" {middle} | {worst} |");
         }
         text += &(line + "\n");
     }
-    text + "\nSeconds, iterations and memory (the most in use at once) are those of failed cases too; errors those of solved ones.\n"
+    text + "\nMedians are of solved cases; MB are the most in use at once for any case.\n"
 }
 
 fn stability_table(study: &Study, rows: &[Row]) -> String {
@@ -142,7 +167,7 @@ fn stability_table(study: &Study, rows: &[Row]) -> String {
         let [_, load] = spread(rows.clone().filter_map(|row| stable(row)?.load_residual));
         let [condition, worst_condition] = spread(rows.clone().filter_map(|row| stable(row)?.condition));
         let [_, estimated] = spread(rows.clone().filter_map(|row| stable(row)?.estimated_error));
-        let [_, error] = spread(rows.clone().filter_map(|row| Some(row.errors?.largest())));
+        let [_, error] = spread(rows.clone().filter_map(|row| row.largest_error()));
         let other_failed =
             |row: &&Row| row.failure.is_none() && stable(row).is_some_and(|found| found.other_failure.is_some());
         let failed = rows.clone().filter(other_failed).count();
@@ -150,7 +175,7 @@ fn stability_table(study: &Study, rows: &[Row]) -> String {
         let disagree = disagree.count();
         let [_, difference] = spread(rows.clone().filter_map(|row| stable(row)?.seed_difference));
         let all = rows.clone().count();
-        let (method, setting, least) = (&variant.method, variant.setting.words(), short(least));
+        let (method, setting, least) = (cell(&variant.method), variant.setting.words(), short(least));
         text += &format!(
             "| {method} | {setting} | {converged} of {all} | {iterations} | {most} | {least} | {load} | {condition} | \
              {worst_condition} | {estimated} | {error} | {failed} | {disagree} | {difference} |\n"
@@ -171,13 +196,8 @@ fn failures(study: &Study, rows: &[Row]) -> String {
         text += &format!("{}, {}: {} failed\n\n", variant.method, variant.setting.words(), failed.len());
         for (row, reason) in failed.iter().take(LISTED) {
             let case = &study.cases[row.case];
-            text += &format!(
-                "- case {}, α = {:?}, β = {:?}, f = {:?}: {reason}\n",
-                row.case + 1,
-                case.alpha,
-                case.beta,
-                case.f
-            );
+            let [alpha, beta, f] = [case.alpha, case.beta, case.f].map(shortest);
+            text += &format!("- case {}, α = {alpha}, β = {beta}, f = {f}: {reason}\n", row.case + 1);
         }
         if failed.len() > LISTED {
             text += &format!("- and {} more, in `study.csv`\n", failed.len() - LISTED);

@@ -1,6 +1,7 @@
 //! A method at one of its settings, and what can be asked of it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Instant;
 
 use super::examination::{Examination, Examine, examine};
 use crate::collocation::{self, CollocationSolver};
@@ -62,13 +63,13 @@ impl Setting {
         }
     }
 
-    /// The same with an estimate of the errors, if that is to be had.
-    pub(super) fn estimating(self) -> Self {
+    /// The same with an estimate of the errors, where it has none of itself and one is to be had.
+    pub(super) fn estimating(self) -> Option<Self> {
         match self {
-            Setting::Grid(settings) if settings.points >= crate::sweep::ESTIMATE_POINTS => {
-                Setting::Grid(relaxation::Settings { estimate: true, ..settings })
+            Setting::Grid(settings) if settings.points >= relaxation::Settings::ESTIMATE_POINTS => {
+                Some(Setting::Grid(relaxation::Settings { estimate: true, ..settings }))
             }
-            other => other,
+            _ => None,
         }
     }
 }
@@ -78,14 +79,16 @@ pub(super) fn guarded(
     cases: &[Parameters],
     solve: impl FnOnce() -> Result<Vec<SolvedCase>, Interrupted>,
 ) -> Result<Vec<SolvedCase>, Interrupted> {
+    let start = Instant::now();
     catch_unwind(AssertUnwindSafe(solve)).unwrap_or_else(|payload| {
+        let seconds = start.elapsed().as_secs_f64() / cases.len() as f64;
         let reason = format!("the solver panicked: {}; please report it", panic_message(payload.as_ref()));
         let failed = SolvedCase {
             outcome: Err(Failure::new(reason)),
             limits: Limits::UNKNOWN,
             seed: Seed::None,
             path: Path::default(),
-            effort: Effort::default(),
+            effort: Effort { seconds, ..Effort::default() },
         };
         Ok(vec![failed; cases.len()])
     })
@@ -136,5 +139,23 @@ impl<S: Examine> Subject for S {
             Ok(solved)
         };
         cases.iter().map(solve).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A panic is a failed row of each case, with its message and the time it took.
+    #[test]
+    fn a_panic_becomes_failed_cases() {
+        let cases = [Parameters::elastic(10.0), Parameters::elastic(20.0)];
+        let solved = guarded(&cases, || panic!("index out of bounds")).expect("nobody asked to stop");
+        assert_eq!(solved.len(), 2);
+        for case in solved {
+            let reason = case.outcome.expect_err("failed").reason;
+            assert_eq!(reason, "the solver panicked: index out of bounds; please report it");
+            assert!(case.effort.seconds > 0.0);
+        }
     }
 }

@@ -23,6 +23,5 @@ mod specification;
 pub(crate) use file::{read_axes, read_substrate, read_title};
 pub use fingerprint::Fingerprint;
 pub use plan::{Chain, MAX_CHAIN, Plan};
-pub use solver::ESTIMATE_POINTS;
 pub(crate) use solver::{read_error, read_points};
 pub use specification::{Axes, Method, SolverSettings, Sweep};

@@ -37,9 +37,7 @@ pub(crate) fn read_error(entry: &Entry<'_>) -> Result<f64, Fault> {
     Err(entry.fault(what, "out of range", help))
 }
 
-/// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101 points
-/// it is of no use.
-pub const ESTIMATE_POINTS: usize = 201;
+const ESTIMATE_POINTS: usize = Settings::ESTIMATE_POINTS;
 
 fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
     let section = section(entry)?;

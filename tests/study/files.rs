@@ -117,6 +117,7 @@ fn bad_files() -> Vec<(String, usize, &'static str, &'static str)> {
             "at least 0, or inf",
             "a case is written as",
         ),
+        (format!("{BOX}{METHOD}[[case]]\nalpha = 1.0\nbeta = 100.0\nf = 10.0\n"), 8, "only once", "remove it"),
         (with("method = \"multigrid\""), 6, "\"collocation\" or \"relaxation\"", "write"),
         (with("method = \"collocation\""), 5, "needs `tolerance`", "panels"),
         (with("method = \"collocation\"\ntolerance = []"), 7, "at least one value", "in brackets"),
@@ -125,7 +126,7 @@ fn bad_files() -> Vec<(String, usize, &'static str, &'static str)> {
         (with("method = \"collocation\"\ntolerance = 1e-3\npoints = 401"), 8, "collocation has no `points`", "remove"),
         (with("method = \"collocation\"\npanels = 3"), 7, "whole number from 4 to 160", "write"),
         (with("method = \"collocation\"\npanels = 8\ntolerance = 1e-3"), 8, "has no `tolerance`", "remove"),
-        (with("method = \"collocation\"\npanels = 8\ndegree = 40"), 8, "whole number from 3 to 16", "write"),
+        (with("method = \"collocation\"\npanels = 8\ndegree = 40"), 8, "whole number from 4 to 16", "write"),
         (with("method = \"relaxation\""), 5, "needs `points`", "varied by the points"),
         (with("method = \"relaxation\"\npoints = [400]"), 7, "odd number from 51", "halves the grid"),
         (with("method = \"relaxation\"\npoints = 401\ntolerance = 1.0"), 8, "from 1e-12 to 1e-2", "residual"),
@@ -203,6 +204,9 @@ proptest! {
         chain in any::<bool>(),
     ) {
         let mut text = format!("start = \"{}\"\n{METHOD}", if chain { "chain" } else { "alone" });
+        let mut cases = cases;
+        let mut seen = std::collections::HashSet::new();
+        cases.retain(|case| seen.insert(*case));
         for (f, alpha, beta) in &cases {
             text += &format!("[[case]]\nf = {f}\nalpha = {alpha}\nbeta = {beta}\n");
         }

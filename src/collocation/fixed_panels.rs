@@ -1,0 +1,59 @@
+//! Collocation on a fixed number of panels: to study the method, not to use it.
+
+use super::adaptation::Panels;
+use super::scaling::Scaling;
+use super::settings::Settings;
+use super::solver::{CollocationSolver, ROUGH_TENSION, complete, tension_failure};
+use super::state::State;
+use super::workspace::Workspace;
+use crate::continuation::{Halt, Solution, Work};
+use crate::model::{Failure, Output, Parameters};
+
+/// Meshes of a fixed number of panels, each laid out by the solution on the one before.
+const FIXED_MESHES: usize = 3;
+
+impl CollocationSolver {
+    /// A solver with so many panels of a degree, whose error is estimated but not controlled. On the way to a case panels are
+    /// as many as Newton's method needs.
+    ///
+    /// # Panics
+    /// If they are outside of [`Settings::PANELS`] and [`Settings::DEGREE`].
+    pub fn with_panels(panels: usize, degree: usize) -> Self {
+        assert!(Settings::PANELS.contains(&panels), "no solver with {panels} panels");
+        Self { panels: Some(panels), ..Self::new(Settings { tolerance: *Settings::TOLERANCE.start(), degree }) }
+    }
+
+    /// The solution on so many panels, laid out for it, whatever its error is.
+    ///
+    /// # Errors
+    /// [`Halt`] if sizes that change gradually take more panels, Newton's method fails, the film is under tension, or the user
+    /// asks to stop.
+    pub(super) fn evaluate_on(
+        &self,
+        panels: usize,
+        workspace: &mut Workspace,
+        parameters: &Parameters,
+        state: &mut State,
+        output: &Output,
+        work: &mut Work,
+    ) -> Result<Solution, Halt> {
+        let beta = parameters.beta;
+        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        for _ in 0..FIXED_MESHES {
+            *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
+            let least = state.mesh.panels();
+            if least > panels {
+                let reason = format!(
+                    "panels whose sizes change gradually are {least} at least, not {panels}; ask for more panels"
+                );
+                return Err(Halt::Failed(Failure { reason, conclusive: true }));
+            }
+            self.correct(workspace, beta, state, work)?;
+        }
+        let (judgement, solution) = self.judge(workspace, beta, state, output, work);
+        if judgement.tension < ROUGH_TENSION {
+            return Err(tension_failure(judgement.tension));
+        }
+        Ok(complete(workspace, beta, state, solution, output, work))
+    }
+}
