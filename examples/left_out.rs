@@ -153,7 +153,10 @@ fn print_table(program: &Path, title: &str, entries: &[Entry], repeats: usize) -
         }
     }
     let seconds: Vec<f64> = seconds.into_iter().map(median).collect();
-    println!("| {title} | grid points | solved | seconds | shards | log | results.h5 | summary.csv |");
+    println!(
+        "| {title} | grid points | solved | seconds (1.00 = {:.2} s) | shards | log | results.h5 | summary.csv |",
+        seconds[0]
+    );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for ((entry, run), time) in entries.iter().zip(&runs).zip(&seconds) {
         let bytes = run.bytes.map(|bytes| format!("{:.0}", bytes as f64 / run.points as f64)).join(" | ");
