@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::font::{self, DESCENT};
 use super::scene::{Anchor, Area, Point, Scene, Shape, Text};
-use super::{Cell, ColourScale, Map, MethodLine, Panel, SettingPoint, WIDTH, WorkPrecision};
+use super::{Cell, ColourScale, Map, MethodLine, Outcome, Panel, SettingPoint, WIDTH, WorkPrecision};
 
 /// The rectangle of a text, from the top of its capitals to the descenders.
 fn bounds(text: &Text) -> Area {
@@ -59,9 +59,13 @@ fn label() -> impl Strategy<Value = String> {
 }
 
 fn setting(cases: usize) -> impl Strategy<Value = SettingPoint> {
-    let error =
-        prop_oneof![6 => (-14.0..0.0f64).prop_map(|e| Some(10f64.powf(e))), 1 => Just(None), 1 => Just(Some(0.0))];
-    let case = ((-4.0..3.0f64).prop_map(|s| 10f64.powf(s)), error);
+    let outcome = prop_oneof![
+        6 => (-14.0..0.0f64).prop_map(|e| Outcome::Error(10f64.powf(e))),
+        1 => Just(Outcome::Failed),
+        1 => Just(Outcome::Unknown),
+        1 => Just(Outcome::Error(0.0)),
+    ];
+    let case = ((-4.0..3.0f64).prop_map(|s| 10f64.powf(s)), outcome);
     ("[0-9e-]{1,6}", prop::collection::vec(case, 1..cases)).prop_map(|(label, cases)| SettingPoint { label, cases })
 }
 

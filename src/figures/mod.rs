@@ -38,4 +38,4 @@ mod work_precision_chart;
 pub use error::FigureError;
 pub use map::{Cell, ColourScale, Map, Panel};
 pub use paint::WIDTH;
-pub use work_precision::{MethodLine, SettingPoint, WorkPrecision};
+pub use work_precision::{MethodLine, Outcome, SettingPoint, WorkPrecision};
