@@ -5,7 +5,7 @@
 """Fits the coefficients of the formula for the film thickness c (`exact::fitted_c`, docs/approximations.md).
 
     stribeck run sweeps/film.toml
-    python scripts/fit_film.py results/film/summary.csv
+    uv run scripts/fit_film.py results/film/summary.csv
 
 prints the coefficients that stand in src/exact/film_formula.rs, and the errors on the cases fitted. On other cases:
 

@@ -1,14 +1,17 @@
 //! Charts from outside: what is given is drawn, failures as failures, in well-formed SVG and in PNG of the promised width.
 
 use roxmltree::{Document, Node};
-use stribeck::figures::{Cell, ColourScale, FigureError, Map, MethodLine, Panel, SettingPoint, WIDTH, WorkPrecision};
+use stribeck::figures::Outcome::{Error, Failed, Unknown};
+use stribeck::figures::{
+    Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WIDTH, WorkPrecision,
+};
 
 const BLUE: &str = "#0072B2";
 const VERMILLION: &str = "#D55E00";
 const FAILED: &str = "#FAD6D0";
 const UNKNOWN: &str = "#D0D0D0";
 
-fn setting(label: &str, cases: &[(f64, Option<f64>)]) -> SettingPoint {
+fn setting(label: &str, cases: &[(f64, Outcome)]) -> SettingPoint {
     SettingPoint { label: label.to_string(), cases: cases.to_vec() }
 }
 
@@ -29,15 +32,15 @@ fn two_methods() -> WorkPrecision {
         (
             "collocation",
             vec![
-                setting("1e-3", &[(0.01, Some(1e-4)), (0.02, Some(3e-4)), (0.04, Some(2e-5))]),
-                setting("1e-5", &[(0.03, Some(1e-6)), (0.05, Some(0.0)), (0.06, Some(2e-6))]),
+                setting("1e-3", &[(0.01, Error(1e-4)), (0.02, Error(3e-4)), (0.04, Error(2e-5))]),
+                setting("1e-5", &[(0.03, Error(1e-6)), (0.05, Error(0.0)), (0.06, Error(2e-6)), (0.07, Unknown)]),
             ],
         ),
         (
             "relaxation",
             vec![
-                setting("401", &[(0.3, Some(1e-2)), (0.5, None), (0.6, Some(2e-2))]),
-                setting("801", &[(2.0, None), (3.0, None)]),
+                setting("401", &[(0.3, Error(1e-2)), (0.5, Failed), (0.6, Error(2e-2))]),
+                setting("801", &[(2.0, Failed), (3.0, Failed)]),
             ],
         ),
     ])
@@ -137,13 +140,14 @@ fn each_case_is_a_marker_and_each_failed_case_a_cross() {
     let document = Document::parse(&svg).unwrap();
     for (line, colour) in chart.lines.iter().zip([BLUE, VERMILLION]) {
         let cases = || line.points.iter().flat_map(|point| &point.cases);
-        let solved = cases().filter(|(_, error)| error.is_some()).count();
-        let settings = line.points.iter().filter(|point| point.cases.iter().any(|case| case.1.is_some())).count();
+        let solved = cases().filter(|(_, error)| matches!(error, Error(_))).count();
+        let settings =
+            line.points.iter().filter(|point| point.cases.iter().any(|case| matches!(case.1, Error(_)))).count();
         assert_eq!(with(&document, &[("fill", colour), ("opacity", "0.35")]).count(), solved);
         // One more in the legend.
         assert_eq!(with(&document, &[("fill", colour), ("opacity", "1")]).count(), settings + 1);
         let strokes = with(&document, &[("stroke", colour), ("stroke-width", "4")]).count();
-        assert_eq!(strokes, 2 * (cases().count() - solved));
+        assert_eq!(strokes, 2 * cases().filter(|(_, error)| *error == Failed).count());
     }
 }
 
@@ -164,8 +168,7 @@ fn failed_cases_lie_above_and_exact_ones_below_all_others() {
 
 #[test]
 fn places_follow_seconds_and_errors() {
-    let cases: Vec<(f64, Option<f64>)> =
-        (0..40).map(|i| (1e-3 * 1.2f64.powi(i), Some(1e-12 * 1.9f64.powi(i)))).collect();
+    let cases: Vec<(f64, Outcome)> = (0..40).map(|i| (1e-3 * 1.2f64.powi(i), Error(1e-12 * 1.9f64.powi(i)))).collect();
     let svg = work_precision(vec![("one", vec![setting("all", &cases)])]).svg().unwrap();
     let document = Document::parse(&svg).unwrap();
     let places: Vec<(f64, f64)> = with(&document, &[("fill", BLUE), ("opacity", "0.35")])
@@ -177,10 +180,10 @@ fn places_follow_seconds_and_errors() {
 
 #[test]
 fn the_order_of_cases_does_not_move_the_medians() {
-    let cases = [(0.1, Some(1e-3)), (0.2, Some(1e-5)), (0.7, None), (0.3, Some(1e-4)), (0.25, Some(2e-4))];
+    let cases = [(0.1, Error(1e-3)), (0.2, Error(1e-5)), (0.7, Failed), (0.3, Error(1e-4)), (0.25, Error(2e-4))];
     let mut other = cases;
     other.reverse();
-    let medians = |cases: &[(f64, Option<f64>)]| {
+    let medians = |cases: &[(f64, Outcome)]| {
         let svg = work_precision(vec![("one", vec![setting("all", cases)])]).svg().unwrap();
         let document = Document::parse(&svg).unwrap();
         let places: Vec<(f64, f64)> = with(&document, &[("fill", BLUE), ("opacity", "1")])
@@ -191,19 +194,74 @@ fn the_order_of_cases_does_not_move_the_medians() {
     assert_eq!(medians(&cases), medians(&other));
 }
 
+/// A case that was solved without a known error counts among the cases of its setting, and leaves no other trace.
+#[test]
+fn cases_without_a_known_error_are_drawn_nowhere() {
+    let with_unknown = |unknown: &[(f64, Outcome)]| {
+        let cases = |known: &[(f64, Outcome)]| [known, unknown].concat();
+        work_precision(vec![
+            ("one", vec![setting("a", &cases(&[(0.1, Error(1e-3)), (0.3, Error(1e-5))]))]),
+            ("other", vec![setting("b", &cases(&[(0.2, Error(1e-2)), (0.4, Failed)])), setting("c", unknown)]),
+            ("neither", vec![setting("d", &cases(&[(0.2, Failed)]))]),
+        ])
+    };
+    let without = with_unknown(&[]).svg().unwrap();
+    let chart = with_unknown(&[(1e-3, Unknown), (1e3, Unknown)]);
+    let svg = check_formats(|| chart.svg(), || chart.png());
+    let document = Document::parse(&svg).unwrap();
+    let found = texts(&document);
+    for wanted in ["1 of 4 failed", "1 of 3 failed"] {
+        assert!(found.iter().any(|text| text == wanted), "{wanted} is not among {found:?}");
+    }
+    assert!(
+        !found.iter().any(|text| text == "c" || text.starts_with("all 1") || text.starts_with("all 3")),
+        "{found:?}"
+    );
+    // The labels differ in width, the marks not at all.
+    let marks = |document: &Document| -> Vec<String> {
+        let shapes = document.descendants().filter(|node| node.has_tag_name("circle") || node.has_tag_name("polygon"));
+        let attributes = shapes.map(|node| node.attributes().map(|a| a.value().to_string() + ";").collect());
+        attributes.collect()
+    };
+    assert_eq!(marks(&document), marks(&Document::parse(&without).unwrap()));
+}
+
+#[test]
+fn a_chart_without_a_known_error_says_why() {
+    let says = |cases: &[(f64, Outcome)]| {
+        let chart = work_precision(vec![("one", vec![setting("801", cases)])]);
+        let svg = check_formats(|| chart.svg(), || chart.png());
+        texts(&Document::parse(&svg).unwrap())
+    };
+    let reasons = ["no error is known", "no case was solved", "no error above zero"];
+    for (cases, reason, label) in [
+        (&[(1.0, Unknown), (2.0, Unknown)][..], Some(reasons[0]), None),
+        (&[(1.0, Unknown), (2.0, Failed)], Some(reasons[0]), Some("1 of 2 failed")),
+        (&[(1.0, Failed), (2.0, Failed)], Some(reasons[1]), Some("all 2 failed")),
+        (&[(1.0, Unknown), (2.0, Error(0.0))], Some(reasons[2]), None),
+        (&[(1.0, Unknown), (2.0, Error(1e-3))], None, None),
+    ] {
+        let found = says(cases);
+        let said: Vec<&str> = reasons.into_iter().filter(|words| found.iter().any(|text| text == words)).collect();
+        assert_eq!(said, Vec::from_iter(reason), "{cases:?}");
+        let labels: Vec<&str> = found.iter().map(String::as_str).filter(|text| text.contains(" 2 failed")).collect();
+        assert_eq!(labels, Vec::from_iter(label), "{found:?}");
+    }
+}
+
 #[test]
 fn charts_with_next_to_nothing_are_drawn() {
     let charts = [
-        work_precision(vec![("one", vec![setting("801", &[(1.0, Some(1e-3))])])]),
+        work_precision(vec![("one", vec![setting("801", &[(1.0, Error(1e-3))])])]),
         work_precision(vec![(
             "equal",
-            vec![setting("a", &[(1.0, Some(1e-3)); 5]), setting("b", &[(1.0, Some(1e-3)); 5])],
+            vec![setting("a", &[(1.0, Error(1e-3)); 5]), setting("b", &[(1.0, Error(1e-3)); 5])],
         )]),
-        work_precision(vec![("failed", vec![setting("a", &[(1.0, None), (2.0, None)])]), ("empty", vec![])]),
-        work_precision(vec![("exact", vec![setting("a", &[(1.0, Some(0.0)), (2.0, Some(0.0))])])]),
+        work_precision(vec![("failed", vec![setting("a", &[(1.0, Failed), (2.0, Failed)])]), ("empty", vec![])]),
+        work_precision(vec![("exact", vec![setting("a", &[(1.0, Error(0.0)), (2.0, Error(0.0))])])]),
         work_precision(vec![(
             "apart",
-            vec![setting("", &[(1e-9, Some(1e-300)), (1e9, Some(1e30))]), setting("none", &[])],
+            vec![setting("", &[(1e-9, Error(1e-300)), (1e9, Error(1e30))]), setting("none", &[])],
         )]),
     ];
     for chart in &charts {
@@ -217,7 +275,7 @@ fn charts_with_next_to_nothing_are_drawn() {
 fn a_line_may_be_one_of_many() {
     let lines = ["a", "b", "c", "d", "e", "f", "g", "h", "i"];
     let one = |(i, label): (usize, &&'static str)| {
-        let at = |k: usize| (0.01 * 2f64.powi((i + k) as i32), Some(1e-3 / 5f64.powi((2 * k) as i32)));
+        let at = |k: usize| (0.01 * 2f64.powi((i + k) as i32), Error(1e-3 / 5f64.powi((2 * k) as i32)));
         (*label, vec![setting("5", &[at(0)]), setting("6", &[at(1)])])
     };
     let svg = work_precision(lines.iter().enumerate().map(one).collect()).svg().unwrap();
@@ -233,11 +291,11 @@ fn a_line_may_be_one_of_many() {
 #[test]
 fn numbers_without_a_place_are_refused() {
     for (case, says) in [
-        ((0.0, Some(1e-3)), "seconds are finite and above zero"),
-        ((f64::NAN, None), "seconds are finite and above zero"),
-        ((f64::INFINITY, Some(1.0)), "seconds are finite and above zero"),
-        ((1.0, Some(-1e-3)), "an error is finite and not negative"),
-        ((1.0, Some(f64::NAN)), "an error is finite and not negative"),
+        ((0.0, Error(1e-3)), "seconds are finite and above zero"),
+        ((f64::NAN, Failed), "seconds are finite and above zero"),
+        ((f64::INFINITY, Error(1.0)), "seconds are finite and above zero"),
+        ((1.0, Error(-1e-3)), "an error is finite and not negative"),
+        ((1.0, Error(f64::NAN)), "an error is finite and not negative"),
     ] {
         let error = work_precision(vec![("one", vec![setting("801", &[case])])]).svg().unwrap_err().to_string();
         assert!(error.contains(says) && error.contains("\"801\" of \"one\""), "{error}");

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`WorkPrecision`] | error against run time, one line for each method |
 //! | [`Map`] | one quantity over two axes, a panel for each third value and method |
+//! | [`geometric_median`] | the median on a logarithmic axis |
 //! | `ticks`, `number` | where an axis is labelled, and how a number is written |
 //! | `log_axis`, `cell_axis`, `colour_bar` | from a value to a place or a colour |
 //! | `palette`, `marker`, `legend` | what marks look like |
@@ -25,6 +26,7 @@ mod log_axis;
 mod map;
 mod map_chart;
 mod marker;
+mod median;
 mod number;
 mod paint;
 mod palette;
@@ -37,5 +39,6 @@ mod work_precision_chart;
 
 pub use error::FigureError;
 pub use map::{Cell, ColourScale, Map, Panel};
+pub use median::geometric_median;
 pub use paint::WIDTH;
-pub use work_precision::{MethodLine, SettingPoint, WorkPrecision};
+pub use work_precision::{MethodLine, Outcome, SettingPoint, WorkPrecision};

@@ -28,10 +28,12 @@ pub(super) enum Effort {
     Always,
 }
 
-/// What it costs to cover a marker or a label, to lead a line through one, to cover a line, and to step away from the point.
+/// What it costs to cover a marker or a label, to lead a line through one, to cover a line or a small mark, and to step away from
+/// the point. The first step away is worth two small marks: labels leave a cloud of cases that is dense, not one that is thin.
 const SOLID: u64 = 1_000_000;
 const CROSSED: u64 = 10_000;
 const LINE: u64 = 60;
+const FAINT: u64 = 4;
 const FAR: f64 = 12.0;
 
 impl Obstacles {
@@ -90,14 +92,14 @@ impl Obstacles {
         let lines = self.lines.iter().filter(|(from, to)| crosses(area, *from, *to)).count() as u64;
         let faint =
             self.faint.iter().filter(|point| area.grown(4.0).overlaps(&Area::about(**point, 1.0))).count() as u64;
-        SOLID * solid + LINE * lines + faint
+        SOLID * solid + LINE * lines + FAINT * faint
     }
 }
 
 /// The line that leads from a point to its label, if the label is so far away that it needs one.
 pub(super) fn leader((x, y): Point, label: &Area, reach: f64) -> Option<(Point, Point)> {
     let nearest = (x.clamp(label.left, label.right), y.clamp(label.top, label.bottom));
-    ((nearest.0 - x).hypot(nearest.1 - y) > 1.7 * reach).then_some(((x, y), nearest))
+    ((nearest.0 - x).hypot(nearest.1 - y) > 1.4 * reach).then_some(((x, y), nearest))
 }
 
 fn side(direction: f64) -> f64 {
@@ -149,6 +151,19 @@ mod tests {
             assert!(bounds.contains(one));
             assert!(placed[..i].iter().all(|other| !one.overlaps(other)), "{placed:?}");
         }
+    }
+
+    #[test]
+    fn a_label_leaves_a_cloud_of_small_marks() {
+        let bounds = Area { left: 0.0, top: 0.0, right: 1000.0, bottom: 1000.0 };
+        let cloud: Vec<Point> =
+            (0..400).map(|i| (440.0 + 6.0 * f64::from(i % 20), 440.0 + 6.0 * f64::from(i / 20))).collect();
+        let mut obstacles = Obstacles { bounds, solid: vec![], lines: vec![], faint: cloud.clone(), crowded: false };
+        let at = (500.0, 500.0);
+        let label = obstacles.place(at, (100.0, 40.0), 20.0, Effort::Far).unwrap();
+        assert!(!cloud.iter().any(|point| label.overlaps(&Area::about(*point, 1.0))), "{label:?}");
+        // From out there a line leads back to its point.
+        assert!(leader(at, &label, 20.0).is_some());
     }
 
     #[test]

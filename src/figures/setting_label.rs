@@ -38,7 +38,7 @@ impl SettingLabel {
         if let Some((from, to)) = placement::leader(self.at, &area, reach) {
             scene.line(from, to, 2.0, self.ink);
         }
-        scene.rectangle(area, faded(PAPER, 0.75));
+        scene.rectangle(area, faded(PAPER, 0.5));
         let (anchor, x) = if area.left >= self.at.0 {
             (Anchor::Start, area.left + 4.0)
         } else if area.right <= self.at.0 {

@@ -1,14 +1,15 @@
 //! Error against run time: what the chart is given, and what is drawn of it.
 
+use super::median::geometric_median;
 use super::scene::Scene;
 use super::{FigureError, paint};
 
 /// Error against run time on logarithmic axes, one line for each method.
 ///
 /// Single cases are small faint markers. A large marker stands at the median (of the logarithms) of the seconds and errors
-/// of the cases that a setting solved, and a line joins the settings of a method. A case that failed is a × in a band
-/// along the upper edge, at its seconds; the label of the setting says how many did. An error of exactly zero lies in a band along the
-/// lower edge.
+/// of the cases of a setting whose errors are known, and a line joins the settings of a method. A case that failed is a × in a
+/// band along the upper edge, at its seconds; the label of the setting says how many did. An error of exactly zero lies in a band
+/// along the lower edge. A case whose error is not known is drawn nowhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkPrecision {
     /// Heading.
@@ -32,44 +33,58 @@ pub struct MethodLine {
     pub points: Vec<SettingPoint>,
 }
 
+/// What became of a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// It was solved with this error (≥ 0).
+    Error(f64),
+    /// It was solved, and there is nothing better to compare it with.
+    Unknown,
+    /// It was not solved.
+    Failed,
+}
+
 /// The cases solved with one setting of a method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SettingPoint {
     /// Short name of the setting: "801", "1e-5".
     pub label: String,
-    /// Seconds (> 0) and error (≥ 0) of each case; no error if the case failed.
-    pub cases: Vec<(f64, Option<f64>)>,
+    /// Seconds (> 0) and outcome of each case.
+    pub cases: Vec<(f64, Outcome)>,
 }
 
-/// Medians over the cases that a setting solved.
+/// Medians over the cases of a setting whose errors are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Medians {
     pub(super) seconds: f64,
-    /// Zero if half of the cases have no error at all.
+    /// Zero if a middle one is.
     pub(super) error: f64,
 }
 
 impl SettingPoint {
+    /// Seconds of the cases that failed.
+    pub(super) fn failed(&self) -> impl Iterator<Item = f64> {
+        self.cases.iter().filter(|(_, outcome)| *outcome == Outcome::Failed).map(|(seconds, _)| *seconds)
+    }
+
     pub(super) fn failures(&self) -> usize {
-        self.cases.iter().filter(|(_, error)| error.is_none()).count()
+        self.failed().count()
     }
 
-    /// Seconds and error of the cases that were solved.
-    pub(super) fn solved(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.cases.iter().filter_map(|(seconds, error)| Some((*seconds, (*error)?)))
+    /// Seconds and error of the cases whose errors are known.
+    pub(super) fn known(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.cases.iter().filter_map(|(seconds, outcome)| match outcome {
+            Outcome::Error(error) => Some((*seconds, *error)),
+            Outcome::Unknown | Outcome::Failed => None,
+        })
     }
 
-    /// None if no case was solved.
+    /// None if no error is known.
     pub(super) fn medians(&self) -> Option<Medians> {
-        let median = |mut logarithms: Vec<f64>| {
-            logarithms.sort_by(f64::total_cmp);
-            let (upper, count) = (logarithms.len() / 2, logarithms.len());
-            let lower = if count.is_multiple_of(2) { upper - 1 } else { upper };
-            10f64.powf(0.5 * (logarithms[lower] + logarithms[upper]))
-        };
-        let (seconds, errors): (Vec<f64>, Vec<f64>) =
-            self.solved().map(|(seconds, error)| (seconds.log10(), error.log10())).unzip();
-        (!seconds.is_empty()).then(|| Medians { seconds: median(seconds), error: median(errors) })
+        Some(Medians {
+            seconds: geometric_median(self.known().map(|pair| pair.0))?,
+            error: geometric_median(self.known().map(|pair| pair.1))?,
+        })
     }
 }
 
@@ -101,7 +116,7 @@ impl WorkPrecision {
         let mut cases = 0;
         for line in &self.lines {
             for point in &line.points {
-                for (seconds, error) in &point.cases {
+                for (seconds, outcome) in &point.cases {
                     cases += 1;
                     let refused = |what, value, wanted| {
                         let place = format!("setting \"{}\" of \"{}\"", point.label, line.label);
@@ -110,7 +125,7 @@ impl WorkPrecision {
                     if !(seconds.is_finite() && *seconds > 0.0) {
                         return Err(refused("seconds", *seconds, "seconds are finite and above zero"));
                     }
-                    if let Some(error) = error
+                    if let Outcome::Error(error) = outcome
                         && !(error.is_finite() && *error >= 0.0)
                     {
                         return Err(refused("error", *error, "an error is finite and not negative"));
@@ -131,36 +146,36 @@ mod tests {
 
     use super::*;
 
-    fn point(cases: Vec<(f64, Option<f64>)>) -> SettingPoint {
+    fn outcome() -> impl Strategy<Value = Outcome> {
+        prop_oneof![4 => (1e-12..1.0f64).prop_map(Outcome::Error), 1 => Just(Outcome::Unknown), 1 => Just(Outcome::Failed)]
+    }
+
+    fn point(cases: Vec<(f64, Outcome)>) -> SettingPoint {
         SettingPoint { label: "one".to_string(), cases }
     }
 
     proptest! {
         #[test]
-        fn medians_lie_among_the_cases_and_forget_their_order(
-            cases in prop::collection::vec((1e-4..1e3f64, prop::option::of(1e-12..1.0f64)), 1..30),
+        fn medians_are_those_of_known_errors_and_forget_the_order_of_cases(
+            cases in prop::collection::vec((1e-4..1e3f64, outcome()), 1..30),
         ) {
             let one = point(cases.clone());
-            let other = point(cases.into_iter().rev().collect());
+            let other = point(cases.iter().rev().copied().collect());
             prop_assert_eq!(one.medians(), other.medians());
-            let solved = one.cases.len() - one.failures();
-            prop_assert_eq!(one.solved().count(), solved);
-            let Some(medians) = one.medians() else { return Ok(()) };
-            for (of, value) in [(0, medians.seconds), (1, medians.error)] {
-                let values = || one.solved().map(|pair| if of == 0 { pair.0 } else { pair.1 });
-                let below = values().filter(|v| *v <= value * (1.0 + 1e-12)).count();
-                let above = values().filter(|v| *v >= value * (1.0 - 1e-12)).count();
-                prop_assert!(2 * below >= solved && 2 * above >= solved);
-            }
+            let unknown = cases.iter().filter(|case| case.1 == Outcome::Unknown).count();
+            let known = one.known().count();
+            prop_assert_eq!(known + unknown + one.failures(), cases.len());
+            prop_assert_eq!(one.medians().is_some(), known > 0);
         }
     }
 
     #[test]
     fn half_of_the_errors_zero_make_the_median_zero() {
-        let medians =
-            point(vec![(1.0, Some(0.0)), (2.0, Some(0.0)), (4.0, Some(1e-3)), (8.0, None)]).medians().unwrap();
+        let errors = [(1.0, 0.0), (2.0, 0.0), (4.0, 1e-3)].map(|(seconds, error)| (seconds, Outcome::Error(error)));
+        let others = [(8.0, Outcome::Failed), (16.0, Outcome::Unknown)];
+        let medians = point([&errors[..], &others[..]].concat()).medians().unwrap();
         assert_eq!(medians.error, 0.0);
         assert!((medians.seconds - 2.0).abs() < 1e-12);
-        assert_eq!(point(vec![(1.0, None)]).medians(), None);
+        assert_eq!(point(others.to_vec()).medians(), None);
     }
 }

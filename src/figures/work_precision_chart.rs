@@ -9,7 +9,7 @@ use super::placement::{Effort, Obstacles};
 use super::scene::{Anchor, Area, Point, Scene, Shape};
 use super::setting_label::SettingLabel;
 use super::ticks::{self, Tick, Ticks};
-use super::work_precision::{SettingPoint, WorkPrecision};
+use super::work_precision::{Outcome, SettingPoint, WorkPrecision};
 use super::{font, scene};
 
 /// Size of the font of ticks: 6 points when the picture is 8.5 cm wide.
@@ -92,14 +92,15 @@ fn lay_out(chart: &WorkPrecision, height: f64, wording: Wording) -> (Scene, bool
     let top = scene.heading(1.12 * EM, MARGIN, right - MARGIN, &chart.title, &chart.subtitle) + 0.5 * EM;
 
     let points = || chart.lines.iter().flat_map(|line| &line.points);
-    let seconds = points().flat_map(|point| &point.cases).map(|(seconds, _)| *seconds);
-    let x_axis = LogAxis::around(seconds).expect("the chart was checked and has a case");
-    let y_axis = LogAxis::around(points().flat_map(SettingPoint::solved).map(|pair| pair.1).filter(|e| *e > 0.0));
+    let drawn = points().flat_map(|point| point.known().map(|pair| pair.0).chain(point.failed()));
+    let all = points().flat_map(|point| &point.cases).map(|(seconds, _)| *seconds);
+    let x_axis = LogAxis::around(drawn).or_else(|| LogAxis::around(all)).expect("the chart was checked and has a case");
+    let y_axis = LogAxis::around(points().flat_map(SettingPoint::known).map(|pair| pair.1).filter(|e| *e > 0.0));
     let lines_with = |mark: &dyn Fn(&SettingPoint) -> bool| -> Vec<usize> {
         (0..chart.lines.len()).filter(|i| chart.lines[*i].points.iter().any(mark)).collect()
     };
     let failing = lines_with(&|point| point.failures() > 0);
-    let exact = lines_with(&|point| point.solved().any(|(_, error)| error == 0.0));
+    let exact = lines_with(&|point| point.known().any(|(_, error)| error == 0.0));
 
     let band = |lines: &[usize]| if lines.is_empty() { 0.0 } else { lines.len() as f64 * ROW + 0.3 * EM };
     let plot_top = top + band(&failing);
@@ -146,8 +147,14 @@ fn lay_out(chart: &WorkPrecision, height: f64, wording: Wording) -> (Scene, bool
         &chart.x_label,
     );
     if y_axis.is_none() {
-        let words =
-            if points().any(|point| point.solved().count() > 0) { "no error above zero" } else { "no case was solved" };
+        let has = |is: fn(&Outcome) -> bool| points().any(|point| point.cases.iter().any(|(_, outcome)| is(outcome)));
+        let words = if has(|outcome| matches!(outcome, Outcome::Error(_))) {
+            "no error above zero"
+        } else if has(|outcome| *outcome == Outcome::Unknown) {
+            "no error is known"
+        } else {
+            "no case was solved"
+        };
         scene.text((plot.centre().0, plot.bottom - 0.5 * EM), Anchor::Middle, EM, QUIET_TEXT, words);
     }
     draw_cases(&mut scene, chart, &layout);
@@ -208,14 +215,15 @@ fn draw_axes(scene: &mut Scene, layout: &Layout, y_ticks: &Ticks) -> f64 {
 fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
     for (i, line) in chart.lines.iter().enumerate() {
         let ink = palette::line_colour(i);
-        for (seconds, error) in line.points.iter().flat_map(|point| &point.cases) {
+        for (seconds, outcome) in line.points.iter().flat_map(|point| &point.cases) {
             let x = layout.x(*seconds);
-            match error {
-                Some(error) => {
+            match outcome {
+                Outcome::Error(error) => {
                     let at = (x, layout.y(i, *error));
                     marker::marker(scene, Form::of(i), at, SMALL_RADIUS * EM, faded(ink, SMALL_OPACITY));
                 }
-                None => marker::cross(scene, (x, layout.failed.row(i)), 0.2 * EM, 3.5, ink),
+                Outcome::Unknown => {}
+                Outcome::Failed => marker::cross(scene, (x, layout.failed.row(i)), 0.2 * EM, 3.5, ink),
             }
         }
     }
@@ -265,8 +273,8 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wordi
             wanted.push(SettingLabel { at: *at, ink: text_ink, words, effort });
         }
         for point in line.points.iter().filter(|point| point.failures() > 0 && point.medians().is_none()) {
-            let logarithms = point.cases.iter().map(|(seconds, _)| seconds.log10());
-            let middle = 10f64.powf(logarithms.sum::<f64>() / point.cases.len() as f64);
+            let logarithms = point.failed().map(f64::log10);
+            let middle = 10f64.powf(logarithms.sum::<f64>() / point.failures() as f64);
             let words = words(point, wording);
             wanted.push(SettingLabel {
                 at: (layout.x(middle), layout.plot.top),
@@ -275,7 +283,7 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wordi
                 effort: Effort::Far,
             });
         }
-        let cases = line.points.iter().flat_map(SettingPoint::solved);
+        let cases = line.points.iter().flat_map(SettingPoint::known);
         obstacles.faint.extend(cases.map(|(seconds, error)| (layout.x(seconds), layout.y(i, error))));
     }
     obstacles.solid = markers.iter().map(|(_, at)| Area::about(*at, LARGE_RADIUS * EM + 4.0)).collect();
@@ -307,7 +315,7 @@ fn entries(chart: &WorkPrecision, wording: Wording) -> Vec<Entry> {
             label: line.label.clone(),
         })
         .collect();
-    if points().any(|point| point.solved().count() > 0) {
+    if points().any(|point| point.known().next().is_some()) {
         let label = "one case (large: median)".to_string();
         entries.push(Entry { swatch: Swatch::Small { form: Form::Disc, ink: TEXT }, label });
     }

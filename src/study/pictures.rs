@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{Row, Study, Variant};
-use crate::figures::{Cell, ColourScale, FigureError, Map, MethodLine, Panel, SettingPoint, WorkPrecision};
+use crate::figures::{Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision};
 use crate::model::shortest;
 use crate::sweep::Axes;
 
@@ -119,12 +119,17 @@ pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, FigureError
 }
 
 fn work_precision(study: &Study, rows: &[Row], quantity: usize, symbol: &str) -> WorkPrecision {
+    let outcome = |row: &Row| match (&row.failure, row.errors[quantity]) {
+        (Some(_), _) => Outcome::Failed,
+        (None, Some(error)) => Outcome::Error(error),
+        (None, None) => Outcome::Unknown,
+    };
     let point = |variant: usize| SettingPoint {
         label: study.variants[variant].setting.mark(),
         cases: rows
             .iter()
-            .filter(|row| row.variant == variant && (row.failure.is_some() || row.errors[quantity].is_some()))
-            .filter_map(|row| Some((row.cost?.seconds, row.errors[quantity])))
+            .filter(|row| row.variant == variant)
+            .filter_map(|row| Some((row.cost?.seconds, outcome(row))))
             .collect(),
     };
     let line = |(method, variants): (&str, Range<usize>)| MethodLine {

@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::reference::Errors;
 use super::reference::settings;
 use super::{Reference, Row, Start, Study};
+use crate::figures::geometric_median;
 use crate::model::shortest;
 
 /// Failed cases that are listed for each variant.
@@ -92,22 +93,11 @@ fn of(rows: &[Row], variant: usize) -> impl Iterator<Item = &Row> + Clone {
     rows.iter().filter(move |row| row.variant == variant)
 }
 
-/// Median and largest of some numbers; a dash if there are none.
+/// Median, as in the pictures, and largest of some numbers; a dash if there are none.
 fn spread(numbers: impl Iterator<Item = f64>) -> [String; 2] {
     let numbers: Vec<f64> = numbers.collect();
-    if numbers.is_empty() {
-        return ["–".to_owned(), "–".to_owned()];
-    }
-    let largest = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    [median(&numbers), largest].map(short)
-}
-
-/// The median of some numbers; of two middle ones that are not 0 the geometric mean, as in the pictures.
-fn median(numbers: &[f64]) -> f64 {
-    let mut sorted = numbers.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let (lower, upper) = (sorted[(sorted.len() - 1) / 2], sorted[sorted.len() / 2]);
-    if lower == upper { lower } else { (lower * upper).sqrt() }
+    let largest = numbers.iter().copied().reduce(f64::max);
+    [geometric_median(numbers), largest].map(|number| number.map_or("–".to_owned(), short))
 }
 
 /// Two digits.

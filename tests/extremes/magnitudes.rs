@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 use stribeck::continuation::{Interrupt, solve_chain};
+use stribeck::exact::fitted_c;
 use stribeck::model::{Output, Parameters, Quantities, RetardationMode, Substrate};
 
 use crate::cases::{outcome, outcomes};
@@ -79,17 +80,48 @@ fn others_of_a_chain_are_solved_all_the_same() {
     }
 }
 
-/// Films beyond what double precision can hold are refused for that reason, and the reason says so.
+/// Films beyond what double precision can hold are refused for that reason at any tolerance, and the reason says so.
 #[test]
 fn films_too_thin_for_double_precision_are_refused() {
     for (alpha, f) in [(f64::INFINITY, 0.0), (0.01, 10.0), (100.0, 10.0)] {
         for beta in [1e19, 1e25, 1e49] {
             let solved = outcome(Settings::default(), &Parameters::new(alpha, beta, f));
             let reason = solved.outcome.expect_err("a film of 1e-12 is not to be had").reason;
-            assert!(reason.contains("double precision") || reason.contains("did not converge"), "{reason}");
+            assert!(reason.contains("lost in the rounding errors of double precision"), "{reason}");
             assert!(solved.effort.iterations <= MOST_ITERATIONS);
         }
     }
+}
+
+/// What of a film is known in double precision: 5e-17/c of it. A tolerance below that is refused for that reason and no other;
+/// one ten times as large is kept.
+#[test]
+fn tolerances_below_the_rounding_errors_of_a_film_are_refused() {
+    for (alpha, f) in [(f64::INFINITY, 0.0), (0.01, 10.0), (1.0, 10.0), (100.0, 10.0), (0.01, 1e4), (100.0, 1e4)] {
+        for tolerance in [1e-10, 1e-8] {
+            for (part, is_refused) in [(0.3, true), (0.8, true), (10.0, false)] {
+                let case = Parameters::new(alpha, beta_of(alpha, f, part * 5e-17 / tolerance), f);
+                let solved = outcome(Settings { tolerance, ..Settings::default() }, &case);
+                match solved.outcome {
+                    Ok(solution) => {
+                        assert!(!is_refused, "{tolerance:e}, {case:?}: c = {:e}", solution.quantities.c);
+                        assert!(worst(&solution.errors) <= tolerance, "{case:?}: {:?}", solution.errors);
+                    }
+                    Err(failure) => {
+                        let wanted = format!("in double precision, not to the tolerance {tolerance:e}");
+                        assert!(is_refused && failure.reason.contains(&wanted), "{case:?}: {}", failure.reason);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The β at which the film has this c, by the formula, which is good to 5 %.
+fn beta_of(alpha: f64, f: f64, c: f64) -> f64 {
+    let formula = |beta: f64| fitted_c(&Parameters::new(alpha, beta, f)).expect("one retardation time");
+    // c falls as a power of β between −3/5 and −1
+    (0..100).fold(1e10, |beta: f64, _| beta * formula(beta) / c)
 }
 
 /// The rate of a mode counts, not α: a fast mode beside a slow one.
