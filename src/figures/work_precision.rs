@@ -143,6 +143,7 @@ impl WorkPrecision {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
 
     use super::*;
 
@@ -155,6 +156,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(5), ..ProptestConfig::default() })]
+
         #[test]
         fn medians_are_those_of_known_errors_and_forget_the_order_of_cases(
             cases in prop::collection::vec((1e-4..1e3f64, outcome()), 1..30),
