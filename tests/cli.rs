@@ -53,7 +53,7 @@ fn finished() -> TempDir {
 #[test]
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
-    for command in ["run", "plan", "status", "solve", "verify"] {
+    for command in ["run", "plan", "status", "solve", "verify", "study"] {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
         assert!(out(&help).contains(&format!("\n  stribeck {command} ")), "{}", out(&help));
@@ -69,20 +69,23 @@ fn every_help_text_has_an_example() {
 fn examples_in_help_texts_are_valid_command_lines() {
     let directory = with_sweep(SMALL);
     let mut examples = 0;
-    for command in [&["--help"][..], &["run", "--help"], &["plan", "--help"], &["solve", "--help"]] {
+    for command in
+        [&["--help"][..], &["run", "--help"], &["plan", "--help"], &["solve", "--help"], &["study", "--help"]]
+    {
         let help = out(&say(directory.path(), command));
         for line in help.lines().filter_map(|line| line.strip_prefix("  stribeck ")) {
             let words = line.split("  ").next().unwrap_or_default().split_whitespace();
             let words: Vec<&str> = words.take_while(|word| !["|", "2>", "&&"].contains(word)).collect();
-            // A sweep file that is not there is told apart from a line that is not understood.
+            // A file that is not there is told apart from a line that is not understood.
             if words[0] != "solve" {
                 let output = say(directory.path(), &words);
-                assert!(err(&output).contains("cannot read the sweep file"), "{line}\n{}", err(&output));
+                let kind = if words[0] == "study" { "study" } else { "sweep" };
+                assert!(err(&output).contains(&format!("cannot read the {kind} file")), "{line}\n{}", err(&output));
             }
             examples += 1;
         }
     }
-    assert!(examples >= 10);
+    assert!(examples >= 13);
 }
 
 #[test]
