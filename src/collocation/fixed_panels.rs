@@ -1,9 +1,10 @@
 //! Collocation on a fixed number of panels: to study the method, not to use it.
 
 use super::adaptation::Panels;
+use super::judgement::{complete, tension_failure};
 use super::scaling::Scaling;
 use super::settings::Settings;
-use super::solver::{CollocationSolver, ROUGH_TENSION, complete, tension_failure};
+use super::solver::{CollocationSolver, ROUGH_TENSION};
 use super::state::State;
 use super::workspace::Workspace;
 use crate::continuation::{Halt, Solution, Work};

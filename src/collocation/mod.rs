@@ -15,7 +15,7 @@
 //! | `displacement.rs`, `matrix.rs` | w of a mesh and a substrate |
 //! | `inlet.rs` | the film ahead of the mesh |
 //! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
-//! | `adaptation.rs`, `estimate.rs` | where panels are wanted, and how large the error is |
+//! | `adaptation.rs`, `estimate.rs`, `judgement.rs` | where panels are wanted, how large the error is, whether that is good enough |
 //! | `quantities.rs`, `fields.rs` | what comes out |
 //! | `workspace.rs`, `solver.rs`, `fixed_panels.rs`, `settings.rs`, `state.rs`, `stages.rs` | how it is run, and where the time goes |
 
@@ -28,6 +28,7 @@ mod factorisation;
 mod fields;
 mod fixed_panels;
 mod inlet;
+mod judgement;
 mod legendre;
 mod log_moments;
 mod matrix;

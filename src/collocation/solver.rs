@@ -5,15 +5,13 @@ use std::sync::Arc;
 use faer::Mat;
 
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
-use super::estimate::{ENRICHMENT, Estimate, estimate};
-use super::fields::fields;
-use super::log_moments::MOST_MOMENTS;
+use super::estimate::ENRICHMENT;
+use super::judgement::{Judgement, TENSION, complete, tension, tension_failure};
 use super::mesh::growth_behind;
-use super::reference::{ReferencePanel, evaluate};
+use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
 use super::state::State;
-use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{CaseSolver, Effort, Halt, Seed, Solution, StepControl, Work, secant};
@@ -26,15 +24,13 @@ const NEWTON: f64 = 1e-3;
 /// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
 const ROUGH: f64 = 1e-3;
 const SMOOTH: f64 = 1e-4;
-/// Largest indicator over the root of the tolerance.
-const RESOLVED: f64 = 0.3;
 /// Meshes that are tried for a solution that is good enough to go on from.
 const ROUGH_MESHES: usize = 4;
 /// A mesh that leaves more than the first part of the least error so far is in vain; after so many there is no other.
 const GAIN: f64 = 0.8;
 const VAIN_MESHES: usize = 4;
 /// The estimated error over the tolerance that is accepted, and the one that a new mesh is made for.
-const ACCEPTED: f64 = 0.9;
+pub(super) const ACCEPTED: f64 = 0.9;
 const AIM: f64 = 0.15;
 /// The next case gets a new mesh if the error over the tolerance was outside of these.
 const IDLE: f64 = 0.001;
@@ -51,8 +47,6 @@ const THINNEST: f64 = 1e-11;
 /// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be trusted,
 /// for they may happen to be alike on two meshes.
 const ROUNDING: f64 = 5e-17;
-/// Least pressure over the largest; below it the film would carry tension.
-const TENSION: f64 = -1e-6;
 /// The same for a solution that is only good enough to go on from.
 pub(super) const ROUGH_TENSION: f64 = -1e-2;
 
@@ -118,51 +112,12 @@ impl CollocationSolver {
         wanted.max(4)
     }
 
-    /// The square of the largest indicator, which is about the error of friction and flow, over the one that is let pass: so
-    /// that a small estimate is never an accident of a coarse mesh, on which two errors happen to be alike.
-    fn coarseness(&self, state: &State) -> f64 {
-        let roughest = indicators(&self.coarse, state).into_iter().fold(0.0, f64::max);
-        ACCEPTED * roughest * roughest / (RESOLVED * RESOLVED * self.settings.tolerance)
-    }
-
     pub(super) fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
         let layer = layer(parameters, state.c);
         let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
         let mesh = equidistributed(&self.coarse, state, panels, reach, longest);
         state.on(&self.coarse, &mesh)
     }
-}
-
-/// The smallest pressure over the largest, and the panel it is on; between the nodes too: where the pressure is low, a
-/// polynomial may dip below zero between positive values.
-fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize) {
-    const LOW: f64 = 1e-2;
-    const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
-    let most = state.pressure.iter().fold(0.0, |a: f64, &p| a.max(p));
-    let size = reference.degree + 1;
-    let mut coefficients = [0.0; MOST_MOMENTS];
-    let (mut least, mut place) = (0.0, 0);
-    for (panel, nodes) in state.pressure.windows(size).step_by(reference.degree).enumerate() {
-        if nodes.iter().all(|&p| p > LOW * most) {
-            continue;
-        }
-        reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
-        let between = |gap: &[f64]| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]));
-        let values = reference.nodes.windows(2).flat_map(between).map(|t| evaluate(&coefficients[..size], t));
-        for value in values.chain(nodes.iter().copied()) {
-            if value < least {
-                (least, place) = (value, panel);
-            }
-        }
-    }
-    (least / most, place)
-}
-
-pub(super) fn tension_failure(tension: f64) -> Halt {
-    let reason = format!(
-        "Newton's method found a film under tension, {tension:.1e} of the largest pressure: not a solution with cavitation"
-    );
-    Halt::Failed(Failure::new(reason))
 }
 
 impl CaseSolver for CollocationSolver {
@@ -306,55 +261,6 @@ impl CaseSolver for CollocationSolver {
     }
 }
 
-/// The solution with its fields.
-pub(super) fn complete(
-    workspace: &Workspace,
-    beta: f64,
-    state: &State,
-    estimate: Estimate,
-    output: &Output,
-    work: &mut Work,
-) -> Solution {
-    work.effort.unknowns = unknowns(workspace.coarse.displacement());
-    let fields = fields(workspace.coarse.displacement(), beta, state, output);
-    let Estimate { quantities, errors, .. } = estimate;
-    Solution { quantities, errors, fields }
-}
-
-/// What stands between a solution and its acceptance.
-pub(super) struct Judgement {
-    /// Over the tolerance: the largest of the estimated errors, the extremes and the coarseness.
-    error: f64,
-    /// What that is.
-    of: &'static str,
-    /// The smallest pressure over the largest, and the panel it is on.
-    pub(super) tension: f64,
-    place: usize,
-}
-
-impl Judgement {
-    fn is_accepted(&self) -> bool {
-        self.error <= ACCEPTED && self.tension >= TENSION
-    }
-
-    /// How far it is from acceptance, 1 and less being none.
-    fn excess(&self) -> f64 {
-        f64::max(self.error / ACCEPTED, self.tension / TENSION)
-    }
-
-    fn failure(&self, tolerance: f64, panels: usize) -> Halt {
-        if self.error <= ACCEPTED {
-            return tension_failure(self.tension);
-        }
-        let times = if self.error < 1e4 { format!("{:.1}", self.error) } else { format!("{:.0e}", self.error) };
-        let reason = format!(
-            "{} is still {times} times the tolerance {tolerance:e} with {panels} panels; ask for a larger tolerance",
-            self.of
-        );
-        Halt::Failed(Failure::new(reason))
-    }
-}
-
 impl CollocationSolver {
     /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as columns.
     pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
@@ -367,31 +273,6 @@ impl CollocationSolver {
     /// The smallest pressure of a solution over the largest, between the nodes too; 0 if it is nowhere negative.
     pub fn tension(&self, state: &State) -> f64 {
         tension(&self.coarse, state).0
-    }
-
-    /// Estimates the errors of a solution and looks at it.
-    pub(super) fn judge(
-        &self,
-        workspace: &mut Workspace,
-        beta: f64,
-        state: &State,
-        output: &Output,
-        work: &mut Work,
-    ) -> (Judgement, Estimate) {
-        let tolerance = self.settings.tolerance;
-        workspace.prepare_fine(&state.mesh, &mut work.effort);
-        let Workspace { coarse, fine, .. } = workspace;
-        let effort = &mut work.effort;
-        let estimate = estimate(coarse.displacement(), fine, beta, state, output.cavity_shear, tolerance, effort);
-        let measures = [
-            (estimate.worst() / tolerance, "the estimated error"),
-            (estimate.extremes / tolerance, "what richer panels change in the largest pressure or the smallest film"),
-            (self.coarseness(state), "the square of what is left of the pressure's polynomials"),
-        ];
-        let larger = |a: (f64, &'static str), b: (f64, &'static str)| if b.0 > a.0 { b } else { a };
-        let (error, of) = measures.into_iter().fold((0.0, ""), larger);
-        let (tension, place) = tension(&self.coarse, state);
-        (Judgement { error, of, tension, place }, estimate)
     }
 
     /// A guess on a mesh on which a solution should do better. A little tension is an oscillation about p′ = 0 at the outlet,

@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::reference::Errors;
-use super::reference::settings;
+use super::reference::{Errors, settings};
 use super::{Reference, Row, Start, Study};
 use crate::figures::geometric_median;
 use crate::model::shortest;
