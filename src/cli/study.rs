@@ -62,26 +62,31 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     let action = "create";
     fs::create_dir_all(&directory).map_err(|source| CliError::Directory { action, path: directory.clone(), source })?;
     let copy = directory.join(COPY);
-    if fs::read(&copy).is_ok_and(|before| before != study.text.as_bytes()) {
+    if !copy.exists() {
+        write(copy, study.text.as_bytes())?;
+    } else if fs::read(&copy).is_ok_and(|before| before != study.text.as_bytes()) {
         let place = directory.display();
-        console::tell(&format!("note: {place} has the results of another study file, which are replaced"));
+        console::tell(&format!("note: {place} has the results of another study file, which will be replaced"));
     }
-    write(copy, study.text.as_bytes())?;
 
     let all = study.cases.len() * study.variants.len();
     let progress = Progress::start(all as u64, ProgressStyle::detect(arguments.quiet))
         .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
     let findings = run(&study, threads, meter, &interrupt, |converged| progress.count_case(converged))?;
     drop(progress);
-    let drawn = publish(&study, &findings.rows, &directory)?;
     if findings.interrupted {
         let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
         let (done, place, command) = (findings.rows.len(), directory.display(), shell::own_command());
-        console::tell(&format!(
-            "interrupted{signal}: {done} of {all} rows are in {place}; to begin again\n    {command}"
-        ));
+        let written = if done == 0 {
+            format!("none of {all} rows was finished, and no table is changed in {place}")
+        } else {
+            publish(&study, &findings.rows, &directory)?;
+            format!("{done} of {all} rows are in {place}")
+        };
+        console::tell(&format!("interrupted{signal}: {written}; to begin again\n    {command}"));
         return Ok(Exit::Interrupted);
     }
+    let drawn = publish(&study, &findings.rows, &directory)?;
     console::print(&summary(&study, &findings, &directory, drawn, start.elapsed().as_secs_f64()))?;
     let failed = findings.rows.iter().any(|row| row.failure.is_some());
     Ok(if failed { Exit::CasesFailed } else { Exit::Success })
@@ -135,8 +140,9 @@ fn write(file: PathBuf, content: &[u8]) -> Result<(), CliError> {
 /// Writes tables and pictures; the number of pictures.
 fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
     let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
+    write(directory.join(COPY), study.text.as_bytes())?;
     write(directory.join("study.csv"), &table)?;
-    let drawn = if rows.is_empty() { Vec::new() } else { pictures(study, rows)? };
+    let drawn = pictures(study, rows)?;
     for Picture { name, svg, png } in &drawn {
         write(directory.join(format!("{name}.svg")), svg.as_bytes())?;
         write(directory.join(format!("{name}.png")), png)?;
