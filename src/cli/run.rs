@@ -114,7 +114,7 @@ fn solve(
     let solver = Solver::new(&sweep.solver);
     let output = &sweep.output;
     let cases = |&index: &u32| plan.parameters(&plan.chain(index as usize));
-    let progress = Progress::start(workload.new, ProgressStyle::detect(arguments.quiet))
+    let progress = Progress::start(workload.new, "cases", ProgressStyle::detect(arguments.quiet))
         .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
     let report = engine.run(
         &workload.pending,

@@ -70,7 +70,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     }
 
     let all = study.cases.len() * study.variants.len();
-    let progress = Progress::start(all as u64, ProgressStyle::detect(arguments.quiet))
+    let progress = Progress::start(all as u64, "rows", ProgressStyle::detect(arguments.quiet))
         .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
     let findings = run(&study, threads, meter, &interrupt, |converged| progress.count_case(converged))?;
     drop(progress);

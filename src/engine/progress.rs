@@ -50,12 +50,12 @@ enum Display {
 }
 
 impl Progress {
-    /// Starts to show the progress of a run of `total` cases.
+    /// Starts to show the progress of a run of `total` cases, or whatever else `noun` says in the plural.
     ///
     /// # Errors
     /// What the system says if it refuses the thread that prints lines.
-    pub fn start(total: u64, style: ProgressStyle) -> io::Result<Self> {
-        let tally = Arc::new(Tally::new(total));
+    pub fn start(total: u64, noun: &'static str, style: ProgressStyle) -> io::Result<Self> {
+        let tally = Arc::new(Tally::new(total, noun));
         let display = match style {
             ProgressStyle::Bar => Display::Bar(bar(total, Arc::clone(&tally))),
             ProgressStyle::Lines => {
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_last_line_tells_the_final_counts() {
-        let tally = Arc::new(Tally::new(3));
+        let tally = Arc::new(Tally::new(3, "cases"));
         let (sender, written) = channel();
         let lines = Lines::start(Arc::clone(&tally), Channel(sender), intervals()).expect("a thread starts");
         tally.count(true);
@@ -194,7 +194,7 @@ mod tests {
     fn lines_are_printed_while_nothing_finishes() {
         let (sender, written) = channel();
         let often = iter::repeat(Duration::from_millis(1));
-        let lines = Lines::start(Arc::new(Tally::new(7)), Channel(sender), often).expect("a thread starts");
+        let lines = Lines::start(Arc::new(Tally::new(7, "cases")), Channel(sender), often).expect("a thread starts");
         let text: Vec<u8> = written.iter().take(3 * "0 of 7 cases\n".len()).collect();
         assert_eq!(text, "0 of 7 cases\n".repeat(3).as_bytes());
         drop(lines);
@@ -205,6 +205,6 @@ mod tests {
         let (sender, written) = channel();
         drop(written);
         let often = iter::repeat(Duration::from_millis(1));
-        drop(Lines::start(Arc::new(Tally::new(7)), Channel(sender), often).expect("a thread starts"));
+        drop(Lines::start(Arc::new(Tally::new(7, "cases")), Channel(sender), often).expect("a thread starts"));
     }
 }

@@ -9,15 +9,16 @@ use indicatif::HumanDuration;
 #[derive(Debug)]
 pub(super) struct Tally {
     total: u64,
+    noun: &'static str,
     converged: AtomicU64,
     failed: AtomicU64,
     start: Instant,
 }
 
 impl Tally {
-    /// Of `total` cases, none is done.
-    pub(super) fn new(total: u64) -> Self {
-        Self { total, converged: AtomicU64::new(0), failed: AtomicU64::new(0), start: Instant::now() }
+    /// Of `total` cases, or whatever else `noun` says in the plural, none is done.
+    pub(super) fn new(total: u64, noun: &'static str) -> Self {
+        Self { total, noun, converged: AtomicU64::new(0), failed: AtomicU64::new(0), start: Instant::now() }
     }
 
     /// Adds one case.
@@ -29,13 +30,13 @@ impl Tally {
     /// What to show now, for instance `12 of 100 cases, 1 failed, 2.4 per second, 37 seconds left`.
     pub(super) fn line(&self) -> String {
         let (converged, failed) = (self.converged.load(Ordering::Relaxed), self.failed.load(Ordering::Relaxed));
-        line(self.total, converged, failed, self.start.elapsed())
+        line(self.total, self.noun, converged, failed, self.start.elapsed())
     }
 }
 
-fn line(total: u64, converged: u64, failed: u64, elapsed: Duration) -> String {
+fn line(total: u64, noun: &str, converged: u64, failed: u64, elapsed: Duration) -> String {
     let done = converged + failed;
-    let mut text = format!("{done} of {total} cases");
+    let mut text = format!("{done} of {total} {noun}");
     if failed > 0 {
         text += &format!(", {failed} failed");
     }
@@ -66,21 +67,21 @@ mod tests {
 
     #[test]
     fn nothing_done_promises_nothing() {
-        assert_eq!(line(100, 0, 0, Duration::from_secs(10)), "0 of 100 cases");
-        assert_eq!(line(100, 3, 0, Duration::ZERO), "3 of 100 cases");
+        assert_eq!(line(100, "cases", 0, 0, Duration::from_secs(10)), "0 of 100 cases");
+        assert_eq!(line(100, "cases", 3, 0, Duration::ZERO), "3 of 100 cases");
     }
 
     #[test]
     fn failures_count_as_done() {
         assert_eq!(
-            line(100, 15, 5, Duration::from_secs(10)),
+            line(100, "cases", 15, 5, Duration::from_secs(10)),
             "20 of 100 cases, 5 failed, 2.0 per second, 40 seconds left"
         );
     }
 
     #[test]
     fn a_finished_run_has_no_time_left() {
-        assert_eq!(line(20, 20, 0, Duration::from_secs(10)), "20 of 20 cases, 2.0 per second");
+        assert_eq!(line(20, "rows", 20, 0, Duration::from_secs(10)), "20 of 20 rows, 2.0 per second");
     }
 
     #[test]

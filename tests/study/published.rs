@@ -159,7 +159,7 @@ fn an_interrupted_study_loses_nothing() {
     let mut child = command.args(["study", "long.toml"]).stderr(Stdio::piped()).spawn().expect("started");
     let mut lines = BufReader::new(child.stderr.take().expect("piped")).lines().map_while(Result::ok);
     // the first line of progress: it is at work, and its handlers are in place
-    assert!(lines.by_ref().any(|line| line.contains("0 of 6 cases")));
+    assert!(lines.by_ref().any(|line| line.contains("0 of 6 rows")));
     let id = i32::try_from(child.id()).expect("a process id");
     assert!(std::process::Command::new("kill").args(["-INT", &id.to_string()]).status().expect("sent").success());
     let rest: Vec<String> = lines.collect();
