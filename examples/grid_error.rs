@@ -7,13 +7,18 @@
 //! The orders are log₂ of the ratio of two errors on grids of Δx and Δx/2. A case that fails stands in the table as such,
 //! its reason below the table.
 
+#[path = "relaxation_range/flow_error.rs"]
+mod flow_error;
+
 use std::error::Error;
 
 use rayon::prelude::*;
 use stribeck::continuation::{Interrupt, SolvedCase, solve_chain};
 use stribeck::exact::contact_bounds;
-use stribeck::model::{FieldSelection, Fields, Output, Parameters, Quantities};
+use stribeck::model::{FieldSelection, Output, Parameters, Quantities};
 use stribeck::relaxation::{Acceleration, RelaxationSolver, Settings};
+
+use flow_error::flow_error;
 
 const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/reference/single_mode.csv");
 /// A film is taken as resolved if the flow at the mid-points of the grid is right to this part of the film.
@@ -97,17 +102,6 @@ fn relative_errors(quantities: &Quantities, values: &[f64; 4]) -> [f64; 4] {
         let scale = if values[i] == 0.0 { values[0] + values[1] } else { values[i] };
         (found[i] - values[i]) / scale
     })
-}
-
-/// Largest |β p′u³ + u − c|/u at mid-points of the grid between points under pressure (T2).
-fn flow_error(fields: &Fields, x: &[f64], beta: f64, c: f64) -> f64 {
-    let (Some(p), Some(u)) = (&fields.pressure, &fields.film_thickness) else { return f64::NAN };
-    let pressed = (1..x.len()).filter(|&i| p[i - 1] > 0.0);
-    let error = pressed.map(|i| {
-        let film = 0.5 * (u[i - 1] + u[i]);
-        (beta * (p[i] - p[i - 1]) / (x[i] - x[i - 1]) * film.powi(3) + film - c).abs() / film
-    });
-    error.fold(0.0, f64::max)
 }
 
 /// The points of the automatic domain, from two half widths behind the dry contact to three ahead.

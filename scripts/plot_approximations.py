@@ -8,10 +8,8 @@
     python scripts/plot_approximations.py errors.csv -o docs/figures/approximations.svg
 """
 
-import argparse
 import csv
 from collections import defaultdict
-from pathlib import Path
 
 import matplotlib
 
@@ -19,7 +17,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plot_convergence import smaller
+from plot_convergence import draw
 
 F = 100.0
 ALPHAS = [0.01, 1.0, 100.0]
@@ -79,18 +77,6 @@ def plot(lines):
     return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("table", type=Path, help="what the example `where_approximations_hold` writes")
-    parser.add_argument("-o", "--output", type=Path, required=True, help="the picture: .svg, .png or .pdf")
-    options = parser.parse_args()
-    # nothing that changes from one run to the next, and no font that a reader may lack
-    plt.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": "approximations"})
-    metadata = {"Date": None} if options.output.suffix == ".svg" else None
-    plot(read(options.table)).savefig(options.output, dpi=150, metadata=metadata)
-    if options.output.suffix == ".svg":
-        options.output.write_text(smaller(options.output.read_text()))
-
-
 if __name__ == "__main__":
-    main()
+    table = "what the example `where_approximations_hold` writes"
+    draw(__doc__, table, lambda table: plot(read(table)), "approximations")

@@ -86,18 +86,19 @@ def smaller(svg):
     return re.sub(r">\s+<", "><", svg)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("table", type=Path, help="what the example `convergence` prints")
+def draw(description, table, figure_of, salt):
+    """The command line of a plot: reads its table, makes the figure of it and saves that."""
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("table", type=Path, help=table)
     parser.add_argument("-o", "--output", type=Path, required=True, help="the picture: .svg, .png or .pdf")
     options = parser.parse_args()
     # nothing that changes from one run to the next, and no font that a reader may lack
-    plt.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": "convergence"})
+    plt.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": salt})
     metadata = {"Date": None} if options.output.suffix == ".svg" else None
-    plot(read(options.table)).savefig(options.output, dpi=150, metadata=metadata)
+    figure_of(options.table).savefig(options.output, dpi=150, metadata=metadata)
     if options.output.suffix == ".svg":
         options.output.write_text(smaller(options.output.read_text()))
 
 
 if __name__ == "__main__":
-    main()
+    draw(__doc__, "what the example `convergence` prints", lambda table: plot(read(table)), "convergence")

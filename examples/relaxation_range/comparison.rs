@@ -3,8 +3,10 @@
 use stribeck::collocation::{self, CollocationSolver};
 use stribeck::continuation::{CaseSolver, Interrupt, SolvedCase, solve_chain};
 use stribeck::exact::contact_bounds;
-use stribeck::model::{FieldSelection, Fields, Output, Parameters, Quantities};
+use stribeck::model::{FieldSelection, Output, Parameters, Quantities};
 use stribeck::relaxation::{RelaxationSolver, Settings};
+
+use crate::flow_error::flow_error;
 
 /// What is compared: names of [`Deviations::relative`].
 pub const QUANTITIES: [&str; 4] = ["c", "u_min", "F_v", "F_h"];
@@ -82,16 +84,6 @@ fn relative(found: &Quantities, exact: &Quantities) -> [f64; 4] {
         off(friction.viscoelastic, exactly.viscoelastic, exactly.total()),
         off(friction.hydrodynamic(), exactly.hydrodynamic(), exactly.hydrodynamic()),
     ]
-}
-
-fn flow_error(fields: &Fields, x: &[f64], beta: f64, c: f64) -> f64 {
-    let (Some(p), Some(u)) = (&fields.pressure, &fields.film_thickness) else { return f64::NAN };
-    let pressed = (1..x.len()).filter(|&i| p[i - 1] > 0.0);
-    let error = pressed.map(|i| {
-        let film = 0.5 * (u[i - 1] + u[i]);
-        (beta * (p[i] - p[i - 1]) / (x[i] - x[i - 1]) * film.powi(3) + film - c).abs() / film
-    });
-    error.fold(0.0, f64::max)
 }
 
 /// Median and largest value, NaN as the largest; `None` of no values.

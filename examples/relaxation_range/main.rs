@@ -12,6 +12,7 @@
 mod comparison;
 #[path = "../../tests/relaxation/far_cases.rs"]
 mod far_cases;
+mod flow_error;
 mod paper;
 mod wide_box;
 
