@@ -35,8 +35,8 @@ ROWS = [
     (
         "error of friction, %",
         {
-            "dry_mu_v": (r"dry, for $\mu_v$", "#0072B2", "-"),
-            "approx_mu_h": (r"approx_mu_h, for the film's $\mu_h$", "#D55E00", "--"),
+            "dry_mu_v": (r"dry, for $\mu_v$", "#CC79A7", "-"),
+            "approx_mu_h": (r"approx_mu_h, for the film's $\mu_h$", "#000000", (0, (5, 1, 1, 1))),
         },
     ),
 ]
