@@ -251,6 +251,17 @@ fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
             "{}",
             out(&verify)
         );
+        // What is told of a directory is what the next run will find; a quick look sees sizes alone.
+        let told = |command: &[&str]| out(&say(directory.path(), command));
+        let (status, plan) = (told(&["status", "results/small"]), told(&["plan", "small.toml"]));
+        if name.contains("shards") {
+            assert!(!status.contains("\nto do      0\n") && !plan.contains(" 0 new"), "{status}{plan}");
+        } else {
+            assert!(status.contains("not yet published"), "{status}");
+        }
+        let quick = [told(&["status", "--quick", "results/small"]), told(&["plan", "--quick", "small.toml"])];
+        assert!(quick[0].contains("stopped, all cases were tried\n"), "{}", quick[0]);
+        assert!(quick[1].contains("9 reused, 0 new"), "{}", quick[1]);
         if name.contains("shards") {
             let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
             assert_eq!(code(&run), 0, "{}", err(&run));

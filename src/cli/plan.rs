@@ -9,7 +9,7 @@ use clap::Args;
 use super::destination::{destination, had_other_sweep};
 use super::expectation::{CaseSeconds, Size};
 use super::wording::{bytes, count, duration};
-use super::workload::Workload;
+use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console, threads};
 use crate::store::{Holdings, Store, StoreError};
 use crate::sweep::{Plan, Sweep};
@@ -21,7 +21,8 @@ Examples:
   stribeck plan sweeps/surface.toml -o /scratch/surface --threads 32
 
 Nothing is solved and nothing is written. Cases that the results directory has already are told apart
-from new ones, so this also shows what an extended or half finished sweep has left to do.")]
+from new ones, so this also shows what an extended or half finished sweep has left to do. Every stored byte
+is compared with its record, as a run does before it uses it; --quick looks at the sizes of the files alone.")]
 pub struct Arguments {
     /// The sweep file (TOML); docs/sweep-file.md has its keys
     sweep: PathBuf,
@@ -31,13 +32,16 @@ pub struct Arguments {
     /// Solver threads that the time is told for [default: all cores]
     #[arg(long, value_name = "N", value_parser = threads::parse)]
     threads: Option<NonZeroUsize>,
+    /// Look at the sizes of stored files only, not at every byte
+    #[arg(long)]
+    quick: bool,
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = Sweep::read(&arguments.sweep)?;
     let plan = Plan::new(&sweep);
     let directory = destination(arguments.output.as_deref(), &sweep)?;
-    let held = match Holdings::read(&directory, &sweep.output) {
+    let held = match Holdings::read(&directory, &sweep.output, inspection(arguments.quick)) {
         Ok(held) => Some(held),
         Err(StoreError::NotResults { .. }) => {
             Store::may_take(&directory)?;

@@ -73,68 +73,85 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if other_sweep {
         console::tell(&about_other_sweep(&directory, &workload));
     }
-    if !workload.pending.is_empty() {
-        let report = match solve(&sweep, &plan, &workload, &engine, &interrupt, arguments, &mut store) {
-            Err(CliError::Store(source)) => {
-                let progress = how_to_resume(&plan, &store, &directory);
-                return Err(CliError::Stopped { source, progress });
-            }
-            report => report?,
-        };
-        if report.interrupted {
-            store.end(Ending::Interrupted)?;
+    let job =
+        Job { sweep: &sweep, plan: &plan, workload: &workload, engine: &engine, interrupt: &interrupt, arguments };
+    match job.solve_and_publish(&mut store) {
+        Ok(Some(published)) => {
+            let seconds = start.elapsed().as_secs_f64();
+            console::print(&summary(&plan, &store, &workload, &published, &directory, seconds)?)?;
+            Ok(if published.failed == 0 { Exit::Success } else { Exit::CasesFailed })
+        }
+        Ok(None) => {
             let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
             console::tell(&format!("interrupted{signal}: {}", how_to_resume(&plan, &store, &directory)));
-            return Ok(Exit::Interrupted);
+            Ok(Exit::Interrupted)
         }
-        store.end(Ending::Completed)?;
+        Err(CliError::Store(source)) => {
+            let progress = how_to_resume(&plan, &store, &directory);
+            Err(CliError::Stopped { source, progress })
+        }
+        Err(error) => Err(error),
     }
-    let published = publish(&sweep, &plan, &mut store)?;
-    console::print(&summary(&plan, &store, &workload, &published, &directory, start.elapsed().as_secs_f64())?)?;
-    Ok(if published.failed == 0 { Exit::Success } else { Exit::CasesFailed })
+}
+
+/// What a run has to do, and with what.
+struct Job<'a> {
+    sweep: &'a Sweep,
+    plan: &'a Plan,
+    workload: &'a Workload,
+    engine: &'a Engine,
+    interrupt: &'a Interrupt,
+    arguments: &'a Arguments,
+}
+
+impl Job<'_> {
+    /// Solves what is pending and publishes; `None` if the user stopped it before.
+    fn solve_and_publish(&self, store: &mut Store) -> Result<Option<Published>, CliError> {
+        if !self.workload.pending.is_empty() {
+            if self.solve(store)?.interrupted {
+                store.end(Ending::Interrupted)?;
+                return Ok(None);
+            }
+            store.end(Ending::Completed)?;
+        }
+        Ok(Some(publish(self.sweep, self.plan, store)?))
+    }
+
+    /// Solves the pending chains and commits them soon after they finish.
+    fn solve(&self, store: &mut Store) -> Result<Report, CliError> {
+        let Self { sweep, plan, workload, engine, interrupt, arguments } = *self;
+        store.begin(workload.new, threads::number(arguments.threads).get() as u64)?;
+        let solver = Solver::new(&sweep.solver);
+        let output = &sweep.output;
+        let cases = |&index: &u32| plan.parameters(&plan.chain(index as usize));
+        let progress = Progress::start(workload.new, "cases", ProgressStyle::detect(arguments.quiet))
+            .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
+        let report = engine.run(
+            &workload.pending,
+            interrupt,
+            |index, interrupt| solver.solve_chain(&cases(index), output, interrupt),
+            |index, message| panicked(&cases(index), output, message),
+            |group| -> Result<(), StoreError> {
+                let mut entries = Vec::new();
+                for Finished { chain: &index, cases: solved, .. } in group {
+                    // Cases that are held seeded the others; they keep the bytes they have.
+                    let ids = plan.ids(&plan.chain(index as usize));
+                    let (ids, solved): (Vec<_>, Vec<_>) =
+                        ids.into_iter().zip(solved).filter(|(id, _)| store.holds(*id).is_none()).unzip();
+                    progress.count(&solved);
+                    entries.extend(ids.into_iter().zip(solved).map(|(id, case)| case_entry(id, case)));
+                }
+                store.commit(&entries)
+            },
+        )?;
+        Ok(report)
+    }
 }
 
 /// Finished chains that may wait for a slow disk: some for each thread, fewer where their fields would take much memory.
 fn queue_length(threads: usize, output: &Output) -> usize {
     let field_values = MAX_CHAIN * output.fields.names().len() * output.x.len();
     (WAITING_CHAINS * threads).min(WAITING_FIELD_VALUES / field_values.max(1))
-}
-
-/// Solves the pending chains and commits them soon after they finish.
-fn solve(
-    sweep: &Sweep,
-    plan: &Plan,
-    workload: &Workload,
-    engine: &Engine,
-    interrupt: &Interrupt,
-    arguments: &Arguments,
-    store: &mut Store,
-) -> Result<Report, CliError> {
-    store.begin(workload.new, threads::number(arguments.threads).get() as u64)?;
-    let solver = Solver::new(&sweep.solver);
-    let output = &sweep.output;
-    let cases = |&index: &u32| plan.parameters(&plan.chain(index as usize));
-    let progress = Progress::start(workload.new, "cases", ProgressStyle::detect(arguments.quiet))
-        .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
-    let report = engine.run(
-        &workload.pending,
-        interrupt,
-        |index, interrupt| solver.solve_chain(&cases(index), output, interrupt),
-        |index, message| panicked(&cases(index), output, message),
-        |group| -> Result<(), StoreError> {
-            let mut entries = Vec::new();
-            for Finished { chain: &index, cases: solved, .. } in group {
-                // Cases that are held seeded the others; they keep the bytes they have.
-                let ids = plan.ids(&plan.chain(index as usize));
-                let (ids, solved): (Vec<_>, Vec<_>) =
-                    ids.into_iter().zip(solved).filter(|(id, _)| store.holds(*id).is_none()).unzip();
-                progress.count(&solved);
-                entries.extend(ids.into_iter().zip(solved).map(|(id, case)| case_entry(id, case)));
-            }
-            store.commit(&entries)
-        },
-    )?;
-    Ok(report)
 }
 
 fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
@@ -162,11 +179,12 @@ fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
 fn how_to_resume(plan: &Plan, store: &Store, directory: &Path) -> String {
     let left = Workload::survey(plan, Some(store));
     let (saved, place, command) = (count(left.reused(), "case"), directory.display(), shell::own_command());
-    let earlier = match directory.join("results.h5").exists() {
-        true => "; what is published there is of an earlier state",
-        false => "",
+    let published = match (left.new, directory.join("results.h5").exists()) {
+        (0, false) => ", but not published",
+        (_, true) => "; what is published there is of an earlier state",
+        (_, false) => "",
     };
-    format!("{saved} saved in {place}, {} left{earlier}; resume with\n    {command}", left.new)
+    format!("{saved} saved in {place}, {} left{published}; resume with\n    {command}", left.new)
 }
 
 fn summary(

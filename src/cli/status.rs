@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::failures::{self, Region};
 use super::wording::{count, duration, moment, whole_seconds};
-use super::workload::Workload;
+use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console};
 use crate::engine::rate;
 use crate::model::{FieldSelection, Output};
@@ -25,13 +25,17 @@ const LONGEST_REASON: usize = 160;
 #[command(after_help = "\
 Examples:
   stribeck status results/quick
-  watch -n 10 stribeck status /scratch/surface          follow a sweep that runs somewhere else
+  watch -n 10 stribeck status --quick /scratch/surface  follow a sweep that runs somewhere else
 
-The directory is only read, also while a run works there.")]
+The directory is only read, also while a run works there. Every stored byte is compared with its record, as a run
+does before it uses it; --quick looks at the sizes of the files alone.")]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]
     directory: PathBuf,
+    /// Look at the sizes of stored files only, not at every byte
+    #[arg(long)]
+    quick: bool,
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
@@ -39,7 +43,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = Sweep::read(directory.join("sweep.toml"));
     // Without a sweep nothing is asked for, so that whatever is stored counts.
     let nothing = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
-    let held = Holdings::read(directory, sweep.as_ref().map_or(&nothing, |sweep| &sweep.output))?;
+    let output = sweep.as_ref().map_or(&nothing, |sweep| &sweep.output);
+    let held = Holdings::read(directory, output, inspection(arguments.quick))?;
     let owner = held.owner()?;
     for warning in held.warnings() {
         // The last line of a log may be half written while a run works.

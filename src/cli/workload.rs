@@ -1,7 +1,12 @@
 //! What of a plan is left to do.
 
-use crate::store::{Counts, Holdings, Status};
+use crate::store::{Counts, Holdings, Inspection, Status};
 use crate::sweep::Plan;
+
+/// How closely a command looks at what is stored: as closely as a run does, unless it is to be quick.
+pub fn inspection(quick: bool) -> Inspection {
+    if quick { Inspection::Size } else { Inspection::Bytes }
+}
 
 /// What of a plan is done, and what is left. Counts are of distinct cases.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -29,6 +29,7 @@ pub struct Holdings {
     pub(super) index: Index,
     pub(super) history: History,
     pub(super) published: Option<LastPublished>,
+    inspection: Inspection,
     warnings: Vec<Warning>,
 }
 
@@ -41,11 +42,11 @@ pub(super) struct LastPublished {
 
 /// How closely shards are compared with their records.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Inspection {
-    /// Size only.
+pub enum Inspection {
+    /// By their size: finds what is missing or cut short, and takes no time.
     Size,
-    /// Size and hash of every byte.
-    Hash,
+    /// By every byte, as a run does before it uses them.
+    Bytes,
 }
 
 /// The newest record of a shard, before the shard is looked at.
@@ -59,15 +60,15 @@ pub(super) struct Claim {
 impl Holdings {
     /// Reads a directory without locking or changing it, also while a run works there.
     ///
-    /// `output` is what counts as done: a case whose shard lacks a field or limit it asks for is not held. Shards are
-    /// checked by size; [`super::verify()`] reads every byte.
+    /// `output` is what counts as done: a case whose shard lacks a field or limit it asks for is not held. `inspection`
+    /// is how closely shards are looked at: what passes a look at sizes alone may be found damaged by the next run.
     ///
     /// # Errors
     /// [`StoreError::NotResults`] if there is no results directory, others if it cannot be read.
-    pub fn read(path: &Path, output: &Output) -> Result<Self, StoreError> {
+    pub fn read(path: &Path, output: &Output, inspection: Inspection) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
         directory.must_exist()?;
-        Self::load(directory, output, Inspection::Size)
+        Self::load(directory, output, inspection)
     }
 
     pub(super) fn load(directory: Directory, output: &Output, inspection: Inspection) -> Result<Self, StoreError> {
@@ -87,7 +88,7 @@ impl Holdings {
                 index.add_case(case.case, Slot { shard, row, status: case.status });
             }
         }
-        Ok(Self { directory, output: output.clone(), index, history, published, warnings })
+        Ok(Self { directory, output: output.clone(), index, history, published, inspection, warnings })
     }
 
     /// The directory.
@@ -118,14 +119,15 @@ impl Holdings {
         self.directory.owner()
     }
 
-    /// True if the published files are there and no case was committed after them. They are checked by size.
+    /// True if the published files are there and no case was committed after them. They are looked at as closely as the
+    /// shards were.
     ///
     /// # Errors
     /// [`StoreError::File`] if they cannot be looked at.
     pub fn is_published(&self) -> Result<bool, StoreError> {
         let Some(last) = self.published.as_ref().filter(|_| !self.history.unpublished) else { return Ok(false) };
         for file in &last.files {
-            if fault(&self.directory.published(&file.file), file, Inspection::Size)?.is_some() {
+            if fault(&self.directory.published(&file.file), file, self.inspection)?.is_some() {
                 return Ok(false);
             }
         }
@@ -194,8 +196,13 @@ pub(super) struct OpenShard {
 }
 
 /// Opens a shard and compares its cases with its record.
+///
+/// Its checksum comes first: the HDF5 library gets only bytes that this program has written, for it is not made for others.
 pub(super) fn open_checked(path: &Path, record: &ShardRecord) -> Result<ShardReader, StoreError> {
     let damaged = |what: &str| StoreError::Damaged { path: path.to_owned(), what: what.to_owned() };
+    if let Some(what) = fault(path, &record.file, Inspection::Bytes)? {
+        return Err(damaged(&what));
+    }
     let contents = record.contents().ok_or_else(|| damaged("its record names an unknown field"))?;
     let reader = ShardReader::open(path, &contents)?;
     if !reader.ids().iter().eq(record.cases.iter().map(|case| &case.case)) {
@@ -276,7 +283,7 @@ pub(super) fn fault(path: &Path, record: &FileRecord, inspection: Inspection) ->
     if bytes != record.bytes {
         return Ok(Some(format!("it has {bytes} bytes, its record says {}", record.bytes)));
     }
-    if inspection == Inspection::Hash && hash_file(path)?.1.to_hex().as_str() != record.blake3 {
+    if inspection == Inspection::Bytes && hash_file(path)?.1.to_hex().as_str() != record.blake3 {
         return Ok(Some("its checksum is not the one of its record".to_owned()));
     }
     Ok(None)

@@ -96,7 +96,7 @@ impl Store {
 fn is_in_place(store: &Holdings, key: &str) -> Result<bool, StoreError> {
     let Some(last) = store.published.as_ref().filter(|last| last.key == key) else { return Ok(false) };
     for file in &last.files {
-        if fault(&store.directory.published(&file.file), file, Inspection::Hash)?.is_some() {
+        if fault(&store.directory.published(&file.file), file, Inspection::Bytes)?.is_some() {
             return Ok(false);
         }
     }

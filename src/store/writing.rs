@@ -51,7 +51,7 @@ impl Store {
         if !std::fs::read(directory.sweep()).is_ok_and(|held| held == sweep_text.as_bytes()) {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }
-        let holdings = Holdings::load(directory, output, Inspection::Hash)?;
+        let holdings = Holdings::load(directory, output, Inspection::Bytes)?;
         Ok(Self { holdings, log: None, _lock: lock })
     }
 
