@@ -116,7 +116,9 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         outcome: Ok(Solution { quantities, errors, fields: Fields::default() }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
+        cut: None,
         path: stribeck::continuation::Path::default(),
+        trace: stribeck::continuation::Trace::default(),
         effort: Effort {
             iterations: 5,
             factorisations: 3,
@@ -135,7 +137,7 @@ fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
         reason: String::new(),
         values: solution.quantities.row(&solution.errors, &case.limits),
         fields: solution.fields,
-        timing: Timing { seconds, iterations, factorisations, seed: case.seed.to_string() },
+        timing: Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit: None },
     }
 }
 

@@ -53,7 +53,7 @@ fn finished() -> TempDir {
 #[test]
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
-    for command in ["run", "plan", "status", "solve", "verify", "study"] {
+    for command in ["run", "plan", "status", "solve", "explain", "verify", "study"] {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
         assert!(out(&help).contains(&format!("\n  stribeck {command} ")), "{}", out(&help));
@@ -113,7 +113,11 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
     let case = |more: &'static str| [vec!["solve", "--f", "10"], more.split(' ').collect()].concat();
     let rows = [
         (vec![], "Usage"),
-        (vec!["explain"], "unrecognized subcommand"),
+        (vec!["guess"], "unrecognized subcommand"),
+        (vec!["explain", "results"], "<CASE>"),
+        (vec!["explain", "results", "100,1"], "as in 100,1,1000"),
+        (vec!["explain", "results", "-1,1,10"], "as in 100,1,1000"),
+        (vec!["explain", "results", "12ab"], "16 hexadecimal digits"),
         (vec!["run"], "<SWEEP>"),
         (vec!["run", "absent.toml"], "check the path"),
         (vec!["run", "small.toml", "--threads", "0"], "from 1 to 1024"),
@@ -142,6 +146,13 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
         (case("--alpha 1 --beta 10 --method relaxation --acceleration fast"), "anderson or none"),
         (case("--alpha 1 --beta 10 --method relaxation --points 199 --estimate true"), "or --estimate false"),
         (case("--alpha 1 --beta 10 --method relaxation --estimate maybe"), "true, false"),
+        (case("--alpha 1 --beta 10 --domain -3,4"), "--domain is an option of the relaxation method"),
+        (case("--alpha 1 --beta 10 --method relaxation --domain 3,4"), "on both sides of 0, from -100 to 100"),
+        (case("--alpha 1 --beta 10 --modes 1"), "SHARE:TIME"),
+        (case("--alpha 1 --beta 10 --modes 0.5:1,0.4:2"), "add up to 1, not 0.9"),
+        (case("--alpha 1 --beta 10 --modes 1:nan"), "finite number above 0"),
+        (case("--alpha 1 --beta 10 --cavity-shear half"), "full, streamers or none"),
+        (case("--alpha 1 --beta 10 --time-limit 0"), "above 0, or inf"),
         (vec!["solve", "--alpha", "1", "--beta", "10", "--f", "inf"], "at least 0; 0 is an elastic"),
         (vec!["solve", "--alpha", "1", "--beta", "10"], "--f <F>"),
     ];

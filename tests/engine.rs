@@ -10,7 +10,7 @@ use std::sync::{Barrier, Condvar, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
-use stribeck::continuation::{Effort, Interrupt, Interrupted, Path, Seed, SolvedCase};
+use stribeck::continuation::{Effort, Interrupt, Interrupted, SolvedCase};
 use stribeck::engine::{Engine, Finished, Report};
 use stribeck::model::{Failure, Limits};
 
@@ -19,13 +19,8 @@ fn engine(threads: usize) -> Engine {
 }
 
 fn case(chain: usize, reason: &str) -> SolvedCase {
-    SolvedCase {
-        outcome: Err(Failure::new(reason.to_owned())),
-        limits: Limits::UNKNOWN,
-        seed: Seed::Elastic,
-        path: Path::default(),
-        effort: Effort { iterations: chain as u64, ..Effort::default() },
-    }
+    let effort = Effort { iterations: chain as u64, ..Effort::default() };
+    SolvedCase { effort, ..SolvedCase::failed(Failure::new(reason.to_owned()), Limits::UNKNOWN) }
 }
 
 fn solve(&chain: &usize, _: &Interrupt) -> Result<Vec<SolvedCase>, Interrupted> {

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use stribeck::model::{CaseId, CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain};
-use stribeck::sweep::{Axes, Chain, Fingerprint, MAX_CHAIN, Method, Plan, SolverSettings, Sweep};
+use stribeck::sweep::{Axes, Chain, Fingerprint, MAX_CHAIN, Method, Plan, Recipe, SolverSettings, Sweep};
 
 fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
     Sweep {
@@ -285,7 +285,7 @@ fn an_id_stays_whatever_is_kept_of_the_case() {
 #[test]
 fn minus_zero_is_the_same_case() {
     for method in METHODS {
-        let fingerprint = Fingerprint::new(&by(method), CavityShear::Full);
+        let fingerprint = Fingerprint::new(&Recipe::new(&by(method), CavityShear::Full));
         assert_eq!(fingerprint.id(&Parameters::new(-0.0, 10.0, 5.0)), fingerprint.id(&Parameters::new(0.0, 10.0, 5.0)));
         assert_eq!(fingerprint.id(&Parameters::new(1.0, 10.0, -0.0)), fingerprint.id(&Parameters::elastic(10.0)));
     }
@@ -318,7 +318,7 @@ fn an_id_is_the_documented_hash() {
     relaxation.extend([1, 0]);
 
     for (method, bytes) in [(Method::Collocation, collocation), (Method::Relaxation, relaxation)] {
-        let id = Fingerprint::new(&by(method), CavityShear::Full).id(&Parameters::new(2.0, 10.0, 5.0));
+        let id = Fingerprint::new(&Recipe::new(&by(method), CavityShear::Full)).id(&Parameters::new(2.0, 10.0, 5.0));
         assert_eq!(id.to_string(), documented_id(&bytes), "{method}");
     }
 }

@@ -2,46 +2,45 @@
 
 use std::panic::catch_unwind;
 
-use crate::continuation::{Effort, Path, Seed, SolvedCase};
+use super::repeat::solve_command;
+use crate::continuation::{Cut, Effort, SolvedCase};
 use crate::exact;
-use crate::model::{CaseId, Failure, Fields, Limits, Output, Parameters};
+use crate::model::{Failure, Fields, Limits, Output, Parameters};
 use crate::store::{CaseEntry, Status, Timing};
+use crate::sweep::Plan;
 
-/// A solved case with its id.
-pub fn case_entry(id: CaseId, case: SolvedCase) -> CaseEntry {
+/// A solved case of a plan.
+pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
     let Effort { iterations, factorisations, seconds, .. } = case.effort;
-    let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string() };
+    let time_limit = match case.cut {
+        Some(Cut::TimeLimit(limit)) => Some(limit.as_secs_f64()),
+        Some(Cut::Panic) | None => None,
+    };
+    let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
     let (outcome, reason, values, fields) = match case.outcome {
         Ok(solution) => {
             let values = solution.quantities.row(&solution.errors, &case.limits);
             (Status::Converged, String::new(), values, solution.fields)
         }
-        Err(failure) => (Status::Failed, failure.reason, case.limits.failed_row(), Fields::default()),
-    };
-    CaseEntry { id, outcome, reason, values, fields, timing }
-}
-
-/// The cases of a chain whose solver panicked.
-pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
-    let reason = format!("the solver panicked: {}; please report it", one_line(message));
-    let failed = |parameters: &Parameters| {
-        let limits = output.limits.then(|| catch_unwind(|| exact::limits(parameters)).ok()).flatten();
-        SolvedCase {
-            outcome: Err(Failure::new(reason.clone())),
-            limits: limits.unwrap_or(Limits::UNKNOWN),
-            seed: Seed::None,
-            path: Path::default(),
-            effort: Effort::default(),
+        Err(Failure { mut reason, .. }) => {
+            if case.cut == Some(Cut::Panic) {
+                reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
+            }
+            (Status::Failed, reason, case.limits.failed_row(), Fields::default())
         }
     };
-    cases.iter().map(failed).collect()
+    CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, timing }
 }
 
-/// The words of a text, without line feeds and other control characters.
-fn one_line(text: &str) -> String {
-    let words: Vec<&str> =
-        text.split(|c: char| c.is_control() || c.is_whitespace()).filter(|w| !w.is_empty()).collect();
-    words.join(" ")
+/// The cases of a chain whose thread panicked outside of its solver, which fails by itself if it does.
+pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
+    let reason = format!("the solver of its chain panicked: {message}");
+    let failed = |parameters: &Parameters| {
+        let limits = output.limits.then(|| catch_unwind(|| exact::limits(parameters)).ok()).flatten();
+        let failed = SolvedCase::failed(Failure::new(reason.clone()), limits.unwrap_or(Limits::UNKNOWN));
+        SolvedCase { cut: Some(Cut::Panic), ..failed }
+    };
+    cases.iter().map(failed).collect()
 }
 
 #[cfg(test)]
@@ -49,23 +48,32 @@ mod tests {
     use super::*;
     use crate::model::COLUMNS;
     use crate::store::Store;
+    use crate::sweep::Sweep;
 
     #[test]
-    fn cases_of_a_panic_can_be_stored_with_their_limits() {
-        let output = Output::default();
-        let cases = [Parameters::new(1.0, 100.0, 10.0), Parameters::new(1.0, 200.0, 10.0)];
-        let entries: Vec<_> = (1..)
-            .zip(panicked(&cases, &output, "index out of bounds:\n\tthe len is 3\u{7}"))
-            .map(|(id, case)| case_entry(CaseId(id), case))
+    fn cases_of_a_panic_can_be_stored_with_their_limits_and_the_command_that_repeats_them() {
+        let text = "[axes]\nf = [10.0]\nalpha = [1.0]\nbeta = [100.0, 200.0]\n";
+        let sweep = Sweep::parse("panic", text).expect("valid");
+        let plan = Plan::new(&sweep);
+        let cases = plan.parameters(&plan.chain(0));
+        let entries: Vec<_> = panicked(&cases, &sweep.output, "index out of bounds")
+            .into_iter()
+            .zip(&cases)
+            .map(|(case, parameters)| case_entry(&plan, parameters, case))
             .collect();
         for (entry, parameters) in entries.iter().zip(&cases) {
-            assert_eq!(entry.reason, "the solver panicked: index out of bounds: the len is 3; please report it");
+            let beta = parameters.beta;
+            let expected = format!(
+                "the solver of its chain panicked: index out of bounds; please report it with `stribeck solve --f 10 --alpha 1 \
+                 --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
+            );
+            assert_eq!(entry.reason, expected);
             let dry = COLUMNS.iter().position(|column| column.name == "dry_mu_v").expect("a column");
             assert_eq!(entry.values[dry], exact::limits(parameters).dry_mu_v);
         }
         let directory = tempfile::tempdir().expect("a temporary directory");
-        let mut store = Store::open(directory.path(), "", &output).expect("opened");
+        let mut store = Store::open(directory.path(), "", &sweep.output).expect("opened");
         store.commit(&entries).expect("committed");
-        assert_eq!(store.holds(CaseId(2)), Some(Status::Failed));
+        assert_eq!(store.holds(plan.id(&cases[1])), Some(Status::Failed));
     }
 }

@@ -53,6 +53,15 @@ pub enum CliError {
     /// A results directory cannot be read or written.
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// A case that a results directory does not know.
+    #[error(
+        "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
+        directory.display()
+    )]
+    NoSuchCase {
+        /// The results directory.
+        directory: PathBuf,
+    },
     /// A results directory that is none and cannot become one.
     #[error("{} is a file, and results need a directory; choose another place with -o", path.display())]
     NotADirectory {
@@ -114,6 +123,7 @@ impl CliError {
     pub fn code(&self) -> u8 {
         match self {
             CliError::Input(_)
+            | CliError::NoSuchCase { .. }
             | CliError::Threads(_)
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }

@@ -86,10 +86,11 @@ fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
     let of_chain = |place: usize| {
         // spread over the rows: the middles of as many equal parts
         let index = workload.pending[(2 * place + 1) * workload.pending.len() / (2 * tried)];
-        let cases = plan.parameters(&plan.chain(index as usize));
+        let chain = plan.parameters(&plan.chain(index as usize));
+        let cases: Vec<_> = workload.places(plan, index).into_iter().map(|place| &chain[place]).collect();
         let start = (cases.len() - TRIED_CASES.min(cases.len())) / 2;
-        let sample = &cases[start..cases.len().min(start + TRIED_CASES)];
-        let solved = solver.solve_chain(sample, &sweep.output, &Interrupt::new()).expect("no one asks it to stop");
+        let sample: Vec<_> = cases.iter().skip(start).take(TRIED_CASES).copied().cloned().collect();
+        let solved = solver.solve_chain(&sample, &sweep.output, &Interrupt::new()).expect("no one asks it to stop");
         let mut seconds = solved.iter().map(|case| case.effort.seconds);
         let first = seconds.next().expect("a chain has cases");
         let others = seconds.sum::<f64>() / (sample.len() - 1).max(1) as f64;

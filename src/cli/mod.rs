@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `verify`, `study` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `verify`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `workload` | which chains of a plan are left to be solved |
 //! | `entry` | from a solved case to what the store keeps |
@@ -10,6 +10,7 @@
 //! | `failures` | failed cases, listed and by region |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `solver` | the solver that a sweep asks for |
+//! | `repeat`, `way` | the command that solves a case again; how it was reached |
 //! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
 
 mod console;
@@ -17,8 +18,10 @@ mod destination;
 mod entry;
 mod error;
 mod expectation;
+mod explain;
 mod failures;
 mod plan;
+mod repeat;
 mod run;
 mod shell;
 mod solution;
@@ -28,6 +31,7 @@ mod status;
 mod study;
 mod threads;
 mod verify;
+mod way;
 mod wording;
 mod workload;
 
@@ -58,6 +62,7 @@ Examples:
   stribeck plan sweeps/quick.toml                       what a sweep will cost
   stribeck run sweeps/quick.toml                        run it, or resume it; results in results/quick
   stribeck solve --alpha 1 --beta 100 --f 10            a single case
+  stribeck explain results/quick 100,1,1000             why this one is as it is
   stribeck study sweeps/study-quick.toml                error against run time
 
 Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4 the disk or a file;
@@ -73,6 +78,8 @@ enum Command {
     Status(status::Arguments),
     /// Solve one case and print it
     Solve(solve::Arguments),
+    /// Say why a case is as it is: seed, way and residuals, and the command that repeats it
+    Explain(explain::Arguments),
     /// Read every stored result again and compare it with its record
     Verify(verify::Arguments),
     /// Measure error against run time, and where each method is stable
@@ -110,6 +117,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Plan(arguments) => plan::execute(arguments),
         Command::Status(arguments) => status::execute(arguments),
         Command::Solve(arguments) => solve::execute(arguments),
+        Command::Explain(arguments) => explain::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),
     };

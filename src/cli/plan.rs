@@ -52,7 +52,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     for warning in held.iter().flat_map(Holdings::warnings) {
         console::tell(&format!("warning: {warning}"));
     }
-    let workload = Workload::survey(&plan, held.as_ref());
+    let workload = Workload::survey(&sweep, &plan, held.as_ref());
 
     let axes = &sweep.axes;
     let (f, alpha, beta) = (axes.f.len(), axes.alpha.len(), axes.beta.len());
@@ -71,20 +71,31 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let chains = count(plan.chain_count() as u64, "chain");
     line("problems", format!("{} distinct, in {chains}; elastic ones are solved once for all alpha", plan.problems()));
     let (reused, new, failed) = (workload.converged, workload.new, workload.failed);
-    line("state", format!("{reused} reused, {new} new, {failed} failed before"));
-    if workload.new == 0 {
+    let stale = match workload.stale() {
+        0 => String::new(),
+        stale => format!(", {stale} stale"),
+    };
+    line("state", format!("{reused} reused, {new} new{stale}, {failed} failed before"));
+    for (why, cases) in &workload.stale {
+        line("stale", format!("{cases}: {why}"));
+    }
+    if workload.others > 0 {
+        line("others", format!("{} stored have no place in this sweep; they stay", count(workload.others, "case")));
+    }
+    if workload.to_do() == 0 {
         line("to do", "nothing to solve".to_owned());
         console::print(&text)?;
         return Ok(Exit::Success);
     }
     let pending = workload.pending.len() as u64;
-    let seeding = match workload.pending_cases - workload.new {
+    let to_do = workload.to_do();
+    let seeding = match workload.solved - to_do {
         0 => String::new(),
-        others => format!("; {others} of the reused cases are solved again to seed the new ones"),
+        others => format!("; {others} of the reused cases are solved again to seed them"),
     };
-    line("to do", format!("{} in {}{seeding}", count(new, "case"), count(pending, "chain")));
+    line("to do", format!("{} in {}{seeding}", count(to_do, "case"), count(pending, "chain")));
     line("time", expected_time(&sweep, &plan, &workload, held.as_ref(), arguments));
-    let size = Size::of(&sweep, &plan, workload.new, pending);
+    let size = Size::of(&sweep, &plan, to_do, pending);
     line("disk", format!("about {} to store, {} published", bytes(size.stored), bytes(size.published)));
     console::print(&text)?;
     Ok(Exit::Success)
@@ -100,7 +111,7 @@ fn expected_time(
     let threads = threads::number(arguments.threads).get();
     let per_case = CaseSeconds::expected(sweep, plan, workload, held);
     let busy = threads.min(workload.pending.len());
-    let seconds = per_case.seconds() * workload.pending_cases as f64 / busy as f64;
+    let seconds = per_case.seconds() * workload.solved as f64 / busy as f64;
     let source = match per_case {
         CaseSeconds::Logged(_) => "the mean of what the log has",
         CaseSeconds::Estimated(_) => "estimated on this machine",

@@ -16,7 +16,7 @@ use super::workload::Workload;
 use super::{CliError, Exit, console, failures, shell, threads};
 use crate::continuation::Interrupt;
 use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report, Signals, rate};
-use crate::model::Output;
+use crate::model::{Output, Parameters};
 use crate::store::{Ending, Publication, Published, Store, StoreError};
 use crate::sweep::{MAX_CHAIN, Plan, Sweep};
 
@@ -65,11 +65,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
 
     let other_sweep = had_other_sweep(&directory, &sweep);
-    let mut store = Store::open(&directory, &sweep.text, &sweep.output)?;
+    let recipe = serde_json::to_value(plan.recipe()).expect("a recipe is made of words and finite numbers");
+    let mut store = Store::open(&directory, &sweep.text, &sweep.output)?.solving_with(recipe);
     for warning in store.warnings() {
         console::tell(&format!("warning: {warning}"));
     }
-    let workload = Workload::survey(&plan, Some(&store));
+    let workload = Workload::survey(&sweep, &plan, Some(&store));
     if other_sweep {
         console::tell(&about_other_sweep(&directory, &workload));
     }
@@ -83,11 +84,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
         Ok(None) => {
             let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
-            console::tell(&format!("interrupted{signal}: {}", how_to_resume(&plan, &store, &directory)));
+            console::tell(&format!("interrupted{signal}: {}", how_to_resume(&sweep, &plan, &store, &directory)));
             Ok(Exit::Interrupted)
         }
         Err(CliError::Store(source)) => {
-            let progress = how_to_resume(&plan, &store, &directory);
+            let progress = how_to_resume(&sweep, &plan, &store, &directory);
             Err(CliError::Stopped { source, progress })
         }
         Err(error) => Err(error),
@@ -120,11 +121,14 @@ impl Job<'_> {
     /// Solves the pending chains and commits them soon after they finish.
     fn solve(&self, store: &mut Store) -> Result<Report, CliError> {
         let Self { sweep, plan, workload, engine, interrupt, arguments } = *self;
-        store.begin(workload.new, threads::number(arguments.threads).get() as u64)?;
+        store.begin(workload.to_do(), threads::number(arguments.threads).get() as u64)?;
         let solver = Solver::new(&sweep.solver);
         let output = &sweep.output;
-        let cases = |&index: &u32| plan.parameters(&plan.chain(index as usize));
-        let progress = Progress::start(workload.new, "cases", ProgressStyle::detect(arguments.quiet))
+        let cases = |&index: &u32| -> Vec<Parameters> {
+            let chain = plan.parameters(&plan.chain(index as usize));
+            workload.places(plan, index).into_iter().map(|place| chain[place].clone()).collect()
+        };
+        let progress = Progress::start(workload.to_do(), "cases", ProgressStyle::detect(arguments.quiet))
             .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
         let report = engine.run(
             &workload.pending,
@@ -134,12 +138,14 @@ impl Job<'_> {
             |group| -> Result<(), StoreError> {
                 let mut entries = Vec::new();
                 for Finished { chain: &index, cases: solved, .. } in group {
-                    // Cases that are held seeded the others; they keep the bytes they have.
-                    let ids = plan.ids(&plan.chain(index as usize));
-                    let (ids, solved): (Vec<_>, Vec<_>) =
-                        ids.into_iter().zip(solved).filter(|(id, _)| store.holds(*id).is_none()).unzip();
-                    progress.count(&solved);
-                    entries.extend(ids.into_iter().zip(solved).map(|(id, case)| case_entry(id, case)));
+                    let chain = plan.parameters(&plan.chain(index as usize));
+                    for (place, case) in workload.places(plan, index).into_iter().zip(solved) {
+                        // Cases that are held seeded the others; they keep the bytes they have.
+                        if workload.is_missing(index, place) {
+                            progress.count_case(case.outcome.is_ok());
+                            entries.push(case_entry(plan, &chain[place], case));
+                        }
+                    }
                 }
                 store.commit(&entries)
             },
@@ -168,23 +174,24 @@ fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, S
 
 fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
     let (reused, new) = (workload.reused(), workload.new);
+    let stale: String = workload.stale.iter().map(|(why, cases)| format!(", {cases} stale ({why})")).collect();
     format!(
         "note: {} was last run with another sweep file. Of the {} of this one {reused} are there and used again, {new} \
-         are new. Cases that only the other one has stay stored, but are not published.",
+         are new{stale}. Cases that only the other one has stay stored, but are not published.",
         directory.display(),
-        count(reused + new, "case"),
+        count(reused + workload.to_do(), "case"),
     )
 }
 
-fn how_to_resume(plan: &Plan, store: &Store, directory: &Path) -> String {
-    let left = Workload::survey(plan, Some(store));
+fn how_to_resume(sweep: &Sweep, plan: &Plan, store: &Store, directory: &Path) -> String {
+    let left = Workload::survey(sweep, plan, Some(store));
     let (saved, place, command) = (count(left.reused(), "case"), directory.display(), shell::own_command());
-    let published = match (left.new, directory.join("results.h5").exists()) {
+    let published = match (left.to_do(), directory.join("results.h5").exists()) {
         (0, false) => ", but not published",
         (_, true) => "; what is published there is of an earlier state",
         (_, false) => "",
     };
-    format!("{saved} saved in {place}, {} left{published}; resume with\n    {command}", left.new)
+    format!("{saved} saved in {place}, {} left{published}; resume with\n    {command}", left.to_do())
 }
 
 fn summary(
@@ -198,15 +205,15 @@ fn summary(
     let cases = count(published.converged + published.failed, "case");
     let mut text = format!("{cases}: {} converged, {} failed\n", published.converged, published.failed);
     let written = "writing to memory does not fail";
-    match workload.new {
+    match workload.to_do() {
         0 if published.rewritten => text += "nothing to solve; published again\n",
         0 => text += "nothing to do: all of it is solved and published\n",
-        new => {
+        solved => {
             let reused = match workload.reused() {
                 0 => String::new(),
                 reused => format!(" ({reused} more were there already)"),
             };
-            let (cases, rate) = (count(new, "case"), rate(new as f64 / seconds));
+            let (cases, rate) = (count(solved, "case"), rate(solved as f64 / seconds));
             writeln!(text, "solved {cases}{reused} in {}, {rate}", duration(seconds)).expect(written);
         }
     }

@@ -33,6 +33,47 @@ fn value(entry: &CaseEntry, name: &str) -> Option<f64> {
     Some(entry.values[place]).filter(|value| !value.is_nan())
 }
 
+/// One row for each quantity of a case, with its error and what large β has in its place; of a failed case what is known.
+pub fn numbers(entry: &CaseEntry) -> String {
+    match entry.outcome {
+        Status::Converged => quantities(entry),
+        Status::Failed => limits(entry),
+    }
+}
+
+fn quantities(entry: &CaseEntry) -> String {
+    let mut text = String::new();
+    let mut row = |symbol: &str, value: &str, error: &str, limit: &str, unit: &str, name: &str| {
+        writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}").expect(IN_MEMORY);
+    };
+    row("symbol", "value", "error", "large beta", "unit", "name");
+    for column in &COLUMNS {
+        let limit_of = match column.name {
+            "mu_v" => "dry_mu_v",
+            "mu_h" => "approx_mu_h",
+            name if name.starts_with("error_") || Limits::COLUMNS.contains(&name) => continue,
+            _ => "",
+        };
+        let six = |value: f64| format!("{value:.6e}");
+        let error = value(entry, &format!("error_{}", column.name)).map_or_else(String::new, |e| format!("{e:.0e}"));
+        let limit = value(entry, limit_of).map_or_else(String::new, six);
+        let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
+        row(column.name, &value, &error, &limit, column.units, column.long_name);
+    }
+    text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
+    text
+}
+
+/// What is known of a case that failed.
+fn limits(entry: &CaseEntry) -> String {
+    let mut text = String::new();
+    for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
+        let limit = value(entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
+        writeln!(text, "{:<13} {limit:>14}  {:<10}  {}", column.name, column.units, column.long_name).expect(IN_MEMORY);
+    }
+    text
+}
+
 impl SolvedProblem<'_> {
     /// What came of the case, its cost, its path, and one row for each quantity, with its error and what large β has in its
     /// place.
@@ -46,11 +87,7 @@ impl SolvedProblem<'_> {
         text += &self.cost();
         text += &self.way();
         text += "\n";
-        match entry.outcome {
-            Status::Converged => text += &self.quantities(),
-            Status::Failed => text += &self.limits(),
-        }
-        text
+        text + &numbers(entry)
     }
 
     /// One line: id, seed, effort and time.
@@ -91,43 +128,6 @@ impl SolvedProblem<'_> {
             let (alpha, beta, f) = (short(*alpha), short(*beta), short(*f));
             let failed = if *accepted { "" } else { "  not solved" };
             writeln!(text, "{alpha:>19} {beta:>13} {f:>13} {iterations:>13}{failed}").expect(IN_MEMORY);
-        }
-        text
-    }
-
-    fn quantities(&self) -> String {
-        let entry = self.entry;
-        let mut text = String::new();
-        let mut row = |symbol: &str, value: &str, error: &str, limit: &str, unit: &str, name: &str| {
-            writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}").expect(IN_MEMORY);
-        };
-        row("symbol", "value", "error", "large beta", "unit", "name");
-        for column in &COLUMNS {
-            let limit_of = match column.name {
-                "mu_v" => "dry_mu_v",
-                "mu_h" => "approx_mu_h",
-                name if name.starts_with("error_") || Limits::COLUMNS.contains(&name) => continue,
-                _ => "",
-            };
-            let six = |value: f64| format!("{value:.6e}");
-            let error =
-                value(entry, &format!("error_{}", column.name)).map_or_else(String::new, |e| format!("{e:.0e}"));
-            let limit = value(entry, limit_of).map_or_else(String::new, six);
-            let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
-            row(column.name, &value, &error, &limit, column.units, column.long_name);
-        }
-        text +=
-            "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
-        text
-    }
-
-    /// What is known of a case that failed.
-    fn limits(&self) -> String {
-        let mut text = String::new();
-        for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
-            let limit = value(self.entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-            writeln!(text, "{:<13} {limit:>14}  {:<10}  {}", column.name, column.units, column.long_name)
-                .expect(IN_MEMORY);
         }
         text
     }

@@ -7,8 +7,8 @@ use super::solution::SolvedProblem;
 use super::solver::Solver;
 use super::{CliError, Exit, console};
 use crate::continuation::Interrupt;
-use crate::model::{FieldSelection, Output, Parameters, Substrate};
-use crate::relaxation::Acceleration;
+use crate::model::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
+use crate::relaxation::{Acceleration, Domain};
 use crate::store::Status;
 use crate::sweep::{Axes, Method, Plan, SolverSettings, Sweep};
 use crate::{collocation, relaxation};
@@ -22,6 +22,7 @@ Examples:
   stribeck solve --alpha 1 --beta 100 --f 10
   stribeck solve --alpha inf --beta 100 --f 10          relaxed: the elastic case, whatever f is
   stribeck solve --alpha 1 --beta 1000 --f 100 --tolerance 1e-8 --json | jq .mu_tot
+  stribeck solve --alpha 1 --beta 100 --f 10 --modes 0.7:1,0.3:100
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
 
 Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
@@ -54,6 +55,18 @@ pub struct Arguments {
     /// Relaxation: solve on a second grid too, to estimate errors; from 201 points on [default: true where it can]
     #[arg(long, value_name = "true|false", action = ArgAction::Set)]
     estimate: Option<bool>,
+    /// Relaxation: auto, or both ends of the grid in a0, as in --domain=-3,4 [default: auto]
+    #[arg(long, value_name = "MIN,MAX", value_parser = domain, allow_hyphen_values = true)]
+    domain: Option<Domain>,
+    /// Retardation modes as SHARE:TIME, shares of f and times over the one in alpha, as in 0.7:1,0.3:100 [default: 1:1]
+    #[arg(long, value_name = "MODES", value_parser = modes)]
+    modes: Option<Substrate>,
+    /// What fills the gap behind the film: full, streamers or none
+    #[arg(long, default_value_t, value_parser = cavity_shear)]
+    cavity_shear: CavityShear,
+    /// Seconds after which the case is given up, or inf [default: 3600]
+    #[arg(long, value_name = "S", value_parser = time_limit)]
+    time_limit: Option<f64>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -105,16 +118,51 @@ fn acceleration(text: &str) -> Result<Acceleration, String> {
     }
 }
 
+fn domain(text: &str) -> Result<Domain, String> {
+    if text == "auto" {
+        return Ok(Domain::Auto);
+    }
+    let (least, most) = Domain::ENDS.into_inner();
+    let ends = text.split_once(',').and_then(|(min, max)| Some((min.parse().ok()?, max.parse().ok()?)));
+    match ends {
+        Some((x_min, x_max)) if (least..0.0).contains(&x_min) && x_max > 0.0 && x_max <= most => {
+            Ok(Domain::Fixed { x_min, x_max })
+        }
+        _ => Err(format!("give auto, or two numbers on both sides of 0, from {least} to {most}, as in -3,4")),
+    }
+}
+
+fn modes(text: &str) -> Result<Substrate, String> {
+    let mode = |part: &str| {
+        let (share, time) = part.split_once(':')?;
+        Some(RetardationMode { share: share.parse().ok()?, time: time.parse().ok()? })
+    };
+    let modes: Option<Vec<_>> = text.split(',').map(mode).collect();
+    let modes = modes.ok_or("give SHARE:TIME, or several with commas between them, as in 0.7:1,0.3:100")?;
+    Substrate::new(modes).map_err(|error| error.to_string())
+}
+
+fn cavity_shear(text: &str) -> Result<CavityShear, String> {
+    let all = [CavityShear::Full, CavityShear::Streamers, CavityShear::None];
+    all.into_iter().find(|shear| shear.to_string() == text).ok_or_else(|| "give full, streamers or none".to_owned())
+}
+
+fn time_limit(text: &str) -> Result<f64, String> {
+    number(text, "a number of seconds above 0, or inf", |limit| limit > 0.0)
+}
+
 impl Arguments {
     /// The settings of the method asked for.
     fn settings(&self) -> Result<SolverSettings, CliError> {
         let defaults = SolverSettings::default();
+        let time_limit = self.time_limit.unwrap_or(defaults.time_limit);
         match self.method {
             Method::Collocation => {
                 let others = [
                     ("--points", self.points.is_some()),
                     ("--acceleration", self.acceleration.is_some()),
                     ("--estimate", self.estimate.is_some()),
+                    ("--domain", self.domain.is_some()),
                 ];
                 if let Some((option, _)) = others.into_iter().find(|(_, given)| *given) {
                     return Err(CliError::OtherMethod { option });
@@ -122,7 +170,7 @@ impl Arguments {
                 let (least, most) = collocation::Settings::TOLERANCE.into_inner();
                 let tolerance = self.tolerance.unwrap_or(defaults.tolerance);
                 self.check(tolerance, "the relative error wanted in mu_v, mu_h and c", least, most)?;
-                Ok(SolverSettings { method: self.method, tolerance, ..defaults })
+                Ok(SolverSettings { method: self.method, tolerance, time_limit, ..defaults })
             }
             Method::Relaxation => {
                 let points = self.points.unwrap_or(defaults.relaxation.points);
@@ -137,9 +185,9 @@ impl Arguments {
                     tolerance,
                     acceleration: self.acceleration.unwrap_or_default(),
                     estimate: self.estimate.unwrap_or(points >= ESTIMATE_POINTS),
-                    ..defaults.relaxation
+                    domain: self.domain.unwrap_or_default(),
                 };
-                Ok(SolverSettings { method: self.method, relaxation, ..defaults })
+                Ok(SolverSettings { method: self.method, relaxation, time_limit, ..defaults })
             }
         }
     }
@@ -156,9 +204,9 @@ impl Arguments {
         Ok(Sweep {
             title: String::new(),
             axes: Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] },
-            substrate: Substrate::default(),
+            substrate: self.modes.clone().unwrap_or_default(),
             solver: self.settings()?,
-            output: Output { fields: FieldSelection::default(), ..Output::default() },
+            output: Output { fields: FieldSelection::default(), cavity_shear: self.cavity_shear, ..Output::default() },
             text: String::new(),
             name: String::new(),
         })
@@ -177,8 +225,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let solved = solver.solve_chain(std::slice::from_ref(&parameters), &sweep.output, &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);
     let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
-    let entry = case_entry(plan.id(&parameters), case);
-    let asked = Parameters::new(arguments.alpha, arguments.beta, arguments.f);
+    let entry = case_entry(&plan, &parameters, case);
+    let asked = Parameters { alpha: arguments.alpha, beta: arguments.beta, f: arguments.f, ..parameters };
     let problem = SolvedProblem { asked: &asked, settings, entry: &entry, path: &path, unknowns };
     console::print(&if arguments.json { problem.json() } else { problem.table() })?;
     Ok(match entry.outcome {

@@ -56,7 +56,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     match sweep {
         Ok(sweep) => {
             let plan = Plan::new(&sweep);
-            let workload = Workload::survey(&plan, Some(&held));
+            let workload = Workload::survey(&sweep, &plan, Some(&held));
             let published = held.is_published()?;
             text += &of_sweep(arguments, &sweep, &plan, &workload, &held, owner.as_deref(), published);
             text += &starts(&held, owner.is_some());
@@ -82,8 +82,9 @@ fn of_sweep(
     owner: Option<&str>,
     published: bool,
 ) -> String {
-    let Workload { new, converged, failed, .. } = workload;
-    let state = match (owner, new) {
+    let Workload { converged, failed, .. } = workload;
+    let to_do = workload.to_do();
+    let state = match (owner, to_do) {
         (Some(owner), _) => format!("running ({owner})"),
         (None, 0) if published => "stopped, all cases were tried".to_owned(),
         (None, 0) => "stopped, all cases were tried, but not yet published; run it again".to_owned(),
@@ -97,11 +98,14 @@ fn of_sweep(
     line("planned", format!("{}, at {places} places of the sweep", count(plan.problems() as u64, "case")));
     line("converged", converged.to_string());
     line("failed", failed.to_string());
-    line("to do", new.to_string());
+    line("to do", to_do.to_string());
+    for (why, cases) in &workload.stale {
+        line("stale", format!("{cases} of them: {why}"));
+    }
     let last = held.history().starts().rfind(|(_, start)| start.beginning.is_some());
     if let Some(per_second) = last.and_then(|(_, start)| start.rate()).filter(|&per_second| per_second > 0.0) {
-        let left = match (owner, new) {
-            (Some(_), 1..) => format!(", {} left", duration(*new as f64 / per_second)),
+        let left = match (owner, to_do) {
+            (Some(_), 1..) => format!(", {} left", duration(to_do as f64 / per_second)),
             _ => String::new(),
         };
         line("rate", format!("{}{left}", rate(per_second)));

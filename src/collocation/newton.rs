@@ -46,10 +46,8 @@ impl Corrector {
     ) -> Result<(), Halt> {
         let (mut before, mut fresh) = (f64::INFINITY, false);
         let (mut size, mut last, mut stalled) = (f64::INFINITY, f64::INFINITY, 0);
-        for _ in 0..MOST_ITERATIONS {
-            if work.interrupt.requested() {
-                return Err(Halt::Interrupted);
-            }
+        for iteration in 1..=MOST_ITERATIONS {
+            work.go_on()?;
             work.effort.iterations += 1;
             self.linearise(displacement, beta, state);
             if !fresh {
@@ -70,6 +68,7 @@ impl Corrector {
                 size = self.system.size(state);
                 (before, fresh) = (f64::INFINITY, false);
             }
+            work.note_residual(iteration, size);
             let part = self.system.admissible(state);
             self.system.advance(state, part);
             let rate = size / before;

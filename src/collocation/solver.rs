@@ -12,6 +12,7 @@ use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
 use super::state::State;
+use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{CaseSolver, Effort, Halt, Seed, Solution, StepControl, Work, secant};
@@ -243,6 +244,7 @@ impl CaseSolver for CollocationSolver {
         loop {
             let (judgement, solution) = self.judge(workspace, beta, state, output, work);
             state.error = Some(judgement.error);
+            work.note_error(unknowns(workspace.coarse.displacement()), judgement.error);
             if judgement.tension < ROUGH_TENSION {
                 return Err(tension_failure(judgement.tension));
             }

@@ -1,15 +1,17 @@
 //! Solving a chain: each case seeded by the ones before it, with a ladder of other seeds should one fail.
 
+use std::any::Any;
 use std::borrow::Cow;
 use std::iter;
-use std::time::Instant;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
 
 use super::walk::{Corrector, push};
 use super::{
-    CaseSolver, Effort, Halt, Interrupt, Interrupted, Path, Seed, Solution, SolvedCase, StepControl, Work, distance,
+    CaseSolver, Cut, Halt, Interrupt, Interrupted, Path, Seed, Solution, SolvedCase, StepControl, Work, distance,
 };
 use crate::exact::ChainLimits;
-use crate::model::{Failure, Limits, Output, Parameters};
+use crate::model::{Failure, Limits, Output, Parameters, shortest};
 
 /// Solves the cases of a chain in their order. A case that fails is reported as such and does not stop the others.
 ///
@@ -39,6 +41,8 @@ pub struct Chain<'a, S: CaseSolver> {
     solved: Solved<S>,
     output: &'a Output,
     interrupt: &'a Interrupt,
+    time_limit: Option<Duration>,
+    traced: bool,
 }
 
 /// The last solved cases, at most two, the nearest last.
@@ -48,37 +52,74 @@ impl<'a, S: CaseSolver> Chain<'a, S> {
     /// A chain without any case yet.
     pub fn new(solver: &'a S, output: &'a Output, interrupt: &'a Interrupt) -> Self {
         let (limits, solved) = (ChainLimits::default(), Vec::with_capacity(2));
-        Self { solver, workspace: None, limits, solved, output, interrupt }
+        Self { solver, workspace: None, limits, solved, output, interrupt, time_limit: None, traced: false }
     }
 
-    /// Solves the next case. The first one pays for what the chain shares.
+    /// The chain with a limit to the time that each of its cases may take.
+    #[must_use]
+    pub fn within(self, time_limit: Duration) -> Self {
+        Self { time_limit: Some(time_limit), ..self }
+    }
+
+    /// From now on the way to each case is recorded, or no longer.
+    pub fn traced(&mut self, traced: bool) {
+        self.traced = traced;
+    }
+
+    /// Solves the next case. The first one pays for what the chain shares. A case that takes longer than it may fails, and so
+    /// does one whose solver panics: the next one has a workspace of its own then.
     ///
     /// # Errors
     /// [`Interrupted`] if the user asks to stop before it is done.
     pub fn solve(&mut self, parameters: &Parameters) -> Result<SolvedCase, Interrupted> {
         let start = Instant::now();
-        let Self { solver, workspace, solved, output, interrupt, .. } = self;
-        let computable = parameters.computable();
-        let wanted = output.limits && computable.is_ok();
-        let limits = if wanted { self.limits.of(parameters) } else { Limits::UNKNOWN };
-        let prepare = || solver.prepare(parameters, output);
-        let prepared =
-            computable.and_then(|()| workspace.get_or_insert_with(prepare).as_mut().map_err(|why| why.clone()));
-        let mut result = match prepared {
-            Ok(workspace) => {
-                let control = solver.step_control();
-                Ladder { solver: *solver, workspace, control, solved, output, interrupt }.climb(parameters, limits)?
+        let limits = self.limits(parameters);
+        // What a panic leaves half-changed is thrown away; solved cases are added whole.
+        let mut result = match catch_unwind(AssertUnwindSafe(|| self.attempt(parameters, limits))) {
+            Ok(result) => result?,
+            Err(payload) => {
+                self.workspace = None;
+                let reason = format!("the solver panicked: {}", panic_message(payload.as_ref()));
+                let failed = SolvedCase::failed(Failure::new(reason), limits);
+                SolvedCase { cut: Some(Cut::Panic), ..failed }
             }
-            Err(failure) => SolvedCase {
-                outcome: Err(failure),
-                limits,
-                seed: Seed::None,
-                path: Path::default(),
-                effort: Effort::default(),
-            },
         };
         result.effort.seconds = start.elapsed().as_secs_f64();
         Ok(result)
+    }
+
+    /// The limits beside the solution of a case, if they are wanted; not known if their computation panics.
+    fn limits(&mut self, parameters: &Parameters) -> Limits {
+        if !self.output.limits || parameters.computable().is_err() {
+            return Limits::UNKNOWN;
+        }
+        let limits = &mut self.limits;
+        catch_unwind(AssertUnwindSafe(|| limits.of(parameters))).unwrap_or_else(|_| {
+            self.limits = ChainLimits::default();
+            Limits::UNKNOWN
+        })
+    }
+
+    fn attempt(&mut self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
+        let Self { solver, workspace, solved, output, interrupt, time_limit, traced, .. } = self;
+        let prepare = || solver.prepare(parameters, output);
+        let prepared = parameters
+            .computable()
+            .and_then(|()| workspace.get_or_insert_with(prepare).as_mut().map_err(|why| why.clone()));
+        let workspace = match prepared {
+            Ok(workspace) => workspace,
+            Err(failure) => return Ok(SolvedCase::failed(failure, limits)),
+        };
+        let mut work = Work::new(interrupt);
+        if let Some(limit) = *time_limit {
+            work = work.within(limit);
+        }
+        if *traced {
+            work = work.traced();
+        }
+        let control = solver.step_control();
+        Ladder { solver: *solver, workspace, control, solved, output, time_limit: *time_limit }
+            .climb(parameters, limits, work)
     }
 
     /// The last case that was solved, in the solver's own unknowns, and the workspace; `None` before the first.
@@ -89,6 +130,19 @@ impl<'a, S: CaseSolver> Chain<'a, S> {
     }
 }
 
+/// The text that was given to `panic!`, in one line: its words without line feeds and other control characters.
+pub(crate) fn panic_message(payload: &(dyn Any + Send)) -> String {
+    let text = if let Some(text) = payload.downcast_ref::<&'static str>() {
+        text
+    } else if let Some(text) = payload.downcast_ref::<String>() {
+        text
+    } else {
+        "a panic without a message"
+    };
+    let words = text.split(|c: char| c.is_control() || c.is_whitespace()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join(" ")
+}
+
 /// The seeds of one case, tried one after the other.
 struct Ladder<'c, 'a, S: CaseSolver> {
     solver: &'a S,
@@ -96,7 +150,7 @@ struct Ladder<'c, 'a, S: CaseSolver> {
     control: StepControl,
     solved: &'c mut Solved<S>,
     output: &'a Output,
-    interrupt: &'a Interrupt,
+    time_limit: Option<Duration>,
 }
 
 /// A place on the ladder of seeds.
@@ -108,11 +162,10 @@ enum Rung {
 
 impl<S: CaseSolver> Ladder<'_, '_, S> {
     /// Tries one rung after the other.
-    fn climb(mut self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
+    fn climb(mut self, parameters: &Parameters, limits: Limits, mut work: Work) -> Result<SolvedCase, Interrupted> {
         let solver = self.solver;
-        let mut work = Work::new(self.interrupt);
         let mut path = Path::default();
-        let mut seed = Seed::None;
+        let (mut seed, mut cut) = (Seed::None, None);
         let mut reasons: Vec<String> = Vec::new();
         let predictor = (self.solved.len() == 2).then_some(Rung::Predictor);
         let neighbour = (!self.solved.is_empty()).then_some(Rung::Neighbour);
@@ -124,7 +177,8 @@ impl<S: CaseSolver> Ladder<'_, '_, S> {
                     if path.points.len() == 1 {
                         path = Path::default();
                     }
-                    return Ok(SolvedCase { outcome: Ok(solution), limits, seed, path, effort: work.effort });
+                    let (trace, effort) = (work.take_trace(), work.effort);
+                    return Ok(SolvedCase { outcome: Ok(solution), limits, seed, cut: None, path, trace, effort });
                 }
                 Err(Halt::Failed(Failure { reason, conclusive })) => {
                     reasons.push(match seed {
@@ -136,10 +190,20 @@ impl<S: CaseSolver> Ladder<'_, '_, S> {
                     }
                 }
                 Err(Halt::Interrupted) => return Err(Interrupted),
+                Err(Halt::OutOfTime) => {
+                    let limit = self.time_limit.unwrap_or_default();
+                    reasons = vec![format!(
+                        "not solved within {} s, the time limit of a case; raise `time_limit` in [solver] to try it again",
+                        shortest(limit.as_secs_f64())
+                    )];
+                    cut = Some(Cut::TimeLimit(limit));
+                    break;
+                }
             }
         }
         let failure = Failure::new(reasons.join("; "));
-        Ok(SolvedCase { outcome: Err(failure), limits, seed, path, effort: work.effort })
+        let (trace, effort) = (work.take_trace(), work.effort);
+        Ok(SolvedCase { outcome: Err(failure), limits, seed, cut, path, trace, effort })
     }
 
     /// The solution by way of one rung, and what is to be known of it; `seed` is how far this went.
@@ -183,7 +247,9 @@ impl<S: CaseSolver> Ladder<'_, '_, S> {
                 reached?
             }
         };
-        let solution = self.solver.evaluate(self.workspace, case, &mut state, output, work)?;
-        Ok((state, solution))
+        work.note_evaluation();
+        let solution = self.solver.evaluate(self.workspace, case, &mut state, output, work);
+        work.note_end(solution.as_ref().map(drop));
+        Ok((state, solution?))
     }
 }

@@ -1,10 +1,12 @@
 //! From one case to the next along a chain: seeds, predictor, retries.
 //!
 //! `line.rs` holds straight lines in (ln α, ln β, ln(1+f)), `step.rs` how long steps along them are, `walk.rs` the steps,
-//! `chain.rs` the ladder of seeds of each case, `path.rs` the record of how it was reached.
+//! `chain.rs` the ladder of seeds of each case, `work.rs` what it costs and whether to go on, `path.rs` the record of how it
+//! was reached, `trace.rs` the same in detail.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use crate::model::{Failure, Fields, Limits, Output, Parameters, Quantities, RelativeErrors};
 
@@ -12,12 +14,17 @@ mod chain;
 mod line;
 mod path;
 mod step;
+mod trace;
 mod walk;
+mod work;
 
+pub(crate) use chain::panic_message;
 pub use chain::{Chain, solve_chain};
 pub use line::{Line, NoLine, distance, secant};
 pub use path::{Path, PathPoint};
 pub use step::StepControl;
+pub use trace::{Event, Trace};
+pub use work::{Halt, Work};
 
 /// Set when the user asks the program to stop; solvers look at it often.
 #[derive(Debug, Default)]
@@ -103,10 +110,38 @@ pub struct SolvedCase {
     pub limits: Limits,
     /// The seed that led to the outcome (for a failure: the last one tried).
     pub seed: Seed,
+    /// What ended the search before the method did; then there is no solution.
+    pub cut: Option<Cut>,
     /// How it was reached.
     pub path: Path,
+    /// How it was reached in detail; empty unless the chain is [traced](Chain::traced).
+    pub trace: Trace,
     /// What it cost.
     pub effort: Effort,
+}
+
+impl SolvedCase {
+    /// A case without a solution, whose seed, path and cost are not known.
+    pub fn failed(failure: Failure, limits: Limits) -> Self {
+        Self {
+            outcome: Err(failure),
+            limits,
+            seed: Seed::None,
+            cut: None,
+            path: Path::default(),
+            trace: Trace::default(),
+            effort: Effort::default(),
+        }
+    }
+}
+
+/// What ended the search for a solution that the method would have gone on with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cut {
+    /// The time that a case may take. The only outcome that depends on the machine.
+    TimeLimit(Duration),
+    /// A panic of the solver.
+    Panic,
 }
 
 /// A converged case.
@@ -118,31 +153,6 @@ pub struct Solution {
     pub errors: RelativeErrors,
     /// Its fields.
     pub fields: Fields,
-}
-
-/// What a case has cost so far, and whether to go on with it.
-#[derive(Debug)]
-pub struct Work<'a> {
-    /// Cost so far.
-    pub effort: Effort,
-    /// Set when the user asks to stop.
-    pub interrupt: &'a Interrupt,
-}
-
-impl<'a> Work<'a> {
-    /// Nothing done yet.
-    pub fn new(interrupt: &'a Interrupt) -> Self {
-        Self { effort: Effort::default(), interrupt }
-    }
-}
-
-/// Why a solver stops without a solution.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Halt {
-    /// There is none to be found, for this reason.
-    Failed(Failure),
-    /// The user asked to stop.
-    Interrupted,
 }
 
 /// A chain that was given up because the user asked to stop.

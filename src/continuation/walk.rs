@@ -24,13 +24,13 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
 
     /// The solution near a guess; recorded in the path, with its iterations.
     pub(super) fn solve(&mut self, parameters: &Parameters, guess: S::State) -> Result<(S::State, u64), Halt> {
-        if self.work.interrupt.requested() {
-            return Err(Halt::Interrupted);
-        }
+        self.work.go_on()?;
         let before = self.work.effort.iterations;
+        self.work.note_attempt(parameters);
         let result = self.solver.solve(self.workspace, parameters, guess, self.work);
         let iterations = self.work.effort.iterations - before;
         self.path.record(parameters, iterations, result.is_ok());
+        self.work.note_end(result.as_ref().map(drop));
         Ok((result?, iterations))
     }
 
@@ -41,7 +41,7 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
         match reached {
             Ok((state, _)) => Ok(state),
             Err(Halt::Failed(failure)) => Err(Halt::Failed(located(failure, origin, target))),
-            Err(Halt::Interrupted) => Err(Halt::Interrupted),
+            Err(halt) => Err(halt),
         }
     }
 
@@ -79,11 +79,11 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
                     done += step;
                     step = control.after_success(step, iterations);
                 }
-                Err(Halt::Interrupted) => return Err(Halt::Interrupted),
                 Err(Halt::Failed(failure)) => match control.after_failure(step, way) {
                     Some(shorter) if !failure.conclusive => step = shorter,
                     _ => return Err(Halt::Failed(located(failure, &here, target))),
                 },
+                Err(halt) => return Err(halt),
             }
         }
     }

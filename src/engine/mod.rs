@@ -8,8 +8,8 @@ mod progress;
 mod signals;
 mod tally;
 
+pub(crate) use pool::solver_threads;
 pub use pool::{Engine, Finished, Report, ThreadsError};
-pub(crate) use pool::{panic_message, solver_threads};
 pub use progress::{Progress, ProgressStyle};
 pub use signals::{Signals, StopSignal};
 pub use tally::rate;

@@ -1,13 +1,12 @@
 //! The pool of threads over chains, and the one writer behind it.
 
-use std::any::Any;
 use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
-use crate::continuation::{Interrupt, Interrupted, SolvedCase};
+use crate::continuation::{Interrupt, Interrupted, SolvedCase, panic_message};
 
 /// Cases at which a group of finished chains is committed without looking for more.
 const GROUP_CASES: usize = 4096;
@@ -178,17 +177,6 @@ fn solve_one<C>(
     // Nothing of a solver outlives its chain, so nothing half-changed is seen after the panic.
     match catch_unwind(AssertUnwindSafe(|| solve(chain, interrupt))) {
         Ok(cases) => Ok((cases?, false)),
-        Err(payload) => Ok((panicked(chain, panic_message(payload.as_ref())), true)),
-    }
-}
-
-/// The text that was given to `panic!`.
-pub(crate) fn panic_message(payload: &(dyn Any + Send)) -> &str {
-    if let Some(text) = payload.downcast_ref::<&'static str>() {
-        text
-    } else if let Some(text) = payload.downcast_ref::<String>() {
-        text
-    } else {
-        "a panic without a message"
+        Err(payload) => Ok((panicked(chain, &panic_message(payload.as_ref())), true)),
     }
 }

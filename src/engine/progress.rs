@@ -10,7 +10,6 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle as BarStyle};
 
 use super::tally::Tally;
-use crate::continuation::SolvedCase;
 
 /// How progress is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,13 +63,6 @@ impl Progress {
             ProgressStyle::Quiet => Display::Quiet,
         };
         Ok(Self { tally, display })
-    }
-
-    /// Counts these cases as done. Any thread may call it.
-    pub fn count(&self, cases: &[SolvedCase]) {
-        for case in cases {
-            self.count_case(case.outcome.is_ok());
-        }
     }
 
     /// Counts one case as done. Any thread may call it.

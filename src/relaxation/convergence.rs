@@ -6,7 +6,7 @@ use super::anderson::Anderson;
 use super::iteration::{Iteration, LOAD_GAIN, PASSES_PER_BALANCE};
 use super::reynolds::Relaxation;
 use super::stiffness::thin_film_number;
-use crate::continuation::{Halt, Interrupt};
+use crate::continuation::{Halt, Work};
 use crate::model::Failure;
 
 /// λ over the number that limits it where the film is thin, κ of [`Relaxation::Local`].
@@ -57,16 +57,16 @@ pub struct Target {
 /// ends on is judged like any other state.
 ///
 /// # Errors
-/// [`Halt::Failed`] says why there is no solution, [`Halt::Interrupted`] that the user asked to stop. The iteration then
+/// [`Halt::Failed`] says why there is no solution, the others that the work is not to go on. The iteration then
 /// holds the best state it saw.
 pub fn converge(
     iteration: &mut Iteration,
     acceleration: Acceleration,
     target: Target,
     stiffness: f64,
-    interrupt: &Interrupt,
+    work: &mut Work,
 ) -> Result<(), Halt> {
-    let mut solver = Convergence { iteration, target, stiffness, interrupt };
+    let mut solver = Convergence { iteration, target, stiffness, work };
     match acceleration {
         Acceleration::None => solver.plain(Rule::Uniform),
         Acceleration::Anderson => {
@@ -89,14 +89,14 @@ enum Rule {
     Local,
 }
 
-struct Convergence<'i, 's> {
+struct Convergence<'i, 's, 'w> {
     iteration: &'i mut Iteration<'s>,
     target: Target,
     stiffness: f64,
-    interrupt: &'i Interrupt,
+    work: &'i mut Work<'w>,
 }
 
-impl Convergence<'_, '_> {
+impl Convergence<'_, '_, '_> {
     fn relaxation(&self, rule: Rule, reduction: f64) -> Relaxation {
         let thin_film = reduction * THIN_FILM * self.stiffness;
         match rule {
@@ -130,6 +130,7 @@ impl Convergence<'_, '_> {
         let patience = self.patience(rule);
         loop {
             let residuals = self.iteration.residuals();
+            self.work.note_residual(self.iteration.passes, residuals.largest());
             if residuals.within(self.target.tolerance) {
                 return judge(self.iteration).map_err(|refusal| Halt::Failed(refusal.into()));
             }
@@ -164,7 +165,7 @@ impl Convergence<'_, '_> {
                 self.iteration.round(relaxation, reduction * LOAD_GAIN);
             }
             self.iteration.update_film();
-            self.look_for_interrupt()?;
+            self.work.go_on()?;
         }
     }
 
@@ -182,6 +183,7 @@ impl Convergence<'_, '_> {
         let most_rounds = most_passes / PASSES_PER_BALANCE;
         for _ in 0..most_rounds {
             let residuals = self.iteration.residuals();
+            self.work.note_residual(self.iteration.passes, residuals.largest());
             if residuals.within(self.target.tolerance) {
                 return match judge(self.iteration) {
                     Ok(()) => Ok(true),
@@ -221,7 +223,7 @@ impl Convergence<'_, '_> {
                 self.iteration.replace(&x[..n], plain_separation);
                 anderson.forget();
             }
-            self.look_for_interrupt()?;
+            self.work.go_on()?;
         }
         Ok(false)
     }
@@ -239,10 +241,6 @@ impl Convergence<'_, '_> {
         let n = self.iteration.p.len();
         x[..n].copy_from_slice(&self.iteration.p);
         x[n] = self.iteration.separation / scale;
-    }
-
-    fn look_for_interrupt(&self) -> Result<(), Halt> {
-        if self.interrupt.requested() { Err(Halt::Interrupted) } else { Ok(()) }
     }
 
     fn failed(&self, what: &str, residual: f64) -> Halt {

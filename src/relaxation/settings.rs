@@ -1,9 +1,15 @@
 //! Settings of the relaxation solver.
 
+use std::fmt;
 use std::ops::RangeInclusive;
 
+use serde::{Deserialize, Serialize};
+
+use crate::model::shortest;
+
 /// Where the uniform grid lies.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Domain {
     /// On the dry contact of each case: from x_trail − 2ā to x_lead + 3ā.
     #[default]
@@ -17,8 +23,23 @@ pub enum Domain {
     },
 }
 
+impl Domain {
+    /// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.
+    pub const ENDS: RangeInclusive<f64> = -100.0..=100.0;
+}
+
+impl fmt::Display for Domain {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Domain::Auto => formatter.write_str("auto"),
+            Domain::Fixed { x_min, x_max } => write!(formatter, "[{}, {}]", shortest(*x_min), shortest(*x_max)),
+        }
+    }
+}
+
 /// What speeds the iteration up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Acceleration {
     /// Anderson acceleration of the map (p, h₀) → (p, h₀), with the plain iteration to fall back on.
     #[default]
@@ -27,8 +48,17 @@ pub enum Acceleration {
     None,
 }
 
+impl fmt::Display for Acceleration {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Acceleration::Anderson => "anderson",
+            Acceleration::None => "none",
+        })
+    }
+}
+
 /// Settings of the relaxation solver that change its numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Where the grid lies.
     pub domain: Domain,

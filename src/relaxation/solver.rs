@@ -118,7 +118,7 @@ impl RelaxationSolver {
             match self.solve_on(level, workspace.stiffness, beta, &coarse, rough, work) {
                 Ok(state) => guess = state.on(&level.grid, finest),
                 Err(Halt::Failed(_)) => {}
-                Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+                Err(halt) => return Err(halt),
             }
         }
         Ok(guess)
@@ -134,7 +134,7 @@ impl RelaxationSolver {
         work: &mut Work,
     ) -> Result<State, Halt> {
         let mut iteration = Iteration::new(level, beta, guess);
-        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, work.interrupt);
+        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, work);
         work.effort.iterations += iteration.passes;
         result.map(|()| iteration.state())
     }
@@ -155,7 +155,7 @@ impl RelaxationSolver {
         let coarse = match self.solve_on(level, workspace.stiffness, parameters.beta, &guess, self.target(), work) {
             Ok(coarse) => quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear),
             Err(Halt::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
-            Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+            Err(halt) => return Err(halt),
         };
         // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that
         let scale = fine.friction.viscoelastic.abs().max(1e-3 * fine.friction.total());
@@ -184,7 +184,7 @@ impl RelaxationSolver {
         let result = match self.solve_elastic(beta, work) {
             Ok(solved) => Ok(Arc::new(solved)),
             Err(Halt::Failed(failure)) => Err(failure),
-            Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+            Err(halt) => return Err(halt),
         };
         seed.insert(result).clone().map_err(Halt::Failed)
     }
@@ -282,7 +282,7 @@ impl CaseSolver for RelaxationSolver {
                 (pressure, own_film * state.c / elastic_film(seed_beta), seed)
             }
             Err(Halt::Failed(_)) => (dry, own_film, Seed::Hertz),
-            Err(Halt::Interrupted) => return Err(Halt::Interrupted),
+            Err(halt) => return Err(halt),
         };
         let guess = State::resting(target, pressure, film);
         Ok((self.refine(workspace, parameters.beta, guess, work)?, seed))

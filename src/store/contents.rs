@@ -1,6 +1,6 @@
 //! Which numbers of a case a shard holds, in a form that is cheap to compare.
 
-use crate::model::{FieldSelection, Fields, Output};
+use crate::model::{COLUMNS, FieldSelection, Fields, Output};
 
 /// What a shard holds beside the columns: fields, the x they are on, and whether the limits were computed.
 ///
@@ -13,20 +13,54 @@ pub struct Contents {
     pub x: u64,
     /// True if the limits beside the solution were computed.
     pub limits: bool,
+    /// Hash of the names of the columns, which another version of the program may have others of.
+    pub columns: u64,
 }
 
 impl Contents {
     /// What a shard holds that was written for `output`.
     pub fn of(output: &Output) -> Self {
         let x = if output.fields.is_empty() { 0 } else { x_key(&output.x) };
-        Self { fields: output.fields, x, limits: output.limits }
+        Self { fields: output.fields, x, limits: output.limits, columns: columns_key() }
     }
 
     /// True if a shard with these contents has all that `wanted` asks for; it may hold more.
     pub fn covers(&self, wanted: &Self) -> bool {
-        let fields = wanted.fields.is_empty() || (self.x == wanted.x && self.fields.covers(&wanted.fields));
-        fields && (self.limits || !wanted.limits)
+        self.lacks(wanted).is_empty()
     }
+
+    /// What `wanted` asks for and a shard with these contents has not, in words.
+    pub fn lacks(&self, wanted: &Self) -> Vec<&'static str> {
+        let mut lacks = Vec::new();
+        if self.columns != wanted.columns {
+            lacks.push("the columns of this version of the program");
+        }
+        if !wanted.fields.is_empty() && !self.fields.is_empty() && self.x != wanted.x {
+            lacks.push("fields on this x");
+        } else {
+            lacks.extend(
+                places(wanted.fields).filter(|&place| !selected(&self.fields, place)).map(|place| FIELDS[place].name),
+            );
+        }
+        if wanted.limits && !self.limits {
+            lacks.push("limits");
+        }
+        lacks
+    }
+}
+
+/// The names of [`COLUMNS`], as a shard lists them.
+pub(super) fn column_names() -> String {
+    COLUMNS.map(|column| column.name).join(" ")
+}
+
+/// Hash of the names of the columns of this version.
+pub(super) fn columns_key() -> u64 {
+    first_eight(&blake3::hash(column_names().as_bytes()))
+}
+
+fn first_eight(hash: &blake3::Hash) -> u64 {
+    u64::from_le_bytes(*hash.as_bytes().first_chunk().expect("a BLAKE3 hash has 32 bytes"))
 }
 
 /// Hash of the bits of x, never 0.
@@ -35,9 +69,7 @@ pub(super) fn x_key(x: &[f64]) -> u64 {
     for value in x {
         hasher.update(&value.to_bits().to_le_bytes());
     }
-    let mut first = [0; 8];
-    hasher.finalize_xof().fill(&mut first);
-    u64::from_le_bytes(first).max(1)
+    first_eight(&hasher.finalize()).max(1)
 }
 
 /// A field as the files name it.
@@ -92,6 +124,19 @@ mod tests {
         assert!(!all.covers(&Contents::of(&moved)), "fields on another x are other fields");
         let without_limits = Contents { limits: false, ..all };
         assert!(all.covers(&without_limits) && !without_limits.covers(&all));
+        let other_columns = Contents { columns: all.columns ^ 1, ..all };
+        assert!(!all.covers(&other_columns) && !other_columns.covers(&all));
+    }
+
+    #[test]
+    fn what_is_lacking_is_named() {
+        let all = Contents::of(&Output::default());
+        let pressure = FieldSelection { pressure: true, ..FieldSelection::default() };
+        let modest = Contents::of(&Output { fields: pressure, limits: false, ..Output::default() });
+        assert_eq!(modest.lacks(&all), ["film_thickness", "displacement", "limits"]);
+        let moved = Contents::of(&Output { x: [0.0, 1.0].into(), ..Output::default() });
+        assert_eq!(moved.lacks(&all), ["fields on this x"]);
+        assert_eq!(all.lacks(&all), [""; 0]);
     }
 
     #[test]

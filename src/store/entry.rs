@@ -49,6 +49,8 @@ pub struct Timing {
     pub factorisations: u64,
     /// Name of the seed that led to the outcome.
     pub seed: String,
+    /// The time limit in seconds at which the case was given up, if that is why it failed; above 0.
+    pub time_limit: Option<f64>,
 }
 
 /// One case of a finished chain.

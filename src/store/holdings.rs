@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
+
 use super::damage::{Damage, inspect};
 use super::directory::{Directory, hash_file};
 use super::index::{Index, Shard, Slot};
@@ -29,8 +31,24 @@ pub struct Holdings {
     pub(super) index: Index,
     pub(super) history: History,
     pub(super) published: Option<LastPublished>,
+    recipes: Vec<Value>,
     inspection: Inspection,
     warnings: Vec<Warning>,
+}
+
+/// Where a case is stored, and how it came there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Origin {
+    /// Name of the shard.
+    pub shard: String,
+    /// Row of the shard, from 0.
+    pub row: u16,
+    /// Number of the start, and of its log.
+    pub start: u32,
+    /// When it was committed, in seconds since 1970.
+    pub time: u64,
+    /// What it was solved with; null if that is not known.
+    pub recipe: Value,
 }
 
 /// The newest record of published files.
@@ -79,16 +97,20 @@ impl Holdings {
         for Damage { claim, what, lost: cases } in damaged.into_iter().filter(|damage| damage.lost > 0) {
             warnings.push(Warning::Shard { file: path(&claim), what, cases });
         }
-        let mut index = Index::default();
+        let (mut index, mut recipes) = (Index::default(), Vec::new());
         for Claim { file, contents, place, .. } in sound {
             let hash = file.blake3.parse().expect("claims have well-formed hashes");
-            let name = file.file.into();
-            let shard = index.add_shard(Shard { name, hash, covers: contents.covers(&wanted), record: place });
-            for (row, case) in (0..).zip(shard_record(&directory, place)?.cases) {
-                index.add_case(case.case, Slot { shard, row, status: case.status });
+            let (name, covers) = (file.file.into(), contents.covers(&wanted));
+            let shard = index.add_shard(Shard { name, hash, contents, covers, record: place });
+            let record = shard_record(&directory, place)?;
+            for (row, case) in (0..).zip(record.cases) {
+                index.add_case(case.case, Slot { shard, row, status: case.status }, case.time_limit);
+            }
+            if !record.recipe.is_null() && !recipes.contains(&record.recipe) {
+                recipes.push(record.recipe);
             }
         }
-        Ok(Self { directory, output: output.clone(), index, history, published, inspection, warnings })
+        Ok(Self { directory, output: output.clone(), index, history, published, recipes, inspection, warnings })
     }
 
     /// The directory.
@@ -109,6 +131,32 @@ impl Holdings {
     /// What became of a case; `None` if it is not here with all that the output asks for.
     pub fn holds(&self, id: CaseId) -> Option<Status> {
         self.index.complete(id).map(|slot| slot.status)
+    }
+
+    /// True if a case is here, whatever fields it has.
+    pub fn knows(&self, id: CaseId) -> bool {
+        self.index.any(id).is_some()
+    }
+
+    /// How many cases are here, whatever fields they have.
+    pub fn known(&self) -> u64 {
+        self.index.len() as u64
+    }
+
+    /// What the output asks for and a case that is here has not, in words; empty if it has all, or is not here.
+    pub fn lacks(&self, id: CaseId) -> Vec<&'static str> {
+        let wanted = Contents::of(&self.output);
+        self.index.any(id).map_or_else(Vec::new, |slot| self.index.shard(slot.shard).contents.lacks(&wanted))
+    }
+
+    /// The time limit in seconds at which a case was given up; `None` if that is not why it failed, or it is not here.
+    pub fn time_limit(&self, id: CaseId) -> Option<f64> {
+        self.index.any(id).and_then(|slot| self.index.time_limit(&slot))
+    }
+
+    /// What the cases here were solved with, each recipe once, as it was given to [`super::Store::solving_with`].
+    pub fn recipes(&self) -> &[Value] {
+        &self.recipes
     }
 
     /// Who works in the directory, as in `process 4711`; `None` if no one does.
@@ -177,6 +225,18 @@ impl Holdings {
             timing: shard.cases[row].timing(),
         };
         Ok(Some(entry))
+    }
+
+    /// Where a case is stored, and by which start; `None` if it is not here.
+    ///
+    /// # Errors
+    /// [`StoreError`] if its record cannot be read any more.
+    pub fn origin(&self, id: CaseId) -> Result<Option<Origin>, StoreError> {
+        let Some(slot) = self.index.any(id) else { return Ok(None) };
+        let shard = self.index.shard(slot.shard);
+        let ShardRecord { recipe, time, .. } = shard_record(&self.directory, shard.record)?;
+        let (shard, start) = (shard.name.to_string(), shard.record.log);
+        Ok(Some(Origin { shard, row: slot.row, start, time, recipe }))
     }
 
     pub(super) fn open_shard(&self, number: u32) -> Result<OpenShard, StoreError> {

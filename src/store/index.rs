@@ -3,8 +3,8 @@
 use std::cmp::Reverse;
 use std::collections::HashMap;
 
-use super::Status;
 use super::log::LogPlace;
+use super::{Contents, Status};
 use crate::model::CaseId;
 
 /// A shard that is there.
@@ -12,6 +12,7 @@ use crate::model::CaseId;
 pub(super) struct Shard {
     pub name: Box<str>,
     pub hash: blake3::Hash,
+    pub contents: Contents,
     /// True if it holds all that the store's output asks for.
     pub covers: bool,
     /// Its record in the log, which holds the timings.
@@ -28,13 +29,16 @@ pub(super) struct Slot {
 
 /// Shards, and the case that counts for each id.
 ///
-/// If several shards hold a case, the one counts that covers what is asked for, then one where it converged, then the
-/// one whose name sorts first: a choice that does not depend on the order in which shards were committed.
+/// If several shards hold a case, the one counts that covers what is asked for, then one where it converged, then the one
+/// that gave it most time, then the one whose name sorts first: a choice that does not depend on the order in which shards
+/// were committed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Index {
     shards: Vec<Shard>,
     by_name: HashMap<Box<str>, u32>,
     cases: HashMap<CaseId, Slot>,
+    /// The time limits at which cases were given up, by shard and row. There are few of them.
+    time_limits: HashMap<(u32, u16), f64>,
 }
 
 impl Index {
@@ -50,8 +54,12 @@ impl Index {
         number
     }
 
-    /// Adds a case of a shard.
-    pub(super) fn add_case(&mut self, id: CaseId, slot: Slot) {
+    /// Adds a case of a shard, with the time limit at which it was given up, if it was.
+    pub(super) fn add_case(&mut self, id: CaseId, slot: Slot, time_limit: Option<f64>) {
+        match time_limit {
+            Some(limit) => self.time_limits.insert((slot.shard, slot.row), limit),
+            None => self.time_limits.remove(&(slot.shard, slot.row)),
+        };
         let counts = match self.cases.get(&id) {
             Some(held) => held.shard == slot.shard || self.rank(&slot) > self.rank(held),
             None => true,
@@ -61,9 +69,21 @@ impl Index {
         }
     }
 
-    fn rank(&self, slot: &Slot) -> (bool, bool, Reverse<&str>) {
+    fn rank(&self, slot: &Slot) -> (bool, bool, u64, Reverse<&str>) {
         let shard = self.shard(slot.shard);
-        (shard.covers, slot.status == Status::Converged, Reverse(&*shard.name))
+        // Numbers above 0 are in the order of their bits; one that ended by itself had all the time it wanted.
+        let time = self.time_limit(slot).unwrap_or(f64::INFINITY).to_bits();
+        (shard.covers, slot.status == Status::Converged, time, Reverse(&*shard.name))
+    }
+
+    /// The time limit at which a case was given up, if it was.
+    pub(super) fn time_limit(&self, slot: &Slot) -> Option<f64> {
+        self.time_limits.get(&(slot.shard, slot.row)).copied()
+    }
+
+    /// How many cases there are.
+    pub(super) fn len(&self) -> usize {
+        self.cases.len()
     }
 
     pub(super) fn shard(&self, number: u32) -> &Shard {
@@ -104,15 +124,26 @@ mod tests {
         let shard = |name: &str, covers| Shard {
             name: name.into(),
             hash: blake3::hash(name.as_bytes()),
+            contents: Contents::default(),
             covers,
             record: LogPlace { log: 1, offset: 0 },
         };
-        let candidates = [
-            (shard("a", false), Status::Converged),
-            (shard("b", true), Status::Failed),
-            (shard("c", true), Status::Converged),
-            (shard("d", true), Status::Converged),
+        let (failed, converged) = (Status::Failed, Status::Converged);
+        let failures =
+            [(shard("a", true), failed, Some(1.0)), (shard("b", true), failed, None), (shard("c", true), failed, None)];
+        let solved = [
+            (shard("a", false), converged, None),
+            (shard("b", true), failed, None),
+            (shard("c", true), converged, None),
+            (shard("d", true), converged, None),
         ];
+        for (candidates, expected) in [(&failures[..1], "a"), (&failures, "b"), (&solved, "c")] {
+            assert_counts(candidates, expected);
+        }
+    }
+
+    /// The shard of this name is the one that counts, whatever the order of the candidates.
+    fn assert_counts(candidates: &[(Shard, Status, Option<f64>)], expected: &str) {
         for rotation in 0..candidates.len() {
             for reversed in [false, true] {
                 let mut order = candidates.to_vec();
@@ -121,12 +152,12 @@ mod tests {
                     order.reverse();
                 }
                 let mut index = Index::default();
-                for (shard, status) in order {
+                for (shard, status, limit) in order {
                     let shard = index.add_shard(shard);
-                    index.add_case(CaseId(1), Slot { shard, row: 0, status });
+                    index.add_case(CaseId(1), Slot { shard, row: 0, status }, limit);
                 }
                 let slot = index.complete(CaseId(1)).unwrap();
-                assert_eq!(&*index.shard(slot.shard).name, "c");
+                assert_eq!(&*index.shard(slot.shard).name, expected);
             }
         }
     }

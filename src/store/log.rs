@@ -115,8 +115,9 @@ mod tests {
     fn any_record() -> impl Strategy<Value = Record> {
         let seconds = prop_oneof![Just(0.0), 1e-300..1e300, 0.0..1e3];
         let status = prop_oneof![Just(Status::Converged), Just(Status::Failed)];
-        let case = (any::<u64>(), status, ".*", seconds, any::<u64>(), any::<u64>(), ".*").prop_map(
-            |(id, status, reason, seconds, iterations, factorisations, seed)| CaseRecord {
+        let limit = prop::option::of(1e-3..1e6);
+        let case = (any::<u64>(), status, ".*", seconds, any::<u64>(), any::<u64>(), ".*", limit).prop_map(
+            |(id, status, reason, seconds, iterations, factorisations, seed, time_limit)| CaseRecord {
                 case: CaseId(id),
                 status,
                 reason,
@@ -124,13 +125,15 @@ mod tests {
                 iterations,
                 factorisations,
                 seed,
+                time_limit,
             },
         );
         let shard = (".*", any::<u64>(), any::<u64>(), any::<bool>(), proptest::collection::vec(case, 0..4)).prop_map(
             |(name, bytes, x, limits, cases)| {
                 let file = FileRecord { file: name, bytes, blake3: "00".repeat(32) };
                 let contents = Contents { x, limits, ..Contents::default() };
-                Record::Shard(ShardRecord::new(file, &contents, bytes / 2, cases))
+                let recipe = if limits { serde_json::json!({ "tolerance": 1e-5 }) } else { serde_json::Value::Null };
+                Record::Shard(ShardRecord::new(file, &contents, recipe, bytes / 2, cases))
             },
         );
         let start = (".*", any::<u64>(), any::<u64>(), any::<u64>())

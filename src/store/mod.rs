@@ -43,7 +43,7 @@ pub use directory::write_whole;
 pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
 pub use history::{Beginning, History, Start};
-pub use holdings::{Counts, Holdings, Inspection};
+pub use holdings::{Counts, Holdings, Inspection, Origin};
 pub use publication::{Publication, Published};
 pub use record::Ending;
 pub use verify::{Problem, VerifyReport, verify};

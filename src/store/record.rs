@@ -5,7 +5,9 @@
 //! last brace.
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
+use super::contents::columns_key;
 use super::{CaseEntry, Contents, Status, Timing};
 use crate::model::{CaseId, FieldSelection};
 
@@ -44,8 +46,22 @@ pub(super) struct ShardRecord {
     pub fields: Vec<String>,
     pub x: String,
     pub limits: bool,
+    /// Hash of the names of the columns; that of this version where it is missing.
+    #[serde(default = "these_columns")]
+    pub columns: String,
+    /// What the cases were solved with; null if that is not known.
+    #[serde(default, skip_serializing_if = "Value::is_null")]
+    pub recipe: Value,
     pub time: u64,
     pub cases: Vec<CaseRecord>,
+}
+
+fn these_columns() -> String {
+    hexadecimal(columns_key())
+}
+
+fn hexadecimal(key: u64) -> String {
+    format!("{key:016x}")
 }
 
 /// A file as it was written.
@@ -68,25 +84,28 @@ pub(super) struct CaseRecord {
     pub iterations: u64,
     pub factorisations: u64,
     pub seed: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_limit: Option<f64>,
 }
 
 impl CaseRecord {
     pub(super) fn of(entry: &CaseEntry) -> Self {
-        let Timing { seconds, iterations, factorisations, seed } = entry.timing.clone();
+        let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing.clone();
         let (case, status, reason) = (entry.id, entry.outcome, entry.reason.clone());
-        Self { case, status, reason, seconds, iterations, factorisations, seed }
+        Self { case, status, reason, seconds, iterations, factorisations, seed, time_limit }
     }
 
     pub(super) fn timing(&self) -> Timing {
-        let Self { seconds, iterations, factorisations, seed, .. } = self.clone();
-        Timing { seconds, iterations, factorisations, seed }
+        let Self { seconds, iterations, factorisations, seed, time_limit, .. } = self.clone();
+        Timing { seconds, iterations, factorisations, seed, time_limit }
     }
 }
 
 impl ShardRecord {
-    pub(super) fn new(file: FileRecord, contents: &Contents, time: u64, cases: Vec<CaseRecord>) -> Self {
-        let fields = contents.fields.names().into_iter().map(str::to_owned).collect();
-        Self { file, fields, x: format!("{:016x}", contents.x), limits: contents.limits, time, cases }
+    pub(super) fn new(file: FileRecord, contents: &Contents, recipe: Value, time: u64, cases: Vec<CaseRecord>) -> Self {
+        let &Contents { fields, x, limits, columns } = contents;
+        let fields = fields.names().into_iter().map(str::to_owned).collect();
+        Self { file, fields, x: hexadecimal(x), limits, columns: hexadecimal(columns), recipe, time, cases }
     }
 
     /// What the shard holds; `None` if the record names a field unknown to this version.
@@ -101,7 +120,8 @@ impl ShardRecord {
             }
         }
         let x = u64::from_str_radix(&self.x, 16).ok()?;
-        Some(Contents { fields, x, limits: self.limits })
+        let columns = u64::from_str_radix(&self.columns, 16).ok()?;
+        Some(Contents { fields, x, limits: self.limits, columns })
     }
 }
 

@@ -6,7 +6,7 @@ use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Result};
 use ndarray::{Array2, ArrayView2, s};
 
-use super::contents::{FIELDS, field, field_mut, places, x_key};
+use super::contents::{FIELDS, column_names, field, field_mut, places, x_key};
 use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
 use super::{CaseEntry, Contents, Status, StoreError};
 use crate::model::{COLUMNS, CaseId, Fields};
@@ -32,11 +32,6 @@ pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents)
     let mut name = hasher.finalize().to_hex().to_string();
     name.truncate(32);
     name + ".h5"
-}
-
-/// The names of [`COLUMNS`], as a shard lists them.
-fn column_names() -> String {
-    COLUMNS.map(|column| column.name).join(" ")
 }
 
 /// Writes a shard. The entries must have been checked: a converged one has each field asked for on all of `x`.

@@ -5,6 +5,8 @@ use std::fs::File;
 use std::ops::Deref;
 use std::path::Path;
 
+use serde_json::Value;
+
 use super::contents::{field, places};
 use super::directory::{Directory, Staged, write_whole};
 use super::holdings::Inspection;
@@ -21,6 +23,8 @@ pub struct Store {
     holdings: Holdings,
     /// The log of this start; made with its first record.
     log: Option<Log>,
+    /// What the cases that are committed are solved with.
+    recipe: Value,
     /// Held until the store is dropped.
     _lock: File,
 }
@@ -52,7 +56,14 @@ impl Store {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }
         let holdings = Holdings::load(directory, output, Inspection::Bytes)?;
-        Ok(Self { holdings, log: None, _lock: lock })
+        Ok(Self { holdings, log: None, recipe: Value::Null, _lock: lock })
+    }
+
+    /// The store with a description of what the cases that are committed from now on are solved with. It is kept with them
+    /// for those who plan: to the store it means nothing.
+    #[must_use]
+    pub fn solving_with(self, recipe: Value) -> Self {
+        Self { recipe, ..self }
     }
 
     /// Whether [`Store::open`] would take a directory that holds no results yet. Changes nothing.
@@ -102,11 +113,12 @@ impl Store {
 
         let file = FileRecord { file: name.clone(), bytes, blake3: hash.to_hex().to_string() };
         let records = cases.iter().map(CaseRecord::of).collect();
-        let place = self.append(&Record::Shard(ShardRecord::new(file, &contents, clock(), records)))?;
+        let place =
+            self.append(&Record::Shard(ShardRecord::new(file, &contents, self.recipe.clone(), clock(), records)))?;
         let index = &mut self.holdings.index;
-        let shard = index.add_shard(Shard { name: name.into(), hash, covers: true, record: place });
+        let shard = index.add_shard(Shard { name: name.into(), hash, contents, covers: true, record: place });
         for (row, entry) in (0..).zip(cases) {
-            index.add_case(entry.id, Slot { shard, row, status: entry.outcome });
+            index.add_case(entry.id, Slot { shard, row, status: entry.outcome }, entry.timing.time_limit);
         }
         Ok(())
     }
@@ -142,6 +154,9 @@ fn check(cases: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), Stor
         let seconds = entry.timing.seconds;
         if !(seconds.is_finite() && seconds >= 0.0) {
             return refuse(format!("it took {seconds} seconds"));
+        }
+        if entry.timing.time_limit.is_some_and(|limit| !(limit.is_finite() && limit > 0.0)) {
+            return refuse(format!("it was given up at {:?} seconds", entry.timing.time_limit));
         }
         if entry.reason.chars().any(char::is_control) {
             return refuse(format!("its reason is not one line: {:?}", entry.reason));

@@ -5,8 +5,7 @@ use std::time::Instant;
 
 use super::examination::{Examination, Examine, examine};
 use crate::collocation::{self, CollocationSolver};
-use crate::continuation::{Chain, Effort, Interrupt, Interrupted, Path, Seed, SolvedCase, solve_chain};
-use crate::engine::panic_message;
+use crate::continuation::{Chain, Effort, Interrupt, Interrupted, SolvedCase, panic_message, solve_chain};
 use crate::model::{Failure, Limits, Output, Parameters};
 use crate::relaxation::{self, RelaxationSolver};
 
@@ -83,13 +82,8 @@ pub(super) fn guarded(
     catch_unwind(AssertUnwindSafe(solve)).unwrap_or_else(|payload| {
         let seconds = start.elapsed().as_secs_f64() / cases.len() as f64;
         let reason = format!("the solver panicked: {}; please report it", panic_message(payload.as_ref()));
-        let failed = SolvedCase {
-            outcome: Err(Failure::new(reason)),
-            limits: Limits::UNKNOWN,
-            seed: Seed::None,
-            path: Path::default(),
-            effort: Effort { seconds, ..Effort::default() },
-        };
+        let effort = Effort { seconds, ..Effort::default() };
+        let failed = SolvedCase { effort, ..SolvedCase::failed(Failure::new(reason), Limits::UNKNOWN) };
         Ok(vec![failed; cases.len()])
     })
 }

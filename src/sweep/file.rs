@@ -18,7 +18,7 @@ const SECTIONS: [(&str, &[&str]); 6] = [
     ("", &["title", "axes", "substrate", "solver", "output"]),
     ("axes", &["f", "alpha", "beta"]),
     ("substrate", &["modes"]),
-    ("solver", &["method", "tolerance", "relaxation"]),
+    ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
     ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
     ("output", &["fields", "x", "limits", "cavity_shear"]),
 ];

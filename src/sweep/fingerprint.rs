@@ -1,11 +1,10 @@
 //! What makes two cases the same.
 
-use super::specification::{Method, SolverSettings};
+use super::recipe::{Recipe, SolverRecipe};
 use crate::model::{CaseId, CavityShear, Parameters};
-use crate::relaxation::{Acceleration, Domain};
-use crate::{collocation, relaxation};
+use crate::relaxation::{self, Acceleration, Domain};
 
-/// Gives the ids of cases that are solved with one set of settings.
+/// Gives the ids of cases that are solved with one [`Recipe`].
 ///
 /// An id is the first 8 bytes (big-endian) of the BLAKE3 hash of these bytes; numbers are little-endian, `f64` are
 /// their IEEE 754 bits with −0 taken as 0:
@@ -14,7 +13,7 @@ use crate::{collocation, relaxation};
 /// | --- | --- |
 /// | `stribeck case 1\n` | version of this table |
 /// | `collocation\n` or `relaxation\n` | method |
-/// | `u32` | the method's version of results, [`collocation::RESULTS_VERSION`] or [`relaxation::RESULTS_VERSION`] |
+/// | `u32` | the method's version of results, [`collocation::RESULTS_VERSION`](crate::collocation::RESULTS_VERSION) or [`relaxation::RESULTS_VERSION`] |
 /// | the method's settings | see below |
 /// | `u8` | cavity shear: 0 full, 1 streamers, 2 none |
 /// | `f64`, `f64`, `f64` | f, α, β |
@@ -42,14 +41,23 @@ pub struct Fingerprint {
 }
 
 impl Fingerprint {
-    /// For cases solved with these settings.
-    pub fn new(solver: &SolverSettings, cavity_shear: CavityShear) -> Self {
+    /// For cases solved with a recipe.
+    pub fn new(recipe: &Recipe) -> Self {
         let mut bytes = b"stribeck case 1\n".to_vec();
-        match solver.method {
-            Method::Collocation => put_collocation(&mut bytes, &solver.collocation()),
-            Method::Relaxation => put_relaxation(&mut bytes, &solver.relaxation),
+        match &recipe.solver {
+            SolverRecipe::Collocation { version, tolerance, degree } => {
+                bytes.extend(b"collocation\n");
+                bytes.extend(version.to_le_bytes());
+                put_number(&mut bytes, *tolerance);
+                bytes.extend((*degree as u64).to_le_bytes());
+            }
+            SolverRecipe::Relaxation { version, settings } => {
+                bytes.extend(b"relaxation\n");
+                bytes.extend(version.to_le_bytes());
+                put_relaxation(&mut bytes, settings);
+            }
         }
-        bytes.push(match cavity_shear {
+        bytes.push(match recipe.cavity_shear {
             CavityShear::Full => 0,
             CavityShear::Streamers => 1,
             CavityShear::None => 2,
@@ -88,18 +96,8 @@ pub(super) fn canonical(parameters: &Parameters) -> Parameters {
     }
 }
 
-fn put_collocation(bytes: &mut Vec<u8>, settings: &collocation::Settings) {
-    let collocation::Settings { tolerance, degree } = *settings;
-    bytes.extend(b"collocation\n");
-    bytes.extend(collocation::RESULTS_VERSION.to_le_bytes());
-    put_number(bytes, tolerance);
-    bytes.extend((degree as u64).to_le_bytes());
-}
-
 fn put_relaxation(bytes: &mut Vec<u8>, settings: &relaxation::Settings) {
     let relaxation::Settings { domain, points, tolerance, acceleration, estimate } = *settings;
-    bytes.extend(b"relaxation\n");
-    bytes.extend(relaxation::RESULTS_VERSION.to_le_bytes());
     match domain {
         Domain::Auto => bytes.push(0),
         Domain::Fixed { x_min, x_max } => {

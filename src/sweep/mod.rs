@@ -10,6 +10,7 @@
 //! | `specification` | [`Sweep`] and its parts |
 //! | `file` | the sweep file as a whole, its keys, `[axes]` and `[substrate]` |
 //! | `solver`, `output` | the sections of these names |
+//! | `recipe` | what cases are solved with: [`Recipe`] |
 //! | `fingerprint` | what makes two cases the same: [`Fingerprint`] |
 //! | `plan` | [`Plan`], [`Chain`] |
 
@@ -17,11 +18,13 @@ mod file;
 mod fingerprint;
 mod output;
 mod plan;
+mod recipe;
 mod solver;
 mod specification;
 
 pub(crate) use file::{read_axes, read_substrate, read_title};
 pub use fingerprint::Fingerprint;
 pub use plan::{Chain, MAX_CHAIN, Plan};
+pub use recipe::{Recipe, SolverRecipe};
 pub(crate) use solver::{read_error, read_points};
 pub use specification::{Axes, Method, SolverSettings, Sweep};

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::fingerprint::{Fingerprint, canonical};
+use super::recipe::Recipe;
 use super::specification::{Axes, Sweep};
 use crate::model::{CaseId, Parameters, Substrate};
 
@@ -30,6 +31,7 @@ pub struct Chain {
 pub struct Plan {
     axes: Axes,
     substrate: Substrate,
+    recipe: Recipe,
     fingerprint: Fingerprint,
     chains_per_row: usize,
 }
@@ -38,12 +40,19 @@ impl Plan {
     /// The plan of a sweep.
     pub fn new(sweep: &Sweep) -> Self {
         let limit = sweep.solver.method.chain_limit().min(MAX_CHAIN);
+        let recipe = Recipe::new(&sweep.solver, sweep.output.cavity_shear);
         Self {
             axes: sweep.axes.clone(),
             substrate: sweep.substrate.clone(),
-            fingerprint: Fingerprint::new(&sweep.solver, sweep.output.cavity_shear),
+            recipe,
+            fingerprint: Fingerprint::new(&recipe),
             chains_per_row: sweep.axes.beta.len().div_ceil(limit),
         }
+    }
+
+    /// What its cases are solved with.
+    pub fn recipe(&self) -> &Recipe {
+        &self.recipe
     }
 
     /// Number of grid points: rows of the summary.

@@ -6,9 +6,6 @@ use crate::collocation;
 use crate::input::{Entry, Fault};
 use crate::relaxation::{Acceleration, Domain, Settings};
 
-/// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.
-const FARTHEST: f64 = 100.0;
-
 /// Reads `[solver]`.
 pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
     let section = section(entry)?;
@@ -22,7 +19,21 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
             .map(|entry| read_relaxation(&entry))
             .transpose()?
             .unwrap_or(defaults.relaxation),
+        time_limit: section
+            .get("time_limit")
+            .map(|entry| read_time_limit(&entry))
+            .transpose()?
+            .unwrap_or(defaults.time_limit),
     })
+}
+
+fn read_time_limit(entry: &Entry<'_>) -> Result<f64, Fault> {
+    let seconds = entry.number()?;
+    if seconds > 0.0 {
+        return Ok(seconds);
+    }
+    let help = "it is the time in seconds after which a case is given up, as in 600.0; inf is no limit";
+    Err(entry.fault(format!("`{}` must be above 0", entry.path()), "not a time", help))
 }
 
 /// Reads the relative error wanted by the collocation method.
@@ -104,12 +115,13 @@ fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
     let (x_min, x_max) = (left.number()?, right.number()?);
     let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on both \
                 sides of it, as in [-3.0, 4.0]";
-    if !(-FARTHEST..0.0).contains(&x_min) {
-        let what = format!("x_min of the domain must be below 0 and at least {:?}", -FARTHEST);
+    let (leftmost, rightmost) = Domain::ENDS.into_inner();
+    if !(leftmost..0.0).contains(&x_min) {
+        let what = format!("x_min of the domain must be below 0 and at least {leftmost:?}");
         return Err(left.fault(what, "not left of the contact", help));
     }
-    if !(x_max > 0.0 && x_max <= FARTHEST) {
-        let what = format!("x_max of the domain must be above 0 and at most {FARTHEST:?}");
+    if !(x_max > 0.0 && x_max <= rightmost) {
+        let what = format!("x_max of the domain must be above 0 and at most {rightmost:?}");
         return Err(right.fault(what, "not right of the contact", help));
     }
     Ok(Domain::Fixed { x_min, x_max })

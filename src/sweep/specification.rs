@@ -88,9 +88,14 @@ pub struct SolverSettings {
     pub tolerance: f64,
     /// Settings of the relaxation method; the collocation method does not look at them.
     pub relaxation: relaxation::Settings,
+    /// Seconds that a case may take, above 0; +∞ is no limit. It changes no number, only what is given up.
+    pub time_limit: f64,
 }
 
 impl SolverSettings {
+    /// What a case may take, where nothing else is said: an hour, hundreds of times what the slowest case known took.
+    pub const TIME_LIMIT: f64 = 3600.0;
+
     /// Settings of the collocation method: a sweep chooses the tolerance alone.
     pub fn collocation(&self) -> collocation::Settings {
         collocation::Settings::for_tolerance(self.tolerance)
@@ -100,6 +105,11 @@ impl SolverSettings {
 impl Default for SolverSettings {
     fn default() -> Self {
         let tolerance = collocation::Settings::default().tolerance;
-        Self { method: Method::default(), tolerance, relaxation: relaxation::Settings::default() }
+        Self {
+            method: Method::default(),
+            tolerance,
+            relaxation: relaxation::Settings::default(),
+            time_limit: Self::TIME_LIMIT,
+        }
     }
 }

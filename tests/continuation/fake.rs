@@ -1,6 +1,7 @@
 //! A solver that converges exactly when its guess is near enough, so that every path is exact.
 
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use stribeck::continuation::{
     CaseSolver, Halt, Interrupt, Interrupted, Seed, Solution, SolvedCase, StepControl, Work, solve_chain,
@@ -34,6 +35,12 @@ pub struct Fake {
     pub stops_at: Option<f64>,
     /// Whether the solver itself heeds such a request.
     pub heeds: bool,
+    /// β at which the solver panics.
+    pub panics_at: Option<f64>,
+    /// β at which it works for ever.
+    pub stuck_at: Option<f64>,
+    /// Workspaces that were made.
+    pub workspaces: AtomicUsize,
     /// ln β of every attempt.
     pub attempts: Mutex<Vec<f64>>,
 }
@@ -62,6 +69,9 @@ impl Fake {
             unknowable: None,
             stops_at: None,
             heeds: true,
+            panics_at: None,
+            stuck_at: None,
+            workspaces: AtomicUsize::new(0),
             attempts: Mutex::default(),
         }
     }
@@ -80,6 +90,7 @@ impl CaseSolver for Fake {
     type State = f64;
 
     fn prepare(&self, _: &Parameters, _: &Output) -> Result<(), Failure> {
+        self.workspaces.fetch_add(1, Ordering::Relaxed);
         Ok(())
     }
 
@@ -121,6 +132,12 @@ impl CaseSolver for Fake {
             if self.heeds {
                 return Err(Halt::Interrupted);
             }
+        }
+        assert!(self.panics_at != Some(parameters.beta), "a panic\n\tat {}", parameters.beta);
+        while self.stuck_at == Some(parameters.beta) {
+            work.go_on()?;
+            work.effort.iterations += 1;
+            work.note_residual(work.effort.iterations, 1.0);
         }
         if self.refused == Some(parameters.beta) {
             return Err(Halt::Failed(Failure { reason: "refused".to_owned(), conclusive: true }));

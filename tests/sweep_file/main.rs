@@ -31,7 +31,7 @@ fn what_is_left_out_has_its_default() {
         title: "small".into(),
         axes: Axes { f: vec![100.0], alpha: vec![1.0], beta: vec![10.0] },
         substrate: Substrate::default(),
-        solver: SolverSettings { method: Method::Collocation, tolerance: 1e-5, relaxation: Settings::default() },
+        solver: SolverSettings { method: Method::Collocation, tolerance: 1e-5, ..SolverSettings::default() },
         output: Output::default(),
         text: AXES.into(),
         name: "small".into(),
@@ -54,6 +54,7 @@ modes = [{ share = 0.7, time = 1 }, { share = 0.3, time = 100.0 }]
 [solver]
 method = "relaxation"
 tolerance = 1e-3
+time_limit = 90
 [solver.relaxation]
 domain = [-2, 4.5]
 points = 401
@@ -90,7 +91,7 @@ cavity_shear = "streamers"
         title: "Everything".into(),
         axes,
         substrate: Substrate::new(modes).expect("valid"),
-        solver: SolverSettings { method: Method::Relaxation, tolerance: 1e-3, relaxation },
+        solver: SolverSettings { method: Method::Relaxation, tolerance: 1e-3, relaxation, time_limit: 90.0 },
         output,
         text: text.into(),
         name: "all".into(),

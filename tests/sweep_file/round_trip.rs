@@ -38,10 +38,12 @@ fn solver() -> impl Strategy<Value = SolverSettings> {
     let acceleration = prop_oneof![Just(Acceleration::Anderson), Just(Acceleration::None)];
     let method = prop_oneof![Just(Method::Collocation), Just(Method::Relaxation)];
     let tolerance = (-10.0..-1.0f64).prop_map(|power| 10f64.powf(power));
-    (domain, 25usize..=10_000, 1e-12..1e-2f64, acceleration, any::<bool>(), method, tolerance).prop_map(
-        |(domain, half, residual, acceleration, estimate, method, tolerance)| SolverSettings {
+    let time_limit = prop_oneof![1e-3..1e9f64, Just(f64::INFINITY)];
+    (domain, 25usize..=10_000, 1e-12..1e-2f64, acceleration, any::<bool>(), method, tolerance, time_limit).prop_map(
+        |(domain, half, residual, acceleration, estimate, method, tolerance, time_limit)| SolverSettings {
             method,
             tolerance,
+            time_limit,
             relaxation: Settings {
                 domain,
                 points: 2 * half + 1,
@@ -100,7 +102,7 @@ fn written(sweep: &Sweep) -> String {
     };
     format!(
         "title = \"{title}\"\n[axes]\nbeta = {:?}\nf = {:?}\nalpha = {:?}\n[substrate]\nmodes = [{}]\n[output]\n\
-         fields = {:?}\nx = {:?}\nlimits = {}\ncavity_shear = \"{}\"\n[solver]\nmethod = \"{}\"\ntolerance = {:?}\n\
+         fields = {:?}\nx = {:?}\nlimits = {}\ncavity_shear = \"{}\"\n[solver]\nmethod = \"{}\"\ntolerance = {:?}\ntime_limit = {:?}\n\
          [solver.relaxation]\ndomain = {domain}\npoints = {}\ntolerance = {:?}\nacceleration = \"{acceleration}\"\n\
          estimate = {}\n",
         axes.beta,
@@ -113,6 +115,7 @@ fn written(sweep: &Sweep) -> String {
         output.cavity_shear,
         solver.method,
         solver.tolerance,
+        solver.time_limit,
         relaxation.points,
         relaxation.tolerance,
         relaxation.estimate,

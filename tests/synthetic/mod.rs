@@ -52,7 +52,13 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
             film_thickness: wanted(film_thickness, 1e-3),
             displacement: wanted(displacement, -0.3),
         },
-        timing: Timing { seconds: 0.125 + beta / 3.0, iterations: 300, factorisations: 0, seed: "neighbour".into() },
+        timing: Timing {
+            seconds: 0.125 + beta / 3.0,
+            iterations: 300,
+            factorisations: 0,
+            seed: "neighbour".into(),
+            time_limit: None,
+        },
     }
 }
 
