@@ -249,7 +249,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     clock.stage("open, survey");
 
-    store.begin(cases as u64, options.threads.get() as u64)?;
+    store.begin("throughput", cases as u64, options.threads.get() as u64)?;
     let engine = Engine::new(options.threads)?.with_queue(options.queue);
     let (mut commits, mut committing) = (0, Duration::ZERO);
     engine.run(

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use stribeck::model::{CaseId, CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain};
-use stribeck::sweep::{Axes, Chain, Fingerprint, MAX_CHAIN, Method, Plan, Recipe, SolverSettings, Sweep};
+use stribeck::sweep::{Axes, Chain, Fingerprint, MAX_CHAIN, Method, Part, Plan, Recipe, SolverSettings, Sweep};
 
 fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
     Sweep {
@@ -349,4 +349,52 @@ fn a_billion_cases_are_planned_at_once() {
     assert_eq!(plan.find(plan.case_at(0, 2, 500)), Some((0, 2, 500)));
     // Listing the cases, or the chains, would take many times longer.
     assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Every chain is in one part, the same wherever it is asked, and no part has much more to do than another.
+    #[test]
+    fn parts_are_a_fair_split_of_the_chains(sweep in sweeps(), of in 1u32..12) {
+        let plan = Plan::new(&sweep);
+        let split = plan.split(of);
+        prop_assert_eq!(split.len(), plan.chain_count());
+        prop_assert_eq!(&split, &Plan::new(&sweep).split(of));
+        let mut seen = BTreeSet::new();
+        let (mut chains, mut cases) = (Vec::new(), Vec::new());
+        for part in Part::all(of) {
+            let of_part = plan.chains_of(Some(part));
+            prop_assert!(of_part.is_sorted(), "in the order of the plan");
+            prop_assert!(of_part.iter().all(|&index| split[index as usize] == part && seen.insert(index)));
+            chains.push(of_part.len());
+            cases.push(of_part.iter().map(|&index| plan.chain(index as usize).beta.len()).sum::<usize>());
+        }
+        prop_assert_eq!(seen.len(), plan.chain_count());
+        prop_assert!(chains.iter().max().unwrap() - chains.iter().min().unwrap() <= 1, "{:?}", chains);
+        let longest = plan.chains().map(|chain| chain.beta.len()).max().unwrap();
+        prop_assert!(cases.iter().max().unwrap() - cases.iter().min().unwrap() <= 2 * longest, "{:?}", cases);
+        prop_assert_eq!(plan.chains_of(None), (0..plan.chain_count() as u32).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_part_reads_back_from_its_text_and_its_name(of in 1..=Part::MOST, number in any::<prop::sample::Index>()) {
+        let number = number.index(of as usize) as u32 + 1;
+        let part = Part::new(number, of).unwrap();
+        prop_assert_eq!(part.to_string().parse(), Ok(part));
+        prop_assert_eq!(Part::named(&part.name()), Some(part));
+        prop_assert_eq!((part.number(), part.of()), (number, of));
+    }
+}
+
+#[test]
+fn what_is_no_part_is_refused() {
+    for text in
+        ["", "3", "3/", "/8", "0/8", "9/8", "1/0", "-1/8", "1/8/9", "1/1000001", "a/b", "3-of-8", "1/4294967297"]
+    {
+        assert!(text.parse::<Part>().is_err(), "{text}");
+    }
+    for name in ["", "3-of", "03-of-8", "3-of-08", "9-of-8", "3-of-8.h5", "3/8", "+3-of-8"] {
+        assert_eq!(Part::named(name), None, "{name}");
+    }
 }

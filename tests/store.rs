@@ -71,7 +71,7 @@ fn published_bytes_do_not_depend_on_order_or_number_of_starts() {
         order.reverse();
         for (i, part) in order.chunks(3).enumerate() {
             let mut store = open(directory.path());
-            store.begin(20, i as u64).unwrap();
+            store.begin("synthetic", 20, i as u64).unwrap();
             for chain in part {
                 store.commit(chain).unwrap();
             }
@@ -113,7 +113,7 @@ fn what_a_killed_run_leaves_is_recovered() {
     let reference = reference();
     let directory = tempdir().unwrap();
     let mut store = open(directory.path());
-    store.begin(20, 2).unwrap();
+    store.begin("synthetic", 20, 2).unwrap();
     for chain in &chains(&output())[..5] {
         store.commit(chain).unwrap();
     }
@@ -377,14 +377,14 @@ fn the_history_tells_of_every_start() {
     let directory = tempdir().unwrap();
     let mut store = open(directory.path());
     let all = chains(&output());
-    store.begin(20, 2).unwrap();
+    store.begin("synthetic", 20, 2).unwrap();
     for chain in &all[..3] {
         store.commit(chain).unwrap();
     }
     store.end(Ending::Interrupted).unwrap();
     drop(store);
     let mut store = open(directory.path());
-    store.begin(12, 1).unwrap();
+    store.begin("synthetic", 12, 1).unwrap();
     for chain in &all[3..] {
         store.commit(chain).unwrap();
     }

@@ -24,7 +24,7 @@ const DIRECTORY: &str = "STRIBECK_TEST_DIRECTORY";
 fn victim() {
     let Some(directory) = std::env::var_os(DIRECTORY).map(PathBuf::from) else { return };
     let mut store = open(&directory);
-    store.begin(20, 1).unwrap();
+    store.begin("synthetic", 20, 1).unwrap();
     for chain in chains(&output()) {
         if chain.iter().any(|entry| store.holds(entry.id).is_none()) {
             store.commit(&chain).unwrap();

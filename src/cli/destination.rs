@@ -1,9 +1,10 @@
-//! The results directory of a sweep.
+//! A sweep file and its results directory.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::CliError;
+use crate::store::{Holdings, StoreError};
 use crate::sweep::Sweep;
 
 /// Where a sweep goes: the directory asked for, or `results/<file stem>`.
@@ -16,6 +17,20 @@ pub fn destination(asked: Option<&Path>, sweep: &Sweep) -> Result<PathBuf, CliEr
         return Err(CliError::NotADirectory { path });
     }
     Ok(path)
+}
+
+/// Reads a sweep file. The copy in a results directory keeps the name under which the sweep was run: that is its title where
+/// the file gives none.
+pub fn read_sweep(path: &Path) -> Result<Sweep, CliError> {
+    let sweep = Sweep::read(path)?;
+    let home = path.parent().filter(|home| path.ends_with("sweep.toml") && home.join("log").is_dir());
+    let name = match home.map(Holdings::name_of_sweep) {
+        Some(Ok(Some(name))) => name,
+        // A directory `log` is nothing that only results have.
+        Some(Err(StoreError::NotResults { .. }) | Ok(None)) | None => return Ok(sweep),
+        Some(Err(error)) => return Err(error.into()),
+    };
+    Ok(Sweep::parse(&name, &sweep.text)?)
 }
 
 /// True if the directory was last run with another sweep file.

@@ -53,6 +53,27 @@ pub enum CliError {
     /// A results directory cannot be read or written.
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// Several directories to be joined in none.
+    #[error("several directories are joined in one that -o names; give -o DIR")]
+    NoTarget,
+    /// Directories of different sweeps that were to be joined.
+    #[error(
+        "{} and {} are not of the same sweep: only runs of one sweep file can be joined; merge the parts of an earlier one and \
+         delete them first",
+        first.display(), other.display()
+    )]
+    OtherSweep {
+        /// A sweep file.
+        first: PathBuf,
+        /// One that differs.
+        other: PathBuf,
+    },
+    /// A merge of parts that lack cases.
+    #[error("nothing is published: {missing}")]
+    Incomplete {
+        /// What is missing, and the commands that finish it.
+        missing: String,
+    },
     /// A case that a results directory does not know.
     #[error(
         "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
@@ -124,11 +145,14 @@ impl CliError {
         match self {
             CliError::Input(_)
             | CliError::NoSuchCase { .. }
+            | CliError::NoTarget
+            | CliError::OtherSweep { .. }
             | CliError::Threads(_)
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
             | CliError::Tolerance { .. } => 2,
             CliError::Store(_)
+            | CliError::Incomplete { .. }
             | CliError::NotADirectory { .. }
             | CliError::Occupied { .. }
             | CliError::Directory { .. }

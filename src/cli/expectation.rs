@@ -60,8 +60,8 @@ pub enum CaseSeconds {
 impl CaseSeconds {
     /// From the log if cases of this sweep were solved there, else measured here and now: relaxation takes long, so that
     /// only its passes are timed, while a collocation case is solved in about the time that a guess would take.
-    pub fn expected(sweep: &Sweep, plan: &Plan, workload: &Workload, held: Option<&Holdings>) -> Self {
-        let logged = held.filter(|_| workload.reused() > 0).and_then(mean_seconds);
+    pub fn expected(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &[&Holdings]) -> Self {
+        let logged = if workload.reused() > 0 { mean_seconds(held) } else { None };
         logged.map(Self::Logged).unwrap_or_else(|| {
             Self::Estimated(match sweep.solver.method {
                 Method::Collocation => tried_seconds(sweep, plan, workload),
@@ -99,8 +99,8 @@ fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
     (0..tried).map(of_chain).sum::<f64>() / tried as f64
 }
 
-fn mean_seconds(held: &Holdings) -> Option<f64> {
-    let starts = held.history().starts().map(|(_, start)| start);
+fn mean_seconds(held: &[&Holdings]) -> Option<f64> {
+    let starts = held.iter().flat_map(|held| held.history().starts()).map(|(_, start)| start);
     let (cases, seconds) = starts.fold((0, 0.0), |(cases, seconds), start| {
         (cases + start.converged + start.failed, seconds + start.case_seconds)
     });

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::collection::{Collection, sweep_file};
+use super::destination::read_sweep;
 use super::repeat::solve_command;
 use super::shell::quoted;
 use super::solution::numbers;
@@ -75,9 +77,12 @@ struct Found<'a> {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let sweep = Sweep::read(arguments.directory.join("sweep.toml"))?;
+    let sweep = read_sweep(&sweep_file(&arguments.directory)?)?;
     let plan = Plan::new(&sweep);
-    let held = Holdings::read(&arguments.directory, &sweep.output, inspection(false))?;
+    let mut collection = Collection::read(&arguments.directory, &sweep.output, inspection(false))?;
+    if collection.is_empty() {
+        collection.whole = Some(Holdings::read(&arguments.directory, &sweep.output, inspection(false))?);
+    }
     let found = match arguments.case {
         Wanted::Near(numbers) => Some(nearest(&sweep, numbers)),
         Wanted::Id(id) => plan.find(id).map(|(i_f, i_alpha, i_beta)| [i_f, i_alpha, i_beta]),
@@ -88,19 +93,20 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     });
     let id = match (&found, arguments.case) {
         (Some(found), _) => found.id,
-        (None, Wanted::Id(id)) if held.knows(id) => id,
+        (None, Wanted::Id(id)) if collection.all().iter().any(|held| held.knows(id)) => id,
         (None, _) => return Err(CliError::NoSuchCase { directory: arguments.directory.clone() }),
     };
-    for warning in held.warnings() {
+    for warning in collection.all().iter().flat_map(|held| held.warnings()) {
         console::tell(&format!("warning: {warning}"));
     }
+    let held = collection.best(id);
     let entry = held.entry(id)?;
-    let mut text = heading(id, entry.as_ref(), &held);
+    let mut text = heading(id, entry.as_ref(), held);
     match &found {
         Some(found) => text += &found.place_in_words(),
         None => text += "  it has no place in the present sweep.toml, so its f, alpha and beta are not known here\n",
     }
-    text += &stored(id, entry.as_ref(), found.as_ref(), &held)?;
+    text += &stored(id, entry.as_ref(), found.as_ref(), held, &collection)?;
     console::print(&text)?;
     if let (Some(found), Some(entry)) = (&found, &entry) {
         if !arguments.stored {
@@ -142,6 +148,7 @@ fn stored(
     entry: Option<&CaseEntry>,
     found: Option<&Found<'_>>,
     held: &Holdings,
+    collection: &Collection,
 ) -> Result<String, CliError> {
     let mut text = "\n".to_owned();
     let mut line = |name: &str, words: &str| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
@@ -151,7 +158,7 @@ fn stored(
             None => "`stribeck run` solves it".to_owned(),
         };
         line("to do", &next);
-        let stale = found.and_then(|found| stale_reason(found.sweep, found.plan, held, &found.parameters));
+        let stale = found.and_then(|found| stale_reason(found.sweep, found.plan, &collection.all(), &found.parameters));
         if let Some(why) = stale {
             line("stale", &format!("it is stored, but {why}"));
         }
@@ -160,7 +167,7 @@ fn stored(
     if entry.outcome == Status::Failed {
         line("reason", &entry.reason);
     }
-    line("stored", &format!("shards/{}, row {}, as its record says", origin.shard, origin.row));
+    line("stored", &format!("{}, row {}, as its record says", origin.shard.display(), origin.row));
     line("solved", &format!("in start {}, before {}", origin.start, moment(origin.time)));
     if !origin.recipe.is_null() {
         line("with", &recipe_in_words(&origin.recipe));

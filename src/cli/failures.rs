@@ -4,9 +4,10 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
+use super::collection::holds;
 use crate::model::{CaseId, Parameters, shortest};
 use crate::store::{Holdings, Status, StoreError};
-use crate::sweep::Plan;
+use crate::sweep::{Part, Plan};
 
 /// The parameters of a case in words.
 pub fn place(parameters: &Parameters) -> String {
@@ -18,8 +19,14 @@ pub fn place(parameters: &Parameters) -> String {
 }
 
 /// The first failed cases of a plan in its order, each with its reason.
-pub fn first(plan: &Plan, held: &Holdings, most: usize) -> Result<Vec<(Parameters, String)>, StoreError> {
-    let cases = plan.chains().flat_map(|chain| plan.parameters(&chain));
+pub fn first(
+    plan: &Plan,
+    part: Option<Part>,
+    held: &Holdings,
+    most: usize,
+) -> Result<Vec<(Parameters, String)>, StoreError> {
+    let chains = plan.chains_of(part).into_iter().map(|index| plan.chain(index as usize));
+    let cases = chains.flat_map(|chain| plan.parameters(&chain));
     let failed = cases.map(|case| (plan.id(&case), case)).filter(|(id, _)| held.holds(*id) == Some(Status::Failed));
     let mut list = Vec::new();
     for (id, parameters) in failed.take(most) {
@@ -82,24 +89,27 @@ impl fmt::Display for Decade {
 }
 
 /// The regions of a plan with failed cases, those with most failures first.
-pub fn regions(plan: &Plan, held: &Holdings) -> Result<Vec<Region>, StoreError> {
+pub fn regions(plan: &Plan, held: &[&Holdings]) -> Result<Vec<Region>, StoreError> {
     let mut boxes: HashMap<CaseId, [Decade; 3]> = HashMap::new();
     for chain in plan.chains() {
         for case in plan.parameters(&chain) {
             let id = plan.id(&case);
-            if held.holds(id) == Some(Status::Failed) {
+            if holds(held, id) == Some(Status::Failed) {
                 boxes.insert(id, [case.f, case.alpha, case.beta].map(Decade::of));
             }
         }
     }
     // Of each region the kinds of reasons, each with its number and an example.
     let mut tally: BTreeMap<[Decade; 3], BTreeMap<String, (u64, String)>> = BTreeMap::new();
-    held.visit_failures(|id, reason| {
-        if let Some(&decades) = boxes.get(&id) {
-            let kinds = tally.entry(decades).or_default();
-            kinds.entry(kind(reason)).or_insert_with(|| (0, reason.to_owned())).0 += 1;
-        }
-    })?;
+    for held in held {
+        held.visit_failures(|id, reason| {
+            // Once, though it may have failed in several directories.
+            if let Some(decades) = boxes.remove(&id) {
+                let kinds = tally.entry(decades).or_default();
+                kinds.entry(kind(reason)).or_insert_with(|| (0, reason.to_owned())).0 += 1;
+            }
+        })?;
+    }
     let region = |(decades, kinds): ([Decade; 3], BTreeMap<String, (u64, String)>)| {
         let failed = kinds.values().map(|(number, _)| number).sum();
         let (alike, reason) = kinds.into_values().max_by_key(|(number, _)| *number).unwrap_or_default();

@@ -2,9 +2,11 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `verify`, `study` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `verify`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `workload` | which chains of a plan are left to be solved |
+//! | `collection`, `parts` | all that is stored of a sweep, its parts included; how far these are |
+//! | `job`, `run_report` | the work of a run; what it tells of itself |
 //! | `entry` | from a solved case to what the store keeps |
 //! | `expectation` | what a run is expected to cost |
 //! | `failures` | failed cases, listed and by region |
@@ -13,6 +15,7 @@
 //! | `repeat`, `way` | the command that solves a case again; how it was reached |
 //! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
 
+mod collection;
 mod console;
 mod destination;
 mod entry;
@@ -20,9 +23,13 @@ mod error;
 mod expectation;
 mod explain;
 mod failures;
+mod job;
+mod merge;
+mod parts;
 mod plan;
 mod repeat;
 mod run;
+mod run_report;
 mod shell;
 mod solution;
 mod solve;
@@ -78,6 +85,8 @@ enum Command {
     Status(status::Arguments),
     /// Solve one case and print it
     Solve(solve::Arguments),
+    /// Join the parts of a sweep, or the runs of one in several directories, and publish
+    Merge(merge::Arguments),
     /// Say why a case is as it is: seed, way and residuals, and the command that repeats it
     Explain(explain::Arguments),
     /// Read every stored result again and compare it with its record
@@ -117,6 +126,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Plan(arguments) => plan::execute(arguments),
         Command::Status(arguments) => status::execute(arguments),
         Command::Solve(arguments) => solve::execute(arguments),
+        Command::Merge(arguments) => merge::execute(arguments),
         Command::Explain(arguments) => explain::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),

@@ -6,12 +6,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::destination::{destination, had_other_sweep};
+use super::collection::Collection;
+use super::destination::{destination, had_other_sweep, read_sweep};
 use super::expectation::{CaseSeconds, Size};
 use super::wording::{bytes, count, duration};
 use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console, threads};
-use crate::store::{Holdings, Store, StoreError};
+use crate::store::{Holdings, Store};
 use crate::sweep::{Plan, Sweep};
 
 #[derive(Clone, Debug, Args)]
@@ -38,28 +39,25 @@ pub struct Arguments {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let sweep = Sweep::read(&arguments.sweep)?;
+    let sweep = read_sweep(&arguments.sweep)?;
     let plan = Plan::new(&sweep);
     let directory = destination(arguments.output.as_deref(), &sweep)?;
-    let held = match Holdings::read(&directory, &sweep.output, inspection(arguments.quick)) {
-        Ok(held) => Some(held),
-        Err(StoreError::NotResults { .. }) => {
-            Store::may_take(&directory)?;
-            None
-        }
-        Err(error) => return Err(error.into()),
-    };
-    for warning in held.iter().flat_map(Holdings::warnings) {
+    let collection = Collection::read(&directory, &sweep.output, inspection(arguments.quick))?;
+    if collection.whole.is_none() {
+        Store::may_take(&directory)?;
+    }
+    let held = collection.all();
+    for warning in held.iter().flat_map(|held| held.warnings()) {
         console::tell(&format!("warning: {warning}"));
     }
-    let workload = Workload::survey(&sweep, &plan, held.as_ref());
+    let workload = Workload::survey(&sweep, &plan, None, &held);
 
     let axes = &sweep.axes;
     let (f, alpha, beta) = (axes.f.len(), axes.alpha.len(), axes.beta.len());
-    let state = match &held {
-        None => "no results yet",
-        Some(_) if had_other_sweep(&directory, &sweep) => "last run with another sweep file",
-        Some(_) => "has results",
+    let state = match () {
+        () if collection.is_empty() => "no results yet",
+        () if had_other_sweep(&directory, &sweep) => "last run with another sweep file",
+        () => "has results",
     };
     let mut text = String::new();
     let mut line = |name: &str, words: String| {
@@ -94,20 +92,14 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         others => format!("; {others} of the reused cases are solved again to seed them"),
     };
     line("to do", format!("{} in {}{seeding}", count(to_do, "case"), count(pending, "chain")));
-    line("time", expected_time(&sweep, &plan, &workload, held.as_ref(), arguments));
+    line("time", expected_time(&sweep, &plan, &workload, &held, arguments));
     let size = Size::of(&sweep, &plan, to_do, pending);
     line("disk", format!("about {} to store, {} published", bytes(size.stored), bytes(size.published)));
     console::print(&text)?;
     Ok(Exit::Success)
 }
 
-fn expected_time(
-    sweep: &Sweep,
-    plan: &Plan,
-    workload: &Workload,
-    held: Option<&Holdings>,
-    arguments: &Arguments,
-) -> String {
+fn expected_time(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &[&Holdings], arguments: &Arguments) -> String {
     let threads = threads::number(arguments.threads).get();
     let per_case = CaseSeconds::expected(sweep, plan, workload, held);
     let busy = threads.min(workload.pending.len());

@@ -5,7 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::collection::{Collection, sweep_file};
+use super::destination::read_sweep;
 use super::failures::{self, Region};
+use super::parts::{in_words, states};
 use super::wording::{count, duration, moment, whole_seconds};
 use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console};
@@ -40,37 +43,93 @@ pub struct Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let directory = &arguments.directory;
-    let sweep = Sweep::read(directory.join("sweep.toml"));
+    let sweep = read_sweep(&sweep_file(directory)?);
     // Without a sweep nothing is asked for, so that whatever is stored counts.
     let nothing = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
     let output = sweep.as_ref().map_or(&nothing, |sweep| &sweep.output);
-    let held = Holdings::read(directory, output, inspection(arguments.quick))?;
-    let owner = held.owner()?;
-    for warning in held.warnings() {
-        // The last line of a log may be half written while a run works.
-        if owner.is_none() || !matches!(warning, Warning::Record { .. }) {
-            console::tell(&format!("warning: {warning}"));
+    let inspection = inspection(arguments.quick);
+    let mut collection = Collection::read(directory, output, inspection)?;
+    if collection.is_empty() {
+        collection.whole = Some(Holdings::read(directory, output, inspection)?);
+    }
+    let runs = Runs::of(&collection)?;
+    for (held, running) in collection.all().into_iter().zip(&runs.owners) {
+        for warning in held.warnings() {
+            // The last line of a log may be half written while a run works.
+            if running.is_none() || !matches!(warning, Warning::Record { .. }) {
+                console::tell(&format!("warning: {warning}"));
+            }
         }
     }
     let mut text = String::new();
     match sweep {
         Ok(sweep) => {
             let plan = Plan::new(&sweep);
-            let workload = Workload::survey(&sweep, &plan, Some(&held));
-            let published = held.is_published()?;
-            text += &of_sweep(arguments, &sweep, &plan, &workload, &held, owner.as_deref(), published);
-            text += &starts(&held, owner.is_some());
-            text += &failed_regions(&failures::regions(&plan, &held)?);
+            let workload = Workload::survey(&sweep, &plan, None, &collection.all());
+            let published = collection.whole.as_ref().map_or(Ok(false), Holdings::is_published)?;
+            text += &of_sweep(arguments, &sweep, &plan, &workload, &runs, published);
+            if !collection.parts.is_empty() {
+                text += &format!("\n{}", in_words(&states(&plan, &collection)?));
+            }
+            text += &runs.starts();
+            text += &failed_regions(&failures::regions(&plan, &collection.all())?);
         }
         Err(error) => {
             console::tell(&format!("warning: how many cases were planned is not known: {error}"));
-            let counts = held.counts();
-            text += &format!("cases      {} converged, {} failed\n", counts.converged, counts.failed);
-            text += &starts(&held, owner.is_some());
+            let counts = collection.all().into_iter().map(Holdings::counts);
+            let [converged, failed] =
+                counts.fold([0, 0], |sums, counts| [sums[0] + counts.converged, sums[1] + counts.failed]);
+            text += &format!("cases      {converged} converged, {failed} failed\n");
+            text += &runs.starts();
         }
     }
     console::print(&text)?;
     Ok(Exit::Success)
+}
+
+/// The runs of a directory and of its parts.
+struct Runs<'a> {
+    whole: Option<&'a Holdings>,
+    parts: Vec<&'a Holdings>,
+    /// Who works in each, the directory itself first.
+    owners: Vec<Option<String>>,
+}
+
+impl<'a> Runs<'a> {
+    fn of(collection: &'a Collection) -> Result<Self, CliError> {
+        let owners = collection.all().into_iter().map(Holdings::owner).collect::<Result<_, _>>()?;
+        let parts = collection.parts.iter().map(|(_, held)| held).collect();
+        Ok(Self { whole: collection.whole.as_ref(), parts, owners })
+    }
+
+    /// Who works here, in words.
+    fn at_work(&self) -> Option<String> {
+        let owners: Vec<&String> = self.owners.iter().flatten().collect();
+        match owners.as_slice() {
+            [] => None,
+            [owner] => Some((*owner).clone()),
+            owners => Some(format!("{} processes", owners.len())),
+        }
+    }
+
+    /// Cases per second: of those who work here together, else of the last start.
+    fn rate(&self) -> Option<f64> {
+        let last = |held: &Holdings| held.history().starts().rfind(|(_, start)| start.beginning.is_some())?.1.rate();
+        let all = self.whole.iter().chain(&self.parts);
+        let running = all.clone().zip(&self.owners).filter(|(_, owner)| owner.is_some());
+        let rates: Vec<f64> = running.filter_map(|(held, _)| last(held)).collect();
+        let rate = match rates.is_empty() {
+            true => all.filter_map(|held| last(held)).next_back()?,
+            false => rates.iter().sum(),
+        };
+        Some(rate).filter(|&rate| rate > 0.0)
+    }
+
+    /// The starts in the directory itself; those of its parts are too many to be listed.
+    fn starts(&self) -> String {
+        let running = self.owners.first().is_some_and(Option::is_some);
+        self.whole.map_or_else(String::new, |held| starts(held, running))
+    }
 }
 
 fn of_sweep(
@@ -78,15 +137,17 @@ fn of_sweep(
     sweep: &Sweep,
     plan: &Plan,
     workload: &Workload,
-    held: &Holdings,
-    owner: Option<&str>,
+    runs: &Runs<'_>,
     published: bool,
 ) -> String {
     let Workload { converged, failed, .. } = workload;
-    let to_do = workload.to_do();
-    let state = match (owner, to_do) {
+    let (to_do, parts) = (workload.to_do(), !runs.parts.is_empty());
+    let state = match (runs.at_work(), to_do) {
         (Some(owner), _) => format!("running ({owner})"),
         (None, 0) if published => "stopped, all cases were tried".to_owned(),
+        (None, 0) if parts => {
+            "stopped, all cases were tried, but not yet published; `stribeck merge` does that".to_owned()
+        }
         (None, 0) => "stopped, all cases were tried, but not yet published; run it again".to_owned(),
         (None, _) => "stopped; the same `stribeck run` command resumes it".to_owned(),
     };
@@ -102,9 +163,8 @@ fn of_sweep(
     for (why, cases) in &workload.stale {
         line("stale", format!("{cases} of them: {why}"));
     }
-    let last = held.history().starts().rfind(|(_, start)| start.beginning.is_some());
-    if let Some(per_second) = last.and_then(|(_, start)| start.rate()).filter(|&per_second| per_second > 0.0) {
-        let left = match (owner, to_do) {
+    if let Some(per_second) = runs.rate() {
+        let left = match (runs.at_work(), to_do) {
             (Some(_), 1..) => format!(", {} left", duration(to_do as f64 / per_second)),
             _ => String::new(),
         };

@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use super::collection::{holds, is_nothing, time_limit};
 use crate::model::{CaseId, Parameters, shortest};
-use crate::store::{Counts, Holdings, Inspection, Status};
-use crate::sweep::{Fingerprint, Method, Plan, Recipe, Sweep};
+use crate::store::{Holdings, Inspection, Status};
+use crate::sweep::{Fingerprint, Method, Part, Plan, Recipe, Sweep};
 
 /// How closely a command looks at what is stored: as closely as a run does, unless it is to be quick.
 pub fn inspection(quick: bool) -> Inspection {
@@ -40,14 +41,18 @@ enum State {
 }
 
 impl Workload {
-    /// Asks for each case of the plan what became of it. Where nothing is held there is nothing to ask, which makes the
-    /// plan of a billion cases quick.
-    pub fn survey(sweep: &Sweep, plan: &Plan, held: Option<&Holdings>) -> Self {
-        let Some(held) = held.filter(|held| held.counts() != Counts::default()) else { return Self::all(plan) };
+    /// Asks for each case of the plan, or of a part of it, what became of it in all that is held. Where nothing is held there
+    /// is nothing to ask, which makes the plan of a billion cases quick.
+    pub fn survey(sweep: &Sweep, plan: &Plan, part: Option<Part>, held: &[&Holdings]) -> Self {
+        let chains = plan.chains_of(part);
+        if is_nothing(held) {
+            return Self::all(plan, chains);
+        }
         let survey = Survey::new(sweep, plan, held);
         let mut workload = Self::default();
         let mut in_place = 0;
-        for (index, chain) in (0..).zip(plan.chains()) {
+        for index in chains {
+            let chain = plan.chain(index as usize);
             let mut missing = 0_u64;
             for (place, parameters) in plan.parameters(&chain).iter().enumerate() {
                 let id = plan.id(parameters);
@@ -69,15 +74,15 @@ impl Workload {
                 workload.solved += workload.places(plan, index).len() as u64;
             }
         }
-        workload.others = held.known().saturating_sub(in_place);
+        let known: u64 = held.iter().map(|held| held.known()).sum();
+        workload.others = known.saturating_sub(in_place);
         workload
     }
 
-    /// All of the plan.
-    fn all(plan: &Plan) -> Self {
-        let chains = u32::try_from(plan.chain_count()).expect("a sweep has at most 10^9 cases");
-        let cases = plan.problems() as u64;
-        Self { pending: (0..chains).collect(), solved: cases, new: cases, ..Self::default() }
+    /// All of these chains.
+    fn all(plan: &Plan, chains: Vec<u32>) -> Self {
+        let cases = chains.iter().map(|&index| plan.chain(index as usize).beta.len() as u64).sum();
+        Self { pending: chains, solved: cases, new: cases, ..Self::default() }
     }
 
     /// Cases that are held.
@@ -115,7 +120,7 @@ impl Workload {
 }
 
 /// Why a case that is stored is of no use to a sweep; `None` if it is, or is not stored at all.
-pub fn stale_reason(sweep: &Sweep, plan: &Plan, held: &Holdings, parameters: &Parameters) -> Option<String> {
+pub fn stale_reason(sweep: &Sweep, plan: &Plan, held: &[&Holdings], parameters: &Parameters) -> Option<String> {
     match Survey::new(sweep, plan, held).state(plan.id(parameters), parameters) {
         State::Stale(why) => Some(why),
         State::Done(_) | State::New => None,
@@ -124,27 +129,31 @@ pub fn stale_reason(sweep: &Sweep, plan: &Plan, held: &Holdings, parameters: &Pa
 
 /// What is asked of each case.
 struct Survey<'a> {
-    held: &'a Holdings,
+    held: &'a [&'a Holdings],
     time_limit: f64,
     /// The other recipes that cases here were solved with: in which way they differ, and the ids they give.
     others: Vec<(String, Fingerprint)>,
 }
 
 impl<'a> Survey<'a> {
-    fn new(sweep: &Sweep, plan: &Plan, held: &'a Holdings) -> Self {
+    fn new(sweep: &Sweep, plan: &Plan, held: &'a [&'a Holdings]) -> Self {
         // A recipe that does not read is one of a method or setting that this version does not know: its cases are of no use,
         // and no case here can be told to be one of them.
-        let recipes = held.recipes().iter().filter_map(|recipe| serde_json::from_value::<Recipe>(recipe.clone()).ok());
-        let others = recipes
-            .filter(|recipe| recipe != plan.recipe())
-            .map(|recipe| (recipe.differences(plan.recipe()), Fingerprint::new(&recipe)))
-            .collect();
+        let all = held.iter().flat_map(|held| held.recipes());
+        let mut recipes: Vec<Recipe> = Vec::new();
+        for recipe in all.filter_map(|recipe| serde_json::from_value(recipe.clone()).ok()) {
+            if recipe != *plan.recipe() && !recipes.contains(&recipe) {
+                recipes.push(recipe);
+            }
+        }
+        let others =
+            recipes.iter().map(|recipe| (recipe.differences(plan.recipe()), Fingerprint::new(recipe))).collect();
         Self { held, time_limit: sweep.solver.time_limit, others }
     }
 
     fn state(&self, id: CaseId, parameters: &Parameters) -> State {
         let held = self.held;
-        match (held.holds(id), held.time_limit(id)) {
+        match (holds(held, id), time_limit(held, id)) {
             (Some(Status::Failed), Some(limit)) if limit < self.time_limit => {
                 let (then, now) = (shortest(limit), shortest(self.time_limit));
                 return State::Stale(format!("given up at the time limit of {then} s, now {now}"));
@@ -152,19 +161,20 @@ impl<'a> Survey<'a> {
             (Some(status), _) => return State::Done(status),
             (None, _) => {}
         }
-        if held.knows(id) {
+        if let Some(held) = held.iter().find(|held| held.knows(id)) {
             return State::Stale(format!("stored without {}", held.lacks(id).join(", ")));
         }
-        let solved_otherwise = self.others.iter().find(|(_, fingerprint)| held.knows(fingerprint.id(parameters)));
+        let known = |id| held.iter().any(|held| held.knows(id));
+        let solved_otherwise = self.others.iter().find(|(_, fingerprint)| known(fingerprint.id(parameters)));
         match solved_otherwise {
             Some((differences, _)) => State::Stale(format!("solved with {differences}")),
             None => State::New,
         }
     }
 
-    /// In how many forms a problem is stored.
+    /// How many times a problem is stored, whatever it was solved with.
     fn stored(&self, id: CaseId, parameters: &Parameters) -> u64 {
-        let otherwise = self.others.iter().filter(|(_, fingerprint)| self.held.knows(fingerprint.id(parameters)));
-        u64::from(self.held.knows(id)) + otherwise.count() as u64
+        let times = |id| self.held.iter().filter(|held| held.knows(id)).count() as u64;
+        times(id) + self.others.iter().map(|(_, fingerprint)| times(fingerprint.id(parameters))).sum::<u64>()
     }
 }

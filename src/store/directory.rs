@@ -194,10 +194,16 @@ impl Staged {
         hash_file(&self.temporary)
     }
 
-    /// Gives the file its name, in one step, and waits until the directory is on the disk.
+    /// Gives the file its name, in one step. It is for the caller to wait until the directory is on the disk.
+    pub(super) fn rename(self) -> Result<(), StoreError> {
+        fs::rename(&self.temporary, &self.target).map_err(StoreError::file(&self.target, "replace"))
+    }
+
+    /// Gives the file its name and waits until the directory is on the disk.
     pub(super) fn put_in_place(self) -> Result<(), StoreError> {
-        fs::rename(&self.temporary, &self.target).map_err(StoreError::file(&self.target, "replace"))?;
-        synchronise_directory(self.target.parent().expect("a file has a directory"))
+        let directory = self.target.parent().expect("a file has a directory").to_owned();
+        self.rename()?;
+        synchronise_directory(&directory)
     }
 }
 

@@ -67,6 +67,20 @@ pub enum StoreError {
         /// What is wrong.
         what: String,
     },
+    /// The same case with different numbers in two directories.
+    #[error(
+        "case {case} is in {} and in {} with numbers that differ by more than the tolerance; one of them is wrong: find out by \
+         `stribeck explain`, delete that file, and start again",
+        first.display(), second.display()
+    )]
+    Disagreement {
+        /// The case.
+        case: CaseId,
+        /// The shard that was there.
+        first: PathBuf,
+        /// The one that was to be joined.
+        second: PathBuf,
+    },
     /// Publishing an unfinished sweep.
     #[error("{missing} of {places} places of the sweep have no case yet; run the sweep again to finish it")]
     Unfinished {

@@ -35,6 +35,8 @@ pub struct Start {
 pub struct Beginning {
     /// Program and version.
     pub program: String,
+    /// Name of the sweep, which is its title where the sweep file has none; empty if it is not known.
+    pub sweep: String,
     /// Cases it set out to solve.
     pub cases: u64,
     /// Threads it used.
@@ -52,6 +54,12 @@ impl Start {
 }
 
 impl History {
+    /// The name of the sweep that was run last; `None` if it is not known.
+    pub fn sweep(&self) -> Option<&str> {
+        let beginnings = self.starts.values().rev().filter_map(|start| start.beginning.as_ref());
+        beginnings.map(|beginning| beginning.sweep.as_str()).find(|name| !name.is_empty())
+    }
+
     /// The runs, oldest first, each with the number of its log.
     pub fn starts(&self) -> impl DoubleEndedIterator<Item = (u32, &Start)> {
         self.starts.iter().map(|(&number, start)| (number, start))
@@ -65,9 +73,10 @@ impl History {
         }
         let start = self.starts.entry(log).or_default();
         let time = match record {
-            Record::Start { program, cases, threads, time } => {
-                let (program, cases, threads) = (program.clone(), *cases, *threads);
-                start.beginning = Some(Beginning { program, cases, threads, time: *time });
+            Record::Start { program, sweep, cases, threads, time } => {
+                let (program, sweep) = (program.clone(), sweep.clone());
+                let beginning = Beginning { program, sweep, cases: *cases, threads: *threads, time: *time };
+                start.beginning = Some(beginning);
                 *time
             }
             Record::Shard(shard) => {

@@ -39,8 +39,8 @@ pub struct Holdings {
 /// Where a case is stored, and how it came there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origin {
-    /// Name of the shard.
-    pub shard: String,
+    /// The shard.
+    pub shard: PathBuf,
     /// Row of the shard, from 0.
     pub row: u16,
     /// Number of the start, and of its log.
@@ -111,6 +111,18 @@ impl Holdings {
             }
         }
         Ok(Self { directory, output: output.clone(), index, history, published, recipes, inspection, warnings })
+    }
+
+    /// The name of the sweep that was run last in a directory; `None` if it is not known.
+    ///
+    /// # Errors
+    /// As for [`Holdings::read`].
+    pub fn name_of_sweep(path: &Path) -> Result<Option<String>, StoreError> {
+        let directory = Directory::new(path);
+        directory.must_exist()?;
+        let mut history = History::default();
+        read_logs(&directory.logs(), &mut Vec::new(), |place, record| history.note(place.log, &record))?;
+        Ok(history.sweep().map(str::to_owned))
     }
 
     /// The directory.
@@ -235,7 +247,7 @@ impl Holdings {
         let Some(slot) = self.index.any(id) else { return Ok(None) };
         let shard = self.index.shard(slot.shard);
         let ShardRecord { recipe, time, .. } = shard_record(&self.directory, shard.record)?;
-        let (shard, start) = (shard.name.to_string(), shard.record.log);
+        let (shard, start) = (self.directory.shards().join(&*shard.name), shard.record.log);
         Ok(Some(Origin { shard, row: slot.row, start, time, recipe }))
     }
 

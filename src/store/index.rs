@@ -90,6 +90,11 @@ impl Index {
         &self.shards[number as usize]
     }
 
+    /// The shard of a name.
+    pub(super) fn shard_named(&self, name: &str) -> Option<&Shard> {
+        self.by_name.get(name).map(|&number| self.shard(number))
+    }
+
     pub(super) fn shards(&self) -> impl Iterator<Item = (u32, &Shard)> {
         (0..).zip(&self.shards)
     }

@@ -37,16 +37,19 @@ impl Log {
         Ok(Self { file, path, number, length: 0 })
     }
 
-    /// Appends a record and waits until it is on the disk.
+    /// Appends records, waits once until they are on the disk, and tells where each stands.
     ///
     /// After an error the file may end in half a line: do not append to it again.
-    pub(super) fn append(&mut self, record: &Record) -> Result<LogPlace, StoreError> {
-        let line = record.line();
-        let written = self.file.write_all(line.as_bytes()).and_then(|()| self.file.sync_data());
+    pub(super) fn append(&mut self, records: &[Record]) -> Result<Vec<LogPlace>, StoreError> {
+        let (mut lines, mut places) = (String::new(), Vec::with_capacity(records.len()));
+        for record in records {
+            places.push(LogPlace { log: self.number, offset: self.length + lines.len() as u64 });
+            lines += &record.line();
+        }
+        let written = self.file.write_all(lines.as_bytes()).and_then(|()| self.file.sync_data());
         written.map_err(StoreError::file(&self.path, "write"))?;
-        let place = LogPlace { log: self.number, offset: self.length };
-        self.length += line.len() as u64;
-        Ok(place)
+        self.length += lines.len() as u64;
+        Ok(places)
     }
 }
 
@@ -136,8 +139,8 @@ mod tests {
                 Record::Shard(ShardRecord::new(file, &contents, recipe, bytes / 2, cases))
             },
         );
-        let start = (".*", any::<u64>(), any::<u64>(), any::<u64>())
-            .prop_map(|(program, cases, threads, time)| Record::Start { program, cases, threads, time });
+        let start = (".*", ".*", any::<u64>(), any::<u64>(), any::<u64>())
+            .prop_map(|(program, sweep, cases, threads, time)| Record::Start { program, sweep, cases, threads, time });
         let end = any::<u64>().prop_map(|time| Record::End { ending: Ending::Interrupted, time });
         prop_oneof![shard, start, end]
     }

@@ -1,12 +1,12 @@
 //! From shards to the files of the user.
 
-use std::collections::VecDeque;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::contents::places;
 use super::directory::{PUBLISHED, Staged};
-use super::holdings::{Inspection, LastPublished, OpenShard, fault};
+use super::holdings::{Inspection, LastPublished, fault};
+use super::open_shards::OpenShards;
 use super::record::{FileRecord, Record};
 use super::results::Results;
 use super::tables::{Summary, Timings};
@@ -52,13 +52,6 @@ pub(super) struct Place {
     pub reason: String,
     pub values: [f64; COLUMNS.len()],
 }
-
-/// Shards kept open while rows are published. A row needs few: a chain runs along β, and a shard holds chains that
-/// finished at about the same time, so neighbours.
-const OPEN_SHARDS: usize = 32;
-
-/// Cases of the shards kept open, at some hundred bytes each; a single shard may have more.
-const OPEN_CASES: usize = 1 << 16;
 
 impl Store {
     /// Publishes the sweep: writes `results.h5`, `summary.csv` and `timings.csv` under temporary names and puts them in
@@ -175,6 +168,7 @@ fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) 
 
 /// The published files while they are written.
 struct Files<'a> {
+    store: &'a Holdings,
     publication: &'a Publication<'a>,
     open: OpenShards<'a>,
     results: Results,
@@ -191,8 +185,9 @@ impl<'a> Files<'a> {
     ) -> Result<Self, StoreError> {
         let results_path = results.path();
         Ok(Self {
+            store,
             publication,
-            open: OpenShards { store, shards: VecDeque::new() },
+            open: OpenShards::new(store),
             results: Results::create(results_path, publication, &store.output)
                 .map_err(StoreError::hdf5(results_path, "write"))?,
             results_path,
@@ -216,8 +211,9 @@ impl<'a> Files<'a> {
     fn place(&mut self, at: [usize; 3], id: CaseId) -> Result<Place, StoreError> {
         let Publication { f, alpha, beta, .. } = self.publication;
         let parameters = [f[at[0]], alpha[at[1]], beta[at[2]]];
-        let output = &self.open.store.output;
-        let (shard, case) = self.open.case(id)?;
+        let output = &self.store.output;
+        let slot = self.store.index.complete(id).expect("the survey found every case");
+        let (shard, case) = self.open.case(id, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
         let values = asked(reader.values(case), output.limits);
@@ -248,35 +244,4 @@ fn asked(mut values: [f64; COLUMNS.len()], limits: bool) -> [f64; COLUMNS.len()]
         }
     }
     values
-}
-
-/// The shards used last, newest at the back.
-struct OpenShards<'a> {
-    store: &'a Holdings,
-    shards: VecDeque<(u32, OpenShard)>,
-}
-
-impl OpenShards<'_> {
-    /// The shard of a case, and the case's row in it.
-    fn case(&mut self, id: CaseId) -> Result<(&OpenShard, usize), StoreError> {
-        let slot = self.store.index.complete(id).expect("the survey found every case");
-        let held = self.shards.iter().position(|(number, _)| *number == slot.shard);
-        let shard = match held.and_then(|place| self.shards.remove(place)) {
-            Some((_, shard)) => shard,
-            None => self.store.open_shard(slot.shard)?,
-        };
-        self.shards.push_back((slot.shard, shard));
-        let cases =
-            |shards: &VecDeque<(u32, OpenShard)>| shards.iter().map(|(_, shard)| shard.cases.len()).sum::<usize>();
-        while self.shards.len() > OPEN_SHARDS || (self.shards.len() > 1 && cases(&self.shards) > OPEN_CASES) {
-            self.shards.pop_front();
-        }
-        let (_, shard) = self.shards.back().expect("just put there");
-        let row = usize::from(slot.row);
-        if shard.reader.ids().get(row) != Some(&id) {
-            let what = format!("case {id} is not in its row {row}");
-            return Err(StoreError::Damaged { path: shard.path.clone(), what });
-        }
-        Ok((shard, row))
-    }
 }

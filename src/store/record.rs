@@ -16,7 +16,14 @@ use crate::model::{CaseId, FieldSelection};
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub(super) enum Record {
     /// A run began.
-    Start { program: String, cases: u64, threads: u64, time: u64 },
+    Start {
+        program: String,
+        #[serde(default)]
+        sweep: String,
+        cases: u64,
+        threads: u64,
+        time: u64,
+    },
     /// Cases were committed.
     Shard(ShardRecord),
     /// The files for the user were put in place.

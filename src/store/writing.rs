@@ -74,12 +74,13 @@ impl Store {
         Directory::new(path).must_be_ours_or_free()
     }
 
-    /// Records that a run begins which sets out to solve so many cases.
+    /// Records that a run of the sweep of this name begins, which sets out to solve so many cases.
     ///
     /// # Errors
     /// [`StoreError::File`] if the log cannot be written.
-    pub fn begin(&mut self, cases: u64, threads: u64) -> Result<(), StoreError> {
-        self.append(&Record::Start { program: PROGRAM.to_owned(), cases, threads, time: clock() }).map(drop)
+    pub fn begin(&mut self, sweep: &str, cases: u64, threads: u64) -> Result<(), StoreError> {
+        let (program, sweep) = (PROGRAM.to_owned(), sweep.to_owned());
+        self.append(&Record::Start { program, sweep, cases, threads, time: clock() }).map(drop)
     }
 
     /// Records how the run ended.
@@ -124,15 +125,22 @@ impl Store {
     }
 
     pub(super) fn append(&mut self, record: &Record) -> Result<LogPlace, StoreError> {
+        Ok(self.append_all(std::slice::from_ref(record))?.remove(0))
+    }
+
+    /// Appends records in their order and tells where each stands.
+    pub(super) fn append_all(&mut self, records: &[Record]) -> Result<Vec<LogPlace>, StoreError> {
         // A log whose last line may be torn is given up: the next record goes to a new one.
         let mut log = match self.log.take() {
             Some(log) => log,
             None => Log::create(&self.directory.logs())?,
         };
-        let place = log.append(record)?;
+        let places = log.append(records)?;
         self.log = Some(log);
-        self.holdings.history.note(place.log, record);
-        Ok(place)
+        for (place, record) in places.iter().zip(records) {
+            self.holdings.history.note(place.log, record);
+        }
+        Ok(places)
     }
 
     pub(super) fn holdings_mut(&mut self) -> &mut Holdings {

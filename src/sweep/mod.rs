@@ -13,10 +13,12 @@
 //! | `recipe` | what cases are solved with: [`Recipe`] |
 //! | `fingerprint` | what makes two cases the same: [`Fingerprint`] |
 //! | `plan` | [`Plan`], [`Chain`] |
+//! | `part` | [`Part`]: whole chains for one of several machines |
 
 mod file;
 mod fingerprint;
 mod output;
+mod part;
 mod plan;
 mod recipe;
 mod solver;
@@ -24,6 +26,7 @@ mod specification;
 
 pub(crate) use file::{read_axes, read_substrate, read_title};
 pub use fingerprint::Fingerprint;
+pub use part::{NotAPart, Part};
 pub use plan::{Chain, MAX_CHAIN, Plan};
 pub use recipe::{Recipe, SolverRecipe};
 pub(crate) use solver::{read_error, read_points};

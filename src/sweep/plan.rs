@@ -111,6 +111,12 @@ impl Plan {
         chain.beta.clone().map(|i_beta| self.parameters_at(i_f, i_alpha, i_beta)).collect()
     }
 
+    /// The first case of a chain.
+    pub(super) fn first_case(&self, chain: &Chain) -> Parameters {
+        let (i_f, i_alpha) = self.place_of_row(chain.row);
+        self.parameters_at(i_f, i_alpha, chain.beta.start)
+    }
+
     /// Their ids, in the same order.
     pub fn ids(&self, chain: &Chain) -> Vec<CaseId> {
         self.parameters(chain).iter().map(|parameters| self.id(parameters)).collect()

@@ -101,7 +101,7 @@ pub fn published_bytes(directory: &Path) -> [Vec<u8>; 2] {
 /// Commits everything in one go and publishes.
 pub fn finished(directory: &Path) -> Store {
     let mut store = open(directory);
-    store.begin(20, 2).unwrap();
+    store.begin("synthetic", 20, 2).unwrap();
     for chain in chains(&output()) {
         store.commit(&chain).unwrap();
     }

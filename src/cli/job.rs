@@ -1,0 +1,105 @@
+//! The work of a run: solving what is pending, then publishing.
+
+use std::num::NonZeroUsize;
+
+use super::CliError;
+use super::entry::{case_entry, panicked};
+use super::solver::Solver;
+use super::workload::Workload;
+use crate::continuation::Interrupt;
+use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report};
+use crate::model::{Output, Parameters};
+use crate::store::{Ending, Publication, Published, Store, StoreError};
+use crate::sweep::{MAX_CHAIN, Plan, Sweep};
+
+/// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
+const WAITING_CHAINS: usize = 8;
+
+/// Values of fields that may wait to be written: 32 MB.
+const WAITING_FIELD_VALUES: usize = 1 << 22;
+
+/// What a run has to do, and with what.
+pub struct Job<'a> {
+    /// The sweep.
+    pub sweep: &'a Sweep,
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// What of it is left.
+    pub workload: &'a Workload,
+    /// Threads.
+    pub threads: NonZeroUsize,
+    /// Whether the user asks to stop.
+    pub interrupt: &'a Interrupt,
+    /// How progress is shown.
+    pub progress: ProgressStyle,
+}
+
+impl Job<'_> {
+    /// Solves the pending chains, and says so in the log; nothing if there are none.
+    ///
+    /// # Errors
+    /// [`CliError`] of the disk or the system. What was committed before stays.
+    pub fn solve(&self, engine: &Engine, store: &mut Store) -> Result<Ending, CliError> {
+        if self.workload.pending.is_empty() {
+            return Ok(Ending::Completed);
+        }
+        let ending =
+            if self.solve_pending(engine, store)?.interrupted { Ending::Interrupted } else { Ending::Completed };
+        store.end(ending)?;
+        Ok(ending)
+    }
+
+    /// Solves the pending chains and commits them soon after they finish.
+    fn solve_pending(&self, engine: &Engine, store: &mut Store) -> Result<Report, CliError> {
+        let Self { sweep, plan, workload, interrupt, .. } = *self;
+        store.begin(&sweep.name, workload.to_do(), self.threads.get() as u64)?;
+        let solver = Solver::new(&sweep.solver);
+        let output = &sweep.output;
+        let cases = |&index: &u32| -> Vec<Parameters> {
+            let chain = plan.parameters(&plan.chain(index as usize));
+            workload.places(plan, index).into_iter().map(|place| chain[place].clone()).collect()
+        };
+        let progress = Progress::start(workload.to_do(), "cases", self.progress)
+            .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
+        let report = engine.run(
+            &workload.pending,
+            interrupt,
+            |index, interrupt| solver.solve_chain(&cases(index), output, interrupt),
+            |index, message| panicked(&cases(index), output, message),
+            |group| -> Result<(), StoreError> {
+                let mut entries = Vec::new();
+                for Finished { chain: &index, cases: solved, .. } in group {
+                    let chain = plan.parameters(&plan.chain(index as usize));
+                    for (place, case) in workload.places(plan, index).into_iter().zip(solved) {
+                        // Cases that are held seeded the others; they keep the bytes they have.
+                        if workload.is_missing(index, place) {
+                            progress.count_case(case.outcome.is_ok());
+                            entries.push(case_entry(plan, &chain[place], case));
+                        }
+                    }
+                }
+                store.commit(&entries)
+            },
+        )?;
+        Ok(report)
+    }
+}
+
+/// Finished chains that may wait for a slow disk: some for each thread, fewer where their fields would take much memory.
+pub fn queue_length(threads: usize, output: &Output) -> usize {
+    let field_values = MAX_CHAIN * output.fields.names().len() * output.x.len();
+    (WAITING_CHAINS * threads).min(WAITING_FIELD_VALUES / field_values.max(1))
+}
+
+/// Publishes a sweep whose cases are all stored.
+pub fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
+    let row = |i_f, i_alpha| (0..sweep.axes.beta.len()).map(|i_beta| plan.case_at(i_f, i_alpha, i_beta)).collect();
+    store.publish(&Publication {
+        title: &sweep.title,
+        sweep_text: &sweep.text,
+        f: &sweep.axes.f,
+        alpha: &sweep.axes.alpha,
+        beta: &sweep.axes.beta,
+        cases: &row,
+    })
+}
