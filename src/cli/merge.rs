@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::collection::{Collection, part_directory, parts, sweep_file};
-use super::destination::read_sweep;
 use super::job::publish;
 use super::parts::{PartState, states};
 use super::run::recipe;
@@ -109,10 +108,16 @@ fn one_sweep(directories: &[PathBuf]) -> Result<(Sweep, Vec<PathBuf>), CliError>
         sources.extend(parts);
     }
     let first = &files[0];
-    let sweep = read_sweep(first)?;
+    let sweep = Sweep::read(first)?;
     for other in &files[1..] {
         if Sweep::read(other)?.text != sweep.text {
             return Err(CliError::OtherSweep { first: first.clone(), other: other.clone() });
+        }
+    }
+    // The title of a sweep without one is the name of its file, which is not that of the copies in results directories.
+    for home in files.iter().filter_map(|file| file.parent()) {
+        if let Some(name) = Holdings::name_of_sweep(home)? {
+            return Ok((Sweep::parse(&name, &sweep.text)?, sources));
         }
     }
     Ok((sweep, sources))
