@@ -1,12 +1,13 @@
 //! All that is stored of a sweep: in its results directory, and in the parts below it.
 
+use std::collections::HashMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::CliError;
 use crate::model::{CaseId, Output};
-use crate::store::{Counts, Holdings, Inspection, Status, StoreError};
+use crate::store::{Holdings, Inspection, Status, StoreError};
 use crate::sweep::Part;
 
 /// Where the parts of a sweep are, each a results directory of its own.
@@ -95,14 +96,9 @@ impl Collection {
         self.whole.iter().chain(self.parts.iter().map(|(_, holdings)| holdings)).collect()
     }
 
-    /// The directory or part that holds a case best: with all that is asked for, or at all; the first one if none does.
-    ///
-    /// # Panics
-    /// If there are no results.
-    pub fn best(&self, id: CaseId) -> &Holdings {
-        let all = self.all();
-        let holds = all.iter().find(|held| held.holds(id).is_some());
-        holds.or_else(|| all.iter().find(|held| held.knows(id))).unwrap_or(&all[0])
+    /// All of them as one.
+    pub fn held(&self) -> Held<'_> {
+        Held::new(self.all())
     }
 }
 
@@ -115,20 +111,66 @@ fn read(directory: &Path, output: &Output, inspection: Inspection) -> Result<Opt
     }
 }
 
-/// What became of a case, wherever it is held: converged if it is anywhere.
-pub fn holds(held: &[&Holdings], id: CaseId) -> Option<Status> {
-    let statuses = held.iter().filter_map(|held| held.holds(id));
-    statuses.max_by_key(|status| *status == Status::Converged)
+/// Results directories as one: each case where it is held best.
+///
+/// Best is where it converged with all that is asked for, then where it failed so; of failures the one that was given most
+/// time; then where it is stored at all.
+#[derive(Debug)]
+pub struct Held<'a> {
+    all: Vec<&'a Holdings>,
+    /// The place in `all` of the best holder of each case; `None` for a single directory, which is asked itself.
+    best: Option<HashMap<CaseId, u32>>,
 }
 
-/// The longest time limit at which a case was given up; `None` if one failure of it is not for that reason.
-pub fn time_limit(held: &[&Holdings], id: CaseId) -> Option<f64> {
-    let here = held.iter().filter(|held| held.holds(id).is_some());
-    let limits: Option<Vec<f64>> = here.map(|held| held.time_limit(id)).collect();
-    limits?.into_iter().reduce(f64::max)
+impl<'a> Held<'a> {
+    /// Several directories as one. With more than one it takes some 16 bytes for each case.
+    pub fn new(all: Vec<&'a Holdings>) -> Self {
+        if all.len() <= 1 {
+            return Self { all, best: None };
+        }
+        let mut best: HashMap<CaseId, u32> = HashMap::new();
+        for (number, held) in (0..).zip(&all) {
+            for id in held.ids() {
+                let better = |there: &u32| worth(held, id) > worth(all[*there as usize], id);
+                if best.get(&id).is_none_or(better) {
+                    best.insert(id, number);
+                }
+            }
+        }
+        Self { all, best: Some(best) }
+    }
+
+    /// The directories.
+    pub fn all(&self) -> &[&'a Holdings] {
+        &self.all
+    }
+
+    /// Where a case is held best; `None` if it is held nowhere.
+    pub fn holder(&self, id: CaseId) -> Option<&'a Holdings> {
+        match &self.best {
+            Some(best) => best.get(&id).map(|&number| self.all[number as usize]),
+            None => self.all.first().copied().filter(|held| held.knows(id)),
+        }
+    }
+
+    /// What became of a case; `None` if it is nowhere with all that is asked for.
+    pub fn holds(&self, id: CaseId) -> Option<Status> {
+        self.holder(id)?.holds(id)
+    }
+
+    /// How many cases are held, each counted once.
+    pub fn known(&self) -> u64 {
+        match &self.best {
+            Some(best) => best.len() as u64,
+            None => self.all.first().map_or(0, |held| held.known()),
+        }
+    }
 }
 
-/// True if nothing is held.
-pub fn is_nothing(held: &[&Holdings]) -> bool {
-    held.iter().all(|held| held.counts() == Counts::default())
+/// How good it is to have a case from a directory that knows it.
+fn worth(held: &Holdings, id: CaseId) -> (bool, bool, u64) {
+    let status = held.holds(id);
+    // Numbers above 0 are in the order of their bits; one that ended by itself had all the time it wanted.
+    let time = held.time_limit(id).unwrap_or(f64::INFINITY).to_bits();
+    (status.is_some(), status == Some(Status::Converged), time)
 }

@@ -1,5 +1,6 @@
 //! What a run is expected to cost.
 
+use super::collection::Held;
 use super::solver::Solver;
 use super::workload::Workload;
 use crate::continuation::Interrupt;
@@ -60,8 +61,8 @@ pub enum CaseSeconds {
 impl CaseSeconds {
     /// From the log if cases of this sweep were solved there, else measured here and now: relaxation takes long, so that
     /// only its passes are timed, while a collocation case is solved in about the time that a guess would take.
-    pub fn expected(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &[&Holdings]) -> Self {
-        let logged = if workload.reused() > 0 { mean_seconds(held) } else { None };
+    pub fn expected(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &Held<'_>) -> Self {
+        let logged = if workload.reused() > 0 { mean_seconds(held.all()) } else { None };
         logged.map(Self::Logged).unwrap_or_else(|| {
             Self::Estimated(match sweep.solver.method {
                 Method::Collocation => tried_seconds(sweep, plan, workload),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::collection::{Collection, sweep_file};
+use super::collection::{Collection, Held, sweep_file};
 use super::destination::read_sweep;
 use super::repeat::solve_command;
 use super::shell::quoted;
@@ -83,6 +83,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if collection.is_empty() {
         collection.whole = Some(Holdings::read(&arguments.directory, &sweep.output, inspection(false))?);
     }
+    let all = collection.held();
     let found = match arguments.case {
         Wanted::Near(numbers) => Some(nearest(&sweep, numbers)),
         Wanted::Id(id) => plan.find(id).map(|(i_f, i_alpha, i_beta)| [i_f, i_alpha, i_beta]),
@@ -93,20 +94,20 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     });
     let id = match (&found, arguments.case) {
         (Some(found), _) => found.id,
-        (None, Wanted::Id(id)) if collection.all().iter().any(|held| held.knows(id)) => id,
+        (None, Wanted::Id(id)) if all.holder(id).is_some() => id,
         (None, _) => return Err(CliError::NoSuchCase { directory: arguments.directory.clone() }),
     };
-    for warning in collection.all().iter().flat_map(|held| held.warnings()) {
+    for warning in all.all().iter().flat_map(|held| held.warnings()) {
         console::tell(&format!("warning: {warning}"));
     }
-    let held = collection.best(id);
+    let held = all.holder(id).unwrap_or(all.all()[0]);
     let entry = held.entry(id)?;
     let mut text = heading(id, entry.as_ref(), held);
     match &found {
         Some(found) => text += &found.place_in_words(),
         None => text += "  it has no place in the present sweep.toml, so its f, alpha and beta are not known here\n",
     }
-    text += &stored(id, entry.as_ref(), found.as_ref(), held, &collection)?;
+    text += &stored(id, entry.as_ref(), found.as_ref(), held, &all)?;
     console::print(&text)?;
     if let (Some(found), Some(entry)) = (&found, &entry) {
         if !arguments.stored {
@@ -148,7 +149,7 @@ fn stored(
     entry: Option<&CaseEntry>,
     found: Option<&Found<'_>>,
     held: &Holdings,
-    collection: &Collection,
+    all: &Held<'_>,
 ) -> Result<String, CliError> {
     let mut text = "\n".to_owned();
     let mut line = |name: &str, words: &str| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
@@ -158,7 +159,7 @@ fn stored(
             None => "`stribeck run` solves it".to_owned(),
         };
         line("to do", &next);
-        let stale = found.and_then(|found| stale_reason(found.sweep, found.plan, &collection.all(), &found.parameters));
+        let stale = found.and_then(|found| stale_reason(found.sweep, found.plan, all, &found.parameters));
         if let Some(why) = stale {
             line("stale", &format!("it is stored, but {why}"));
         }

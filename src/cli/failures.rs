@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
-use super::collection::holds;
+use super::collection::Held;
 use crate::model::{CaseId, Parameters, shortest};
 use crate::store::{Holdings, Status, StoreError};
 use crate::sweep::{Part, Plan};
@@ -89,19 +89,19 @@ impl fmt::Display for Decade {
 }
 
 /// The regions of a plan with failed cases, those with most failures first.
-pub fn regions(plan: &Plan, held: &[&Holdings]) -> Result<Vec<Region>, StoreError> {
+pub fn regions(plan: &Plan, held: &Held<'_>) -> Result<Vec<Region>, StoreError> {
     let mut boxes: HashMap<CaseId, [Decade; 3]> = HashMap::new();
     for chain in plan.chains() {
         for case in plan.parameters(&chain) {
             let id = plan.id(&case);
-            if holds(held, id) == Some(Status::Failed) {
+            if held.holds(id) == Some(Status::Failed) {
                 boxes.insert(id, [case.f, case.alpha, case.beta].map(Decade::of));
             }
         }
     }
     // Of each region the kinds of reasons, each with its number and an example.
     let mut tally: BTreeMap<[Decade; 3], BTreeMap<String, (u64, String)>> = BTreeMap::new();
-    for held in held {
+    for held in held.all() {
         held.visit_failures(|id, reason| {
             // Once, though it may have failed in several directories.
             if let Some(decades) = boxes.remove(&id) {

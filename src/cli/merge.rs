@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::collection::{Collection, part_directory, parts, sweep_file};
+use super::collection::{Collection, Held, part_directory, parts, sweep_file};
 use super::job::publish;
 use super::parts::{PartState, states};
 use super::run::recipe;
@@ -55,7 +55,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let others = sources.iter().filter(|source| !same_place(source, target));
     let Joined { shards, cases, twice } = join_all(others, &sweep, &mut store)?;
     store.end(Ending::Completed)?;
-    let workload = Workload::survey(&sweep, &plan, None, &[&store]);
+    let workload = Workload::survey(&sweep, &plan, None, &Held::new(vec![&store]));
     if workload.to_do() > 0 {
         return Err(CliError::Incomplete { missing: what_is_missing(arguments, target, &sweep, &plan, &workload)? });
     }
@@ -156,7 +156,7 @@ fn what_is_missing(
     let mut incomplete: Vec<(PathBuf, PartState)> = Vec::new();
     for directory in &arguments.sources {
         let collection = Collection::read(directory, &sweep.output, inspection(false))?;
-        let states = states(plan, &collection)?.into_iter().filter(|state| state.missing > 0);
+        let states = states(plan, &collection, &collection.held())?.into_iter().filter(|state| state.missing > 0);
         incomplete.extend(states.map(|state| (directory.clone(), state)));
     }
     let command = |directory: &Path, part: Option<Part>| -> Result<String, CliError> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::collection::{Collection, holds};
+use super::collection::{Collection, Held};
 use super::wording::count;
 use crate::store::StoreError;
 use crate::sweep::{Part, Plan};
@@ -36,16 +36,15 @@ pub enum PartRun {
 }
 
 /// The states of all parts of the splits that there are directories of, in their order.
-pub fn states(plan: &Plan, held: &Collection) -> Result<Vec<PartState>, StoreError> {
-    let splits: BTreeSet<u32> = held.parts.iter().map(|(part, _)| part.of()).collect();
-    let all = held.all();
+pub fn states(plan: &Plan, collection: &Collection, held: &Held<'_>) -> Result<Vec<PartState>, StoreError> {
+    let splits: BTreeSet<u32> = collection.parts.iter().map(|(part, _)| part.of()).collect();
     let mut states = Vec::new();
     for of in splits {
         let first = states.len();
         for part in Part::all(of) {
-            let run = match held.parts.iter().find(|(started, _)| *started == part) {
-                None => PartRun::NotStarted,
-                Some((_, holdings)) => holdings.owner()?.map_or(PartRun::Stopped, PartRun::Running),
+            let run = match collection.parts.binary_search_by_key(&part, |(started, _)| *started) {
+                Err(_) => PartRun::NotStarted,
+                Ok(place) => collection.parts[place].1.owner()?.map_or(PartRun::Stopped, PartRun::Running),
             };
             states.push(PartState { part, cases: 0, missing: 0, run });
         }
@@ -53,7 +52,7 @@ pub fn states(plan: &Plan, held: &Collection) -> Result<Vec<PartState>, StoreErr
             let state = &mut states[first + part.number() as usize - 1];
             for id in plan.ids(&chain) {
                 state.cases += 1;
-                state.missing += u64::from(holds(&all, id).is_none());
+                state.missing += u64::from(held.holds(id).is_none());
             }
         }
     }

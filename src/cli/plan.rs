@@ -6,13 +6,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::collection::Collection;
+use super::collection::{Collection, Held};
 use super::destination::{destination, had_other_sweep, read_sweep};
 use super::expectation::{CaseSeconds, Size};
 use super::wording::{bytes, count, duration};
 use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console, threads};
-use crate::store::{Holdings, Store};
+use crate::store::Store;
 use crate::sweep::{Plan, Sweep};
 
 #[derive(Clone, Debug, Args)]
@@ -46,8 +46,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if collection.whole.is_none() {
         Store::may_take(&directory)?;
     }
-    let held = collection.all();
-    for warning in held.iter().flat_map(|held| held.warnings()) {
+    let held = collection.held();
+    for warning in held.all().iter().flat_map(|held| held.warnings()) {
         console::tell(&format!("warning: {warning}"));
     }
     let workload = Workload::survey(&sweep, &plan, None, &held);
@@ -99,7 +99,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-fn expected_time(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &[&Holdings], arguments: &Arguments) -> String {
+fn expected_time(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &Held<'_>, arguments: &Arguments) -> String {
     let threads = threads::number(arguments.threads).get();
     let per_case = CaseSeconds::expected(sweep, plan, workload, held);
     let busy = threads.min(workload.pending.len());

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::collection::{Collection, part_directory, parts};
+use super::collection::{Collection, Held, part_directory, parts};
 use super::destination::{destination, had_other_sweep, read_sweep};
 use super::job::{Job, publish, queue_length};
 use super::merge::join_all;
@@ -115,8 +115,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 }
 
 /// A store and what is held elsewhere.
-fn with<'a>(store: &'a Store, elsewhere: &[&'a Holdings]) -> Vec<&'a Holdings> {
-    std::iter::once(&**store).chain(elsewhere.iter().copied()).collect()
+fn with<'a>(store: &'a Store, elsewhere: &[&'a Holdings]) -> Held<'a> {
+    Held::new(std::iter::once(&**store).chain(elsewhere.iter().copied()).collect())
 }
 
 /// What the cases of a plan are solved with, as the store keeps it.

@@ -65,14 +65,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     match sweep {
         Ok(sweep) => {
             let plan = Plan::new(&sweep);
-            let workload = Workload::survey(&sweep, &plan, None, &collection.all());
+            let held = collection.held();
+            let workload = Workload::survey(&sweep, &plan, None, &held);
             let published = collection.whole.as_ref().map_or(Ok(false), Holdings::is_published)?;
             text += &of_sweep(arguments, &sweep, &plan, &workload, &runs, published);
             if !collection.parts.is_empty() {
-                text += &format!("\n{}", in_words(&states(&plan, &collection)?));
+                text += &format!("\n{}", in_words(&states(&plan, &collection, &held)?));
             }
             text += &runs.starts();
-            text += &failed_regions(&failures::regions(&plan, &collection.all())?);
+            text += &failed_regions(&failures::regions(&plan, &held)?);
         }
         Err(error) => {
             console::tell(&format!("warning: how many cases were planned is not known: {error}"));
@@ -114,7 +115,8 @@ impl<'a> Runs<'a> {
 
     /// Cases per second: of those who work here together, else of the last start.
     fn rate(&self) -> Option<f64> {
-        let last = |held: &Holdings| held.history().starts().rfind(|(_, start)| start.beginning.is_some())?.1.rate();
+        let solves = |start: &Start| start.beginning.as_ref().is_some_and(|beginning| beginning.threads > 0);
+        let last = |held: &Holdings| held.history().starts().rfind(|(_, start)| solves(start))?.1.rate();
         let all = self.whole.iter().chain(&self.parts);
         let running = all.clone().zip(&self.owners).filter(|(_, owner)| owner.is_some());
         let rates: Vec<f64> = running.filter_map(|(held, _)| last(held)).collect();
@@ -193,9 +195,13 @@ fn starts(held: &Holdings, running: bool) -> String {
             None => "killed",
         };
         let (done, asked) = (start.converged + start.failed, beginning.cases);
-        let (when, threads) = (moment(beginning.time), count(beginning.threads, "thread"));
-        let took = whole_seconds(start.last.saturating_sub(beginning.time));
-        text += &format!("  {number:>4}  {when}  {threads}, {done} of {asked} cases in {took}, {ending}\n");
+        let (when, took) = (moment(beginning.time), whole_seconds(start.last.saturating_sub(beginning.time)));
+        // A merge solves nothing.
+        let work = match beginning.threads {
+            0 => format!("joined {}", count(done, "case")),
+            threads => format!("{}, {done} of {asked} cases", count(threads, "thread")),
+        };
+        text += &format!("  {number:>4}  {when}  {work} in {took}, {ending}\n");
     }
     text
 }

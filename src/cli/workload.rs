@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::collection::{holds, is_nothing, time_limit};
+use super::collection::Held;
 use crate::model::{CaseId, Parameters, shortest};
-use crate::store::{Holdings, Inspection, Status};
+use crate::store::{Inspection, Status};
 use crate::sweep::{Fingerprint, Method, Part, Plan, Recipe, Sweep};
 
 /// How closely a command looks at what is stored: as closely as a run does, unless it is to be quick.
@@ -43,9 +43,9 @@ enum State {
 impl Workload {
     /// Asks for each case of the plan, or of a part of it, what became of it in all that is held. Where nothing is held there
     /// is nothing to ask, which makes the plan of a billion cases quick.
-    pub fn survey(sweep: &Sweep, plan: &Plan, part: Option<Part>, held: &[&Holdings]) -> Self {
+    pub fn survey(sweep: &Sweep, plan: &Plan, part: Option<Part>, held: &Held<'_>) -> Self {
         let chains = plan.chains_of(part);
-        if is_nothing(held) {
+        if held.known() == 0 {
             return Self::all(plan, chains);
         }
         let survey = Survey::new(sweep, plan, held);
@@ -74,8 +74,7 @@ impl Workload {
                 workload.solved += workload.places(plan, index).len() as u64;
             }
         }
-        let known: u64 = held.iter().map(|held| held.known()).sum();
-        workload.others = known.saturating_sub(in_place);
+        workload.others = held.known() - in_place;
         workload
     }
 
@@ -120,7 +119,7 @@ impl Workload {
 }
 
 /// Why a case that is stored is of no use to a sweep; `None` if it is, or is not stored at all.
-pub fn stale_reason(sweep: &Sweep, plan: &Plan, held: &[&Holdings], parameters: &Parameters) -> Option<String> {
+pub fn stale_reason(sweep: &Sweep, plan: &Plan, held: &Held<'_>, parameters: &Parameters) -> Option<String> {
     match Survey::new(sweep, plan, held).state(plan.id(parameters), parameters) {
         State::Stale(why) => Some(why),
         State::Done(_) | State::New => None,
@@ -129,17 +128,17 @@ pub fn stale_reason(sweep: &Sweep, plan: &Plan, held: &[&Holdings], parameters: 
 
 /// What is asked of each case.
 struct Survey<'a> {
-    held: &'a [&'a Holdings],
+    held: &'a Held<'a>,
     time_limit: f64,
     /// The other recipes that cases here were solved with: in which way they differ, and the ids they give.
     others: Vec<(String, Fingerprint)>,
 }
 
 impl<'a> Survey<'a> {
-    fn new(sweep: &Sweep, plan: &Plan, held: &'a [&'a Holdings]) -> Self {
+    fn new(sweep: &Sweep, plan: &Plan, held: &'a Held<'a>) -> Self {
         // A recipe that does not read is one of a method or setting that this version does not know: its cases are of no use,
         // and no case here can be told to be one of them.
-        let all = held.iter().flat_map(|held| held.recipes());
+        let all = held.all().iter().flat_map(|held| held.recipes());
         let mut recipes: Vec<Recipe> = Vec::new();
         for recipe in all.filter_map(|recipe| serde_json::from_value(recipe.clone()).ok()) {
             if recipe != *plan.recipe() && !recipes.contains(&recipe) {
@@ -152,8 +151,8 @@ impl<'a> Survey<'a> {
     }
 
     fn state(&self, id: CaseId, parameters: &Parameters) -> State {
-        let held = self.held;
-        match (holds(held, id), time_limit(held, id)) {
+        let holder = self.held.holder(id);
+        match holder.map_or((None, None), |held| (held.holds(id), held.time_limit(id))) {
             (Some(Status::Failed), Some(limit)) if limit < self.time_limit => {
                 let (then, now) = (shortest(limit), shortest(self.time_limit));
                 return State::Stale(format!("given up at the time limit of {then} s, now {now}"));
@@ -161,20 +160,20 @@ impl<'a> Survey<'a> {
             (Some(status), _) => return State::Done(status),
             (None, _) => {}
         }
-        if let Some(held) = held.iter().find(|held| held.knows(id)) {
+        if let Some(held) = holder {
             return State::Stale(format!("stored without {}", held.lacks(id).join(", ")));
         }
-        let known = |id| held.iter().any(|held| held.knows(id));
-        let solved_otherwise = self.others.iter().find(|(_, fingerprint)| known(fingerprint.id(parameters)));
+        let known = |fingerprint: &Fingerprint| self.held.holder(fingerprint.id(parameters)).is_some();
+        let solved_otherwise = self.others.iter().find(|(_, fingerprint)| known(fingerprint));
         match solved_otherwise {
             Some((differences, _)) => State::Stale(format!("solved with {differences}")),
             None => State::New,
         }
     }
 
-    /// How many times a problem is stored, whatever it was solved with.
+    /// In how many forms a problem is stored.
     fn stored(&self, id: CaseId, parameters: &Parameters) -> u64 {
-        let times = |id| self.held.iter().filter(|held| held.knows(id)).count() as u64;
-        times(id) + self.others.iter().map(|(_, fingerprint)| times(fingerprint.id(parameters))).sum::<u64>()
+        let known = |id| u64::from(self.held.holder(id).is_some());
+        known(id) + self.others.iter().map(|(_, fingerprint)| known(fingerprint.id(parameters))).sum::<u64>()
     }
 }

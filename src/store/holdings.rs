@@ -150,6 +150,11 @@ impl Holdings {
         self.index.any(id).is_some()
     }
 
+    /// The cases that are here, in no order.
+    pub fn ids(&self) -> impl Iterator<Item = CaseId> {
+        self.index.ids()
+    }
+
     /// How many cases are here, whatever fields they have.
     pub fn known(&self) -> u64 {
         self.index.len() as u64

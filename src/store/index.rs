@@ -81,6 +81,11 @@ impl Index {
         self.time_limits.get(&(slot.shard, slot.row)).copied()
     }
 
+    /// The cases, in no order.
+    pub(super) fn ids(&self) -> impl Iterator<Item = CaseId> {
+        self.cases.keys().copied()
+    }
+
     /// How many cases there are.
     pub(super) fn len(&self) -> usize {
         self.cases.len()
