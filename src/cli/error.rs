@@ -74,6 +74,37 @@ pub enum CliError {
         /// What is missing, and the commands that finish it.
         missing: String,
     },
+    /// A part that would be told to stop before it has begun.
+    #[error(
+        "a time limit of {limit} leaves a part no time to work: it is told to stop {signal} s before the limit, which Slurm may \
+         do {early} s early; give a longer --time, or fewer --signal-seconds"
+    )]
+    NoTimeToWork {
+        /// The time limit as it was given.
+        limit: String,
+        /// Seconds before it at which a part is told.
+        signal: u64,
+        /// Seconds that this may come early.
+        early: u64,
+    },
+    /// A path that cannot be the log of a job.
+    #[error(
+        "Slurm cannot write logs below {:?}: a %, a double quote, a backslash, a line feed or bytes that are no text stand in its \
+         name; choose another directory with -o",
+        path
+    )]
+    NameForSlurm {
+        /// The path.
+        path: PathBuf,
+    },
+    /// Slurm did not do what it was asked to.
+    #[error("`{program}` did not work: {said}; the scripts are written, submit them by hand where Slurm runs")]
+    Slurm {
+        /// The program.
+        program: &'static str,
+        /// What it said.
+        said: String,
+    },
     /// A case that a results directory does not know.
     #[error(
         "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
@@ -146,6 +177,8 @@ impl CliError {
             CliError::Input(_)
             | CliError::NoSuchCase { .. }
             | CliError::NoTarget
+            | CliError::NoTimeToWork { .. }
+            | CliError::NameForSlurm { .. }
             | CliError::OtherSweep { .. }
             | CliError::Threads(_)
             | CliError::Estimate { .. }
@@ -153,6 +186,7 @@ impl CliError {
             | CliError::Tolerance { .. } => 2,
             CliError::Store(_)
             | CliError::Incomplete { .. }
+            | CliError::Slurm { .. }
             | CliError::NotADirectory { .. }
             | CliError::Occupied { .. }
             | CliError::Directory { .. }

@@ -2,11 +2,12 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `verify`, `study` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `workload` | which chains of a plan are left to be solved |
 //! | `collection`, `parts` | all that is stored of a sweep, its parts included; how far these are |
 //! | `job`, `run_report` | the work of a run; what it tells of itself |
+//! | `slurm_script` | the job scripts of `slurm` |
 //! | `entry` | from a solved case to what the store keeps |
 //! | `expectation` | what a run is expected to cost |
 //! | `failures` | failed cases, listed and by region |
@@ -31,6 +32,8 @@ mod repeat;
 mod run;
 mod run_report;
 mod shell;
+mod slurm;
+mod slurm_script;
 mod solution;
 mod solve;
 mod solver;
@@ -87,6 +90,8 @@ enum Command {
     Solve(solve::Arguments),
     /// Join the parts of a sweep, or the runs of one in several directories, and publish
     Merge(merge::Arguments),
+    /// Write the scripts that solve a sweep on a cluster with Slurm, and submit them
+    Slurm(slurm::Arguments),
     /// Say why a case is as it is: seed, way and residuals, and the command that repeats it
     Explain(explain::Arguments),
     /// Read every stored result again and compare it with its record
@@ -127,6 +132,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Status(arguments) => status::execute(arguments),
         Command::Solve(arguments) => solve::execute(arguments),
         Command::Merge(arguments) => merge::execute(arguments),
+        Command::Slurm(arguments) => slurm::execute(arguments),
         Command::Explain(arguments) => explain::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),
