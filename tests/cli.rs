@@ -53,7 +53,7 @@ fn finished() -> TempDir {
 #[test]
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
-    for command in ["run", "plan", "status", "solve", "explain", "verify", "study"] {
+    for command in ["run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "study"] {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
         assert!(out(&help).contains(&format!("\n  stribeck {command} ")), "{}", out(&help));
@@ -69,15 +69,21 @@ fn every_help_text_has_an_example() {
 fn examples_in_help_texts_are_valid_command_lines() {
     let directory = with_sweep(SMALL);
     let mut examples = 0;
-    for command in
-        [&["--help"][..], &["run", "--help"], &["plan", "--help"], &["solve", "--help"], &["study", "--help"]]
-    {
+    for command in [
+        &["--help"][..],
+        &["run", "--help"],
+        &["plan", "--help"],
+        &["solve", "--help"],
+        &["study", "--help"],
+        &["slurm", "--help"],
+    ] {
         let help = out(&say(directory.path(), command));
         for line in help.lines().filter_map(|line| line.strip_prefix("  stribeck ")) {
+            let line = line.replace("\"module load hdf5\"", "module-load-hdf5");
             let words = line.split("  ").next().unwrap_or_default().split_whitespace();
             let words: Vec<&str> = words.take_while(|word| !["|", "2>", "&&"].contains(word)).collect();
             // A file that is not there is told apart from a line that is not understood.
-            if words[0] != "solve" {
+            if !["solve", "explain", "merge"].contains(&words[0]) {
                 let output = say(directory.path(), &words);
                 let kind = if words[0] == "study" { "study" } else { "sweep" };
                 assert!(err(&output).contains(&format!("cannot read the {kind} file")), "{line}\n{}", err(&output));
@@ -114,6 +120,19 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
     let rows = [
         (vec![], "Usage"),
         (vec!["guess"], "unrecognized subcommand"),
+        (vec!["run", "small.toml", "--shard", "9/8"], "give I/N, the I-th of N parts"),
+        (vec!["run", "small.toml", "--shard", "3"], "give I/N, the I-th of N parts"),
+        (vec!["merge"], "<DIR>"),
+        (vec!["merge", "one", "two"], "give -o DIR"),
+        (vec!["slurm", "small.toml"], "--tasks <N>"),
+        (vec!["slurm", "small.toml", "--tasks", "0"], "0 is not in 1..=1000000"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--cpus", "0"], "invalid value '0'"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--time", "2h"], "hours:minutes:seconds or days-hours"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--time", "4"], "leaves a part no time to work"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch", "hold"], "an option of sbatch"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--setup", "a\nb"], "one line"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "-o", "10%"], "cannot write logs below"),
+        (vec!["slurm", "absent.toml", "--tasks", "2"], "check the path"),
         (vec!["explain", "results"], "<CASE>"),
         (vec!["explain", "results", "100,1"], "as in 100,1,1000"),
         (vec!["explain", "results", "-1,1,10"], "as in 100,1,1000"),
@@ -604,4 +623,43 @@ fn status_without_its_sweep_file_counts_what_is_stored() {
     assert_eq!(code(&status), 0, "{}", err(&status));
     assert!(out(&status).contains("9 converged, 0 failed"), "{}", out(&status));
     assert!(err(&status).contains("how many cases were planned is not known"), "{}", err(&status));
+}
+
+#[test]
+fn slurm_writes_its_scripts_and_says_how_to_submit_them() {
+    let directory = with_sweep(SMALL);
+    let here = directory.path();
+    let many =
+        say(here, &["slurm", "small.toml", "-o", "my out", "--tasks", "2001", "--time", "01:00:00", "--cpus", "2"]);
+    assert_eq!(code(&many), 0, "{}", err(&many));
+    assert!(err(&many).contains("the sweep has 3 chains; 1998 of the tasks have nothing to do"), "{}", err(&many));
+    let home = fs::canonicalize(here).expect("there").join("my out/slurm");
+    let part = home.join("part.sh").display().to_string();
+    for line in [
+        format!("    sbatch --array=1-1000 '{part}'\n"),
+        format!("    sbatch --array=1-1000 '{part}' 1000\n"),
+        format!("    sbatch --array=1-1 '{part}' 2000\n"),
+        format!("    sbatch --dependency=afterany:JOB:JOB:… '{}'\n", home.join("merge.sh").display()),
+    ] {
+        assert!(out(&many).contains(&line), "{line}{}", out(&many));
+    }
+    // The sweep is kept as it is now, and the directory is still free for a run.
+    assert_eq!(fs::read_to_string(home.join("small.toml")).expect("kept"), SMALL);
+    for name in ["part.sh", "merge.sh"] {
+        let checked = std::process::Command::new("bash").arg("-n").arg(home.join(name)).output().expect("bash runs");
+        assert!(checked.status.success(), "{}", err(&checked));
+    }
+    let run = say(here, &["run", "small.toml", "-o", "my out", "--quiet"]);
+    assert_eq!(code(&run), 0, "{}", err(&run));
+}
+
+#[test]
+fn a_cluster_without_slurm_is_told_and_the_scripts_stay() {
+    let directory = with_sweep(SMALL);
+    let mut command = stribeck(directory.path());
+    command.args(["slurm", "small.toml", "-o", "out", "--tasks", "2", "--submit"]).env("PATH", "");
+    let output = command.output().expect("the program starts");
+    assert_eq!(code(&output), 4);
+    assert!(err(&output).contains("`scontrol` did not work: there is no such program"), "{}", err(&output));
+    assert!(directory.path().join("out/slurm/part.sh").exists());
 }
