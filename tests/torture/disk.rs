@@ -12,10 +12,11 @@ use crate::place::copy;
 /// What the smallest file takes.
 pub const PAGE: u64 = 4096;
 
-/// Mounts a small file system at `$1`, then mounts it anew with each line of options read; says when it is done.
+/// Mounts a small file system at `$1`, then changes its mount by each line of options read; says how that went.
 const KEEPER: &str = r#"
-    mount -t tmpfs -o size=16m,nr_inodes=600 tmpfs "$1" && echo done
-    while read -r options; do mount -o "remount,$options" "$1" && echo done; done
+    answer() { "$@" && echo done || echo refused; }
+    answer mount -t tmpfs -o size=16m,nr_inodes=600 tmpfs "$1"
+    while read -r options; do answer mount -o "remount,bind,$options" "$1"; done
 "#;
 
 /// A small disk, in a mount namespace that a process keeps. Others get at the disk by way of that process, so nothing
@@ -71,11 +72,6 @@ impl Disk {
         answer == "done\n"
     }
 
-    fn remount(&mut self, options: &str) {
-        writeln!(self.orders.as_mut().expect("open until dropped"), "{options}").expect("the keeper listens");
-        assert!(self.is_done(), "mounted anew with {options}");
-    }
-
     /// Its directory.
     pub fn path(&self) -> &Path {
         &self.path
@@ -83,7 +79,9 @@ impl Disk {
 
     /// From now on nothing can be written, or everything can again.
     pub fn set_read_only(&mut self, read_only: bool) {
-        self.remount(if read_only { "ro" } else { "rw" });
+        let options = if read_only { "ro" } else { "rw" };
+        writeln!(self.orders.as_mut().expect("open until dropped"), "{options}").expect("the keeper listens");
+        assert!(self.is_done(), "mounted anew with {options}");
     }
 
     fn ballast(&self) -> PathBuf {

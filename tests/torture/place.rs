@@ -188,12 +188,15 @@ impl Run {
         self.wait_until(|| place.commits() >= before + more)
     }
 
-    /// Sends a signal, named without SIG. A process that has ended takes it as well, until its end is waited for.
-    pub fn signal(&mut self, name: &str) {
-        if !self.has_ended() {
+    /// Sends a signal, named without SIG; false if the run has ended.
+    pub fn signal(&mut self, name: &str) -> bool {
+        let in_time = !self.has_ended();
+        if in_time {
+            // Should it end just now it takes the signal all the same, until its end is waited for.
             let sent = Command::new("kill").args(["-s", name, &self.id().to_string()]).status();
             assert!(sent.expect("kill runs").success(), "SIG{name} was not sent");
         }
+        in_time
     }
 
     /// Halts it, so that it keeps what it has and does nothing more; false if it has ended.
