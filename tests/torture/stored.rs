@@ -119,6 +119,11 @@ impl Stored {
         commits.filter(|commit| !lost(commit)).flat_map(|commit| commit.cases.clone()).collect()
     }
 
+    /// The cases of all shards that are as they were recorded.
+    pub fn sound_cases(&self) -> Cases {
+        self.commits.iter().filter(|commit| commit.sound).flat_map(|commit| commit.cases.clone()).collect()
+    }
+
     /// Damaged shards, each with the number of its cases that no sound one holds; those that lost nothing are left out.
     pub fn lossy(&self) -> Vec<(String, usize)> {
         let newest: BTreeMap<&String, &Commit> = self.commits.iter().map(|commit| (&commit.file, commit)).collect();

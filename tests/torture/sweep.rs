@@ -1,6 +1,6 @@
 //! The sweeps that are tortured, and what an undisturbed run makes of each.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
@@ -27,8 +27,8 @@ pub struct Undisturbed {
     pub code: i32,
     /// What became of each case.
     pub cases: Cases,
-    /// Rows of the summary.
-    pub places: usize,
+    /// The case at each place of the sweep, by f, alpha and beta as the summary has them.
+    pub places: BTreeMap<[String; 3], String>,
     /// What a shard of the sweep holds beside the columns, as its record says it.
     pub contents: serde_json::Value,
     /// How long it took on one thread.
@@ -92,7 +92,7 @@ impl Undisturbed {
         let mut rows = csv::Reader::from_reader(&bytes[0][..]);
         let header = rows.headers().expect("a header").clone();
         let column = |name| header.iter().position(|column| column == name).expect("a column");
-        let (case, status) = (column("case"), column("status"));
+        let (case, status, parameters) = (column("case"), column("status"), ["f", "alpha", "beta"].map(column));
         let rows: Vec<_> = rows.records().map(|row| row.expect("a row")).collect();
         let cases: Cases = rows.iter().map(|row| (row[case].to_owned(), row[status].to_owned())).collect();
 
@@ -105,7 +105,10 @@ impl Undisturbed {
         };
         Self {
             code,
-            places: rows.len(),
+            places: rows
+                .iter()
+                .map(|row| (parameters.map(|name| row[name].to_owned()), row[case].to_owned()))
+                .collect(),
             cases,
             contents: stored.commits[0].contents.clone(),
             duration,

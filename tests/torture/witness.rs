@@ -1,5 +1,6 @@
 //! The checks: nothing is lost, the program tells the truth, and what is published in the end is what it always is.
 
+use std::collections::BTreeSet;
 use std::fs;
 
 use crate::place::{End, Place};
@@ -31,16 +32,27 @@ pub fn assert_told_of(place: &Place, owner: Option<u32>) -> Stored {
     }
     let converged = cases.values().filter(|status| *status == "converged").count();
     let numbers = [converged, cases.len() - converged, expected.len() - cases.len()];
-    assert_plan(place, numbers);
+    assert_plan(place, &stored, numbers);
     assert_status(place, &stored, numbers, owner);
     stored
 }
 
-fn assert_plan(place: &Place, [converged, failed, left]: [usize; 3]) {
+fn assert_plan(place: &Place, stored: &Stored, [converged, failed, left]: [usize; 3]) {
     let plan = place.say(&["plan", "sweep.toml", "-o", "out"]);
     assert_eq!(code(&plan), 0, "{}", err(&plan));
-    let state = format!("\nstate      {converged} reused, {left} new, {failed} failed before\n");
+    let stale = stale(place, stored);
+    let (new, stale) = (left - stale, if stale > 0 { format!(", {stale} stale") } else { String::new() });
+    let state = format!("\nstate      {converged} reused, {new} new{stale}, {failed} failed before\n");
     assert!(out(&plan).contains(&state), "{state}{}", out(&plan));
+}
+
+/// How many cases of the sweep are there only as the other sweep has solved them, at the same place by another recipe.
+fn stale(place: &Place, stored: &Stored) -> usize {
+    let [these, others] = [place.sweep, place.sweep.other()].map(|sweep| &sweep.undisturbed().places);
+    let all = stored.sound_cases();
+    let there_is = |case: &String| all.contains_key(case);
+    let stale = these.iter().filter(|(at, case)| !there_is(case) && others.get(*at).is_some_and(there_is));
+    stale.map(|(_, case)| case).collect::<BTreeSet<_>>().len()
 }
 
 fn assert_status(place: &Place, stored: &Stored, [converged, failed, left]: [usize; 3], owner: Option<u32>) {
@@ -64,7 +76,7 @@ fn assert_status(place: &Place, stored: &Stored, [converged, failed, left]: [usi
                 None if stored.published => "stopped, all cases were tried".to_owned(),
                 None => "stopped, all cases were tried, but not yet published; run it again".to_owned(),
             });
-            says(&format!("planned    {} cases, at {} places of the sweep", all.cases.len(), all.places));
+            says(&format!("planned    {} cases, at {} places of the sweep", all.cases.len(), all.places.len()));
             says(&format!("converged  {converged}"));
             says(&format!("failed     {failed}"));
             says(&format!("to do      {left}"));
