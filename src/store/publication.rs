@@ -67,6 +67,11 @@ impl Store {
         let Survey { key, converged, failed } = survey(self, publication)?;
         let files = PUBLISHED.map(|name| self.directory.published(name));
         if is_in_place(self, &key)? {
+            if self.history.unpublished {
+                // Shards were lost and came back as they were. The record stands behind theirs again.
+                let files = self.published.as_ref().map_or_else(Vec::new, |last| last.files.clone());
+                self.append(&Record::Published { key, files, time: clock() })?;
+            }
             return Ok(Published { files, rewritten: false, converged, failed });
         }
         let staged = files.clone().map(Staged::new);
