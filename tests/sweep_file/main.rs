@@ -172,12 +172,12 @@ fn files_that_are_no_sweep_files() {
     assert!(!matches!(latin, InputError::Unreadable { .. }) && latin.remedy().contains("UTF-8"));
 
     let large = path("large.toml");
-    fs::write(&large, AXES.to_owned() + &"#\n".repeat(8 << 20)).expect("written");
+    fs::write(&large, AXES.to_owned() + &"#\n".repeat(4 << 20)).expect("written");
     let too_large = Sweep::read(&large).expect_err("too large");
-    assert!(too_large.to_string().contains("larger than 16 MiB"), "{too_large}");
+    assert!(too_large.to_string().contains("larger than 8 MiB"), "{too_large}");
     assert!(!matches!(too_large, InputError::Unreadable { .. }) && too_large.remedy().contains("{ from"));
-    fs::write(&large, AXES.to_owned() + &"#".repeat((16 << 20) - AXES.len())).expect("written");
-    assert!(Sweep::read(&large).is_ok(), "16 MiB are allowed");
+    fs::write(&large, AXES.to_owned() + &"#".repeat((8 << 20) - AXES.len())).expect("written");
+    assert!(Sweep::read(&large).is_ok(), "8 MiB are allowed");
 }
 
 #[test]
