@@ -17,6 +17,7 @@ use super::{CliError, Exit, console, failures, shell, threads};
 use crate::continuation::Interrupt;
 use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report, Signals, rate};
 use crate::model::{Output, Parameters};
+use crate::shown::shown;
 use crate::store::{Ending, Publication, Published, Store, StoreError};
 use crate::sweep::{MAX_CHAIN, Plan, Sweep};
 
@@ -178,14 +179,14 @@ fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
     format!(
         "note: {} was last run with another sweep file. Of the {} of this one {reused} are there and used again, {new} \
          are new{stale}. Cases that only the other one has stay stored, but are not published.",
-        directory.display(),
+        shown(directory),
         count(reused + workload.to_do(), "case"),
     )
 }
 
 fn how_to_resume(sweep: &Sweep, plan: &Plan, store: &Store, directory: &Path) -> String {
     let left = Workload::survey(sweep, plan, Some(store));
-    let (saved, place, command) = (count(left.reused(), "case"), directory.display(), shell::own_command());
+    let (saved, place, command) = (count(left.reused(), "case"), shown(directory), shell::own_command());
     let published = match (left.to_do(), directory.join("results.h5").exists()) {
         (0, false) => ", but not published",
         (_, true) => "; what is published there is of an earlier state",
@@ -217,7 +218,7 @@ fn summary(
             writeln!(text, "solved {cases}{reused} in {}, {rate}", duration(seconds)).expect(written);
         }
     }
-    writeln!(text, "results in {}: results.h5, summary.csv, timings.csv", directory.display()).expect(written);
+    writeln!(text, "results in {}: results.h5, summary.csv, timings.csv", shown(directory)).expect(written);
     if published.failed > 0 {
         let list = failures::first(plan, store, LISTED_FAILURES)?;
         writeln!(text, "failed cases, the first {}:", list.len()).expect(written);
@@ -225,7 +226,7 @@ fn summary(
             writeln!(text, "  {}: {reason}", failures::place(&parameters)).expect(written);
         }
         let summary = directory.join("summary.csv");
-        writeln!(text, "all of them: {}, columns `status` and `reason`", summary.display()).expect(written);
+        writeln!(text, "all of them: {}, columns `status` and `reason`", shown(&summary)).expect(written);
     }
     Ok(text)
 }

@@ -1,12 +1,13 @@
 //! What the store found damaged and left out.
 
+use crate::shown::shown;
 use std::path::PathBuf;
 
 /// Something of a results directory that is not used. The cases concerned count as not done.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Warning {
     /// A line of a log that is no record, or several in a row.
-    #[error("{}, {}: {what}; what stood there is not used, and its cases are solved again", file.display(), lines(*line, *more))]
+    #[error("{}, {}: {what}; what stood there is not used, and its cases are solved again", shown(file), lines(*line, *more))]
     Record {
         /// The log.
         file: PathBuf,
@@ -18,7 +19,7 @@ pub enum Warning {
         what: String,
     },
     /// A shard that is not what its record says.
-    #[error("{}: {what}; its {cases} cases are not used, and solved again", file.display())]
+    #[error("{}: {what}; its {cases} cases are not used, and solved again", shown(file))]
     Shard {
         /// The shard.
         file: PathBuf,

@@ -6,7 +6,7 @@ use super::specification::{Axes, Sweep};
 use super::{output, solver};
 use crate::input::{self, Entry, Fault, InputError, Quantity, Section, read_axis};
 use crate::model::{RetardationMode, Substrate};
-use crate::shown::printable;
+use crate::shown::{is_printable, printable};
 
 /// What the file is called in messages.
 const KIND: input::Kind = "sweep file";
@@ -82,8 +82,8 @@ pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
 /// Reads a title.
 pub(crate) fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
     let title = entry.text()?;
-    let printable = !title.trim().is_empty() && !title.chars().any(char::is_control);
-    if printable && title.chars().count() <= 500 {
+    let visible = !title.trim().is_empty() && is_printable(title);
+    if visible && title.chars().count() <= 500 {
         Ok(title.to_owned())
     } else {
         let what = "`title` must be one line of 1 to 500 characters";
