@@ -202,10 +202,9 @@ fn line_begin(text: &str) -> usize {
 
 /// The lines that a report of this place draws: its own, the one before and the one after.
 fn drawn_lines(text: &str, place: usize) -> impl Iterator<Item = &str> {
-    let begin = line_begin(&text[..place]);
-    let before = text[..begin].strip_suffix('\n').map(|before| &before[line_begin(before)..]);
-    let lines = before.into_iter().chain(text[begin..].split('\n').take(2));
-    lines.map(|line| line.strip_suffix('\r').unwrap_or(line))
+    let (before, from) = text.split_at(line_begin(&text[..place]));
+    let lines = before.split_inclusive('\n').next_back().into_iter().chain(from.split_inclusive('\n').take(2));
+    lines.map(|line| line.strip_suffix("\r\n").or(line.strip_suffix('\n')).unwrap_or(line))
 }
 
 /// The span on character boundaries; one that is empty or past the end takes in the character at it or, at the end of

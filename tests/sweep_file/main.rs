@@ -2,6 +2,9 @@
 
 #[path = "../bad_sweeps/mod.rs"]
 mod bad_sweeps;
+mod documents;
+#[path = "../laws/sweep_file.rs"]
+mod law;
 mod refused;
 mod round_trip;
 
@@ -9,20 +12,12 @@ use std::fs;
 use std::path::Path;
 
 use bad_sweeps::{AXES, with_axes, with_beta, with_f};
-use miette::{GraphicalReportHandler, GraphicalTheme};
+use law::drawn;
 use stribeck::collocation;
 use stribeck::input::InputError;
 use stribeck::model::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain, Settings};
 use stribeck::sweep::{Axes, Method, Plan, SolverSettings, Sweep};
-
-fn drawn(error: &InputError) -> String {
-    let mut drawing = String::new();
-    GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
-        .render_report(&mut drawing, error)
-        .expect("a diagnostic can always be drawn");
-    drawing
-}
 
 #[test]
 fn what_is_left_out_has_its_default() {
