@@ -1,13 +1,14 @@
 //! Damaged shards, wherever the damage is: never used, each named, and the cases of the others stay.
 
-mod laws;
+#[path = "laws/shard.rs"]
+mod law;
 mod synthetic;
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use laws::shard::{check, written};
+use law::{check, written};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use stribeck::store::{Warning, verify};

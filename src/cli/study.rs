@@ -178,6 +178,6 @@ fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize
         writeln!(text, "  {method}: {} of {} converged", of.clone().count() - failed, of.count()).expect(written);
     }
     let pictures = count(pictures as u64, "picture");
-    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", shown(&directory)).expect(written);
+    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", shown(directory)).expect(written);
     text
 }
