@@ -44,17 +44,33 @@ pub fn written() -> Vec<u8> {
     STORE.with(|store| store.written.clone())
 }
 
-/// Panics if a law is broken.
+/// Panics if a law is broken: by the bytes as they are, or by the shard with the bytes in it.
 pub fn check(bytes: &[u8]) {
     STORE.with(|store| {
-        fs::write(&store.victim, bytes).expect("written");
-        let sound = bytes == store.written;
-        read_closely(store, sound);
-        read_by_size(store, sound);
-        let report = verify(store.directory.path()).expect("any shard is verified");
-        let found: Vec<_> = report.problems.iter().map(|problem| &problem.file).collect();
-        assert_eq!(found, if sound { vec![] } else { vec![&store.victim] });
+        judge(store, bytes);
+        judge(store, &edited(&store.written, bytes));
     });
+}
+
+/// The shard, written over with the bytes from the third on, at the place that the first two tell.
+fn edited(written: &[u8], bytes: &[u8]) -> Vec<u8> {
+    let mut edited = written.to_vec();
+    if let [high, low, over @ ..] = bytes {
+        let place = usize::from(u16::from_be_bytes([*high, *low])) % written.len();
+        let length = over.len().min(written.len() - place);
+        edited[place..place + length].copy_from_slice(&over[..length]);
+    }
+    edited
+}
+
+fn judge(store: &Store, bytes: &[u8]) {
+    fs::write(&store.victim, bytes).expect("written");
+    let sound = bytes == store.written;
+    read_closely(store, sound);
+    read_by_size(store, sound);
+    let report = verify(store.directory.path()).expect("any shard is verified");
+    let found: Vec<_> = report.problems.iter().map(|problem| &problem.file).collect();
+    assert_eq!(found, if sound { vec![] } else { vec![&store.victim] });
 }
 
 /// As a run does: only sound shards count, and each other one is named.
