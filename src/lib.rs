@@ -45,6 +45,7 @@ pub mod figures;
 pub mod input;
 pub mod model;
 pub mod relaxation;
+mod shown;
 pub mod store;
 pub mod study;
 pub mod sweep;

@@ -323,6 +323,19 @@ fn an_id_is_the_documented_hash() {
     }
 }
 
+/// Ids that were written down, so by another process and another build: what is stored under them is found again. They change
+/// with the method's version of results, as they must; nothing else may change them.
+#[test]
+fn an_id_is_the_same_in_every_process_and_release() {
+    let sweep = sweep(&[0.0, 100.0], &[0.0, 1.0, f64::INFINITY], &[10.0]);
+    let ids = |method| {
+        let plan = Plan::new(&Sweep { solver: by(method), ..sweep.clone() });
+        [(0, 0), (1, 0), (1, 1)].map(|(i_f, i_alpha)| plan.case_at(i_f, i_alpha, 0).to_string())
+    };
+    assert_eq!(ids(Method::Collocation), ["0dc4903ad63c56bb", "ba4b52b394b5781c", "91facd846231902e"]);
+    assert_eq!(ids(Method::Relaxation), ["7d6496ca34be6840", "2840b5ab4a038449", "f2cc1738b5e53483"]);
+}
+
 /// A chain is what an interruption can cost: as many quick cases as chains may have, few of those that take long.
 #[test]
 fn chains_are_as_long_as_the_method_is_quick() {

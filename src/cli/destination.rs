@@ -1,10 +1,9 @@
 //! A sweep file and its results directory.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::CliError;
-use crate::store::{Holdings, StoreError};
+use crate::store::{Holdings, StoreError, holds_text};
 use crate::sweep::Sweep;
 
 /// Where a sweep goes: the directory asked for, or `results/<file stem>`.
@@ -35,6 +34,6 @@ pub fn read_sweep(path: &Path) -> Result<Sweep, CliError> {
 
 /// True if the directory was last run with another sweep file.
 pub fn had_other_sweep(directory: &Path, sweep: &Sweep) -> bool {
-    // Whether it can be read matters to no one here: the run that follows replaces it, or says why it cannot.
-    fs::read(directory.join("sweep.toml")).is_ok_and(|previous| previous != sweep.text.as_bytes())
+    let previous = directory.join("sweep.toml");
+    previous.exists() && !holds_text(&previous, &sweep.text)
 }

@@ -9,6 +9,7 @@ use super::solve::ESTIMATE_POINTS;
 use crate::engine::ThreadsError;
 use crate::figures::FigureError;
 use crate::input::InputError;
+use crate::shown::shown;
 use crate::store::StoreError;
 use crate::sweep::Method;
 
@@ -60,7 +61,8 @@ pub enum CliError {
     #[error(
         "{} and {} are not of the same sweep: only runs of one sweep file can be joined; merge the parts of an earlier one and \
          delete them first",
-        first.display(), other.display()
+        shown(first),
+        shown(other)
     )]
     OtherSweep {
         /// A sweep file.
@@ -108,14 +110,14 @@ pub enum CliError {
     /// A case that a results directory does not know.
     #[error(
         "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
-        directory.display()
+        shown(directory)
     )]
     NoSuchCase {
         /// The results directory.
         directory: PathBuf,
     },
     /// A results directory that is none and cannot become one.
-    #[error("{} is a file, and results need a directory; choose another place with -o", path.display())]
+    #[error("{} is a file, and results need a directory; choose another place with -o", shown(path))]
     NotADirectory {
         /// The path.
         path: PathBuf,
@@ -129,13 +131,13 @@ pub enum CliError {
         progress: String,
     },
     /// A study would replace files that no study has written.
-    #[error("{} is there, which no study has written; choose another directory with -o", file.display())]
+    #[error("{} is there, which no study has written; choose another directory with -o", shown(file))]
     Occupied {
         /// The file.
         file: PathBuf,
     },
     /// A directory cannot be made or read.
-    #[error("cannot {action} the directory {}: {source}; choose another place with -o", path.display())]
+    #[error("cannot {action} the directory {}: {source}; choose another place with -o", shown(path))]
     Directory {
         /// What was tried, as a verb.
         action: &'static str,
@@ -147,7 +149,7 @@ pub enum CliError {
     /// A file of a study cannot be written.
     #[error(
         "cannot {action} {}: {source}; make room or choose another directory with -o, then run the study again",
-        path.display()
+        shown(path)
     )]
     Unwritten {
         /// What was tried, as a verb.

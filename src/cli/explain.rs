@@ -17,6 +17,7 @@ use super::workload::{inspection, stale_reason};
 use super::{CliError, Exit, console};
 use crate::continuation::SolvedCase;
 use crate::model::{COLUMNS, CaseId, Parameters, shortest};
+use crate::shown::shown;
 use crate::store::{CaseEntry, Holdings, Status};
 use crate::sweep::{Method, Plan, Sweep};
 
@@ -168,7 +169,7 @@ fn stored(
     if entry.outcome == Status::Failed {
         line("reason", &entry.reason);
     }
-    line("stored", &format!("{}, row {}, as its record says", origin.shard.display(), origin.row));
+    line("stored", &format!("{}, row {}, as its record says", shown(&origin.shard), origin.row));
     line("solved", &format!("in start {}, before {}", origin.start, moment(origin.time)));
     if !origin.recipe.is_null() {
         line("with", &recipe_in_words(&origin.recipe));

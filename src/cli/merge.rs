@@ -14,6 +14,7 @@ use super::wording::count;
 use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console};
 use crate::model::COLUMNS;
+use crate::shown::shown;
 use crate::store::{Ending, Holdings, Joined, Store};
 use crate::sweep::{Method, Part, Plan, Sweep};
 
@@ -65,7 +66,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let written = "writing to memory does not fail";
     writeln!(text, "joined {} in {}; {twice} were there already", count(cases, "case"), count(shards, "shard"))
         .expect(written);
-    writeln!(text, "results in {}: results.h5, summary.csv, timings.csv", target.display()).expect(written);
+    writeln!(text, "results in {}: results.h5, summary.csv, timings.csv", shown(target)).expect(written);
     console::print(&text)?;
     Ok(if failed == 0 { Exit::Success } else { Exit::CasesFailed })
 }

@@ -12,6 +12,7 @@ use super::expectation::{CaseSeconds, Size};
 use super::wording::{bytes, count, duration};
 use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console, threads};
+use crate::shown::shown;
 use crate::store::Store;
 use crate::sweep::{Plan, Sweep};
 
@@ -63,8 +64,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut line = |name: &str, words: String| {
         writeln!(text, "{name:<10} {words}").expect("writing to memory does not fail");
     };
-    line("sweep", format!("{} ({})", sweep.title, arguments.sweep.display()));
-    line("directory", format!("{} ({state})", directory.display()));
+    line("sweep", format!("{} ({})", sweep.title, shown(&arguments.sweep)));
+    line("directory", format!("{} ({state})", shown(&directory)));
     line("cases", format!("{} = {f} f x {alpha} alpha x {beta} beta", plan.cases()));
     let chains = count(plan.chain_count() as u64, "chain");
     line("problems", format!("{} distinct, in {chains}; elastic ones are solved once for all alpha", plan.problems()));

@@ -7,6 +7,7 @@ use super::wording::{count, duration};
 use super::workload::Workload;
 use super::{CliError, failures, shell};
 use crate::engine::rate;
+use crate::shown::shown;
 use crate::store::{Published, Store};
 use crate::sweep::{Part, Plan};
 
@@ -20,14 +21,14 @@ pub fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
     format!(
         "note: {} was last run with another sweep file. Of the {} of this one {reused} are there and used again, {new} \
          are new{stale}. Cases that only the other one has stay stored, but are not published.",
-        directory.display(),
+        shown(directory),
         count(reused + workload.to_do(), "case"),
     )
 }
 
 /// What is saved, what is left, and the command that resumes.
 pub fn how_to_resume(left: &Workload, directory: &Path) -> String {
-    let (saved, place, command) = (count(left.reused(), "case"), directory.display(), shell::own_command());
+    let (saved, place, command) = (count(left.reused(), "case"), shown(directory), shell::own_command());
     let published = match (left.to_do(), directory.join("results.h5").exists()) {
         (0, false) => ", but not published",
         (_, true) => "; what is published there is of an earlier state",
@@ -52,11 +53,11 @@ pub fn of_whole(
         0 => "nothing to do: all of it is solved and published\n".to_owned(),
         _ => solved(workload, seconds),
     };
-    text += &format!("results in {}: results.h5, summary.csv, timings.csv\n", directory.display());
+    text += &format!("results in {}: results.h5, summary.csv, timings.csv\n", shown(directory));
     if published.failed > 0 {
         text += &first_failures(plan, None, store)?;
         let summary = directory.join("summary.csv");
-        text += &format!("all of them: {}, columns `status` and `reason`\n", summary.display());
+        text += &format!("all of them: {}, columns `status` and `reason`\n", shown(&summary));
     }
     Ok(text)
 }

@@ -12,6 +12,7 @@ use super::destination::{destination, read_sweep};
 use super::slurm_script::{Job, merge_script, part_script};
 use super::wording::count;
 use super::{CliError, Exit, console, shell};
+use crate::shown::shown;
 use crate::store::{Store, write_whole};
 use crate::sweep::{Part, Plan};
 
@@ -163,7 +164,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
     write_whole(part.clone(), part_script(&job).as_bytes())?;
     write_whole(merge.clone(), merge_script(&job).as_bytes())?;
-    console::print(&format!("wrote {} and {}\n", part.display(), merge.display()))?;
+    console::print(&format!("wrote {} and {}\n", shown(&part), shown(&merge)))?;
     if arguments.submit {
         submit(&part, &merge, arguments.tasks)?;
     } else {

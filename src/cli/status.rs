@@ -14,6 +14,7 @@ use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console};
 use crate::engine::rate;
 use crate::model::{FieldSelection, Output};
+use crate::shown::shown;
 use crate::store::{Ending, Holdings, Start, Warning};
 use crate::sweep::{Plan, Sweep};
 
@@ -153,7 +154,7 @@ fn of_sweep(
         (None, 0) => "stopped, all cases were tried, but not yet published; run it again".to_owned(),
         (None, _) => "stopped; the same `stribeck run` command resumes it".to_owned(),
     };
-    let mut text = format!("{}: {}\n{state}\n\n", arguments.directory.display(), sweep.title);
+    let mut text = format!("{}: {}\n{state}\n\n", shown(&arguments.directory), sweep.title);
     let mut line = |name: &str, words: String| {
         writeln!(text, "{name:<10} {words}").expect("writing to memory does not fail");
     };

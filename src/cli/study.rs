@@ -13,6 +13,8 @@ use super::wording::{count, duration};
 use super::{CliError, Exit, console, shell, threads};
 use crate::continuation::Interrupt;
 use crate::engine::{Progress, ProgressStyle, Signals};
+use crate::shown::shown;
+use crate::store::holds_text;
 use crate::store::{StoreError, write_whole};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 
@@ -64,8 +66,8 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     let copy = directory.join(COPY);
     if !copy.exists() {
         write(copy, study.text.as_bytes())?;
-    } else if fs::read(&copy).is_ok_and(|before| before != study.text.as_bytes()) {
-        let place = directory.display();
+    } else if !holds_text(&copy, &study.text) {
+        let place = shown(&directory);
         console::tell(&format!("note: {place} has the results of another study file, which will be replaced"));
     }
 
@@ -76,7 +78,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     drop(progress);
     if findings.interrupted {
         let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
-        let (done, place, command) = (findings.rows.len(), directory.display(), shell::own_command());
+        let (done, place, command) = (findings.rows.len(), shown(&directory), shell::own_command());
         let written = if done == 0 {
             format!("none of {all} rows was finished, and no table is changed in {place}")
         } else {
@@ -176,7 +178,6 @@ fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize
         writeln!(text, "  {method}: {} of {} converged", of.clone().count() - failed, of.count()).expect(written);
     }
     let pictures = count(pictures as u64, "picture");
-    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", directory.display())
-        .expect(written);
+    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", shown(directory)).expect(written);
     text
 }

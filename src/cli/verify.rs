@@ -7,6 +7,7 @@ use clap::Args;
 
 use super::wording::{bytes, count};
 use super::{CliError, Exit, console};
+use crate::shown::shown;
 use crate::store::{VerifyReport, verify};
 
 #[derive(Clone, Debug, Args)]
@@ -46,10 +47,10 @@ fn text(report: &VerifyReport) -> String {
         line("warning", warning.to_string());
     }
     for path in &report.unreferenced {
-        line("note", format!("{}: no record names it; a killed run left it, it does no harm", path.display()));
+        line("note", format!("{}: no record names it; a killed run left it, it does no harm", shown(path)));
     }
     for path in &report.replaced {
-        line("note", format!("{}: damaged, and its cases solved again; it can be deleted", path.display()));
+        line("note", format!("{}: damaged, and its cases solved again; it can be deleted", shown(path)));
     }
     match report.problems.len() as u64 {
         0 => text += "sound\n",

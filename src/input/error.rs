@@ -7,7 +7,9 @@ use std::path::PathBuf;
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 
-/// Longest line that a report draws; of longer ones (a list of a million values) the message alone is shown.
+use crate::shown::{is_printable, printable, shown};
+
+/// Longest line that a report draws. If one is longer (a list of a million values), the message alone is shown.
 const LONGEST_LINE: usize = 2000;
 
 /// Longest piece of the file quoted in a message, in characters.
@@ -17,7 +19,7 @@ const LONGEST_QUOTE: usize = 60;
 #[derive(Debug, thiserror::Error)]
 pub enum InputError {
     /// The operating system did not give the file.
-    #[error("cannot read the {kind} {}: {cause}", path.display())]
+    #[error("cannot read the {kind} {}: {cause}", shown(path))]
     Unreadable {
         /// What kind of file it should be.
         kind: &'static str,
@@ -28,7 +30,7 @@ pub enum InputError {
         cause: io::Error,
     },
     /// The file is too large.
-    #[error("the {kind} {} is larger than {} MiB, the most that is read", path.display(), limit >> 20)]
+    #[error("the {kind} {} is larger than {} MiB, the most that is read", shown(path), limit >> 20)]
     TooLarge {
         /// What kind of file it should be.
         kind: &'static str,
@@ -38,7 +40,7 @@ pub enum InputError {
         limit: u64,
     },
     /// The file is not UTF-8.
-    #[error("{}:{line}:{column}: the byte 0x{byte:02x} is not UTF-8; a {kind} is UTF-8 text", path.display())]
+    #[error("{}:{line}:{column}: the byte 0x{byte:02x} is not UTF-8; a {kind} is UTF-8 text", shown(path))]
     NotText {
         /// What kind of file it should be.
         kind: &'static str,
@@ -166,19 +168,21 @@ impl Fault {
         let (line, column) = line_and_column(text, start);
         let quote = text[start..end].trim();
         let message = match self.quoted && !self.span.is_empty() && !quote.is_empty() {
-            true => format!("{}, found `{}`", self.what, shortened(quote)),
+            true => format!("{}, found `{}`", self.what, printable(&shortened(quote))),
             false => self.what,
         };
-        let begin = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
-        let drawable = text[begin..].lines().next().unwrap_or_default().len() <= LONGEST_LINE;
+        let drawable =
+            drawn_lines(text, start).all(|line| line.len() <= LONGEST_LINE && is_printable(&line.replace('\t', "")));
+        let end = text[start..end].find('\n').map_or(end, |newline| start + newline);
+        let file = printable(file);
         InputError::Invalid(Box::new(Invalid {
-            file: file.to_owned(),
+            file: file.to_string(),
             line,
             column,
             message,
             label: self.label,
             help: self.help,
-            source: NamedSource::new(file, text.to_owned()).with_language("toml"),
+            source: NamedSource::new(&file, text.to_owned()).with_language("toml"),
             span: start..end,
             drawable,
         }))
@@ -188,8 +192,19 @@ impl Fault {
 /// Line and column (in characters) of a byte offset, both from 1.
 fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = &text[..offset];
-    let begin = before.rfind('\n').map_or(0, |newline| newline + 1);
-    (before.matches('\n').count() + 1, before[begin..].chars().count() + 1)
+    (before.matches('\n').count() + 1, before[line_begin(before)..].chars().count() + 1)
+}
+
+/// Where the last line of a text begins.
+fn line_begin(text: &str) -> usize {
+    text.rfind('\n').map_or(0, |newline| newline + 1)
+}
+
+/// The lines that a report of this place draws: its own, the one before and the one after.
+fn drawn_lines(text: &str, place: usize) -> impl Iterator<Item = &str> {
+    let (before, from) = text.split_at(line_begin(&text[..place]));
+    let lines = before.split_inclusive('\n').next_back().into_iter().chain(from.split_inclusive('\n').take(2));
+    lines.map(|line| line.strip_suffix("\r\n").or(line.strip_suffix('\n')).unwrap_or(line))
 }
 
 /// The span on character boundaries; one that is empty or past the end takes in the character at it or, at the end of

@@ -8,9 +8,10 @@ use toml::Spanned;
 use toml::de::DeTable;
 
 use super::error::{Fault, InputError};
+use super::extent;
 
 /// Most bytes of a file.
-const LARGEST_FILE: u64 = 16 << 20;
+const LARGEST_FILE: u64 = 8 << 20;
 
 /// What kind of file it is, in words, as in `sweep file`.
 pub(crate) type Kind = &'static str;
@@ -18,7 +19,7 @@ pub(crate) type Kind = &'static str;
 /// Reads a file and makes of its stem and text what `interpret` does.
 ///
 /// # Errors
-/// [`InputError`] if the file cannot be read, is larger than 16 MiB, is not UTF-8, or `interpret` finds a fault.
+/// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8, or `interpret` finds a fault.
 pub(crate) fn read<T>(
     kind: Kind,
     path: &Path,
@@ -53,6 +54,7 @@ pub(crate) fn parse<T>(
 
 /// The TOML document of a text.
 pub(crate) fn document(text: &str) -> Result<Spanned<DeTable<'_>>, Fault> {
+    extent::check(text)?;
     DeTable::parse(text).map_err(|error| {
         let span = error.span().unwrap_or(text.len()..text.len());
         let help = "TOML has lines `key = value` under headers [section]; texts stand in double quotes, lists in \

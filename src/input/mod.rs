@@ -4,12 +4,14 @@
 //! | --- | --- |
 //! | `file` | from a path to a TOML document |
 //! | `entry` | keys and values by type, that remember where they stand |
+//! | `extent` | how much a file may hold |
 //! | `axis` | lists and ranges of numbers |
 //! | `error` | [`InputError`], a miette diagnostic |
 
 mod axis;
 mod entry;
 mod error;
+mod extent;
 mod file;
 
 pub(crate) use axis::{Quantity, read as read_axis};

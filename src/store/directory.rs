@@ -7,12 +7,16 @@ use std::time::Duration;
 
 use super::StoreError;
 use super::log::log_numbers;
+use crate::shown::printable;
 
 /// Ends the name of a file that is being written. What a killed run leaves under such a name is removed by the next.
 const TEMPORARY: &str = ".stribeck-part";
 
 /// The file whose lock its owner holds.
 const LOCK: &str = "lock";
+
+/// Most bytes of it that are read, to tell who that is.
+const LONGEST_OWNER: u64 = 100;
 
 /// Whoever looks whether a run is at work holds the lock for a moment: that is not to stop a run that starts just then.
 const LOCK_ATTEMPTS: u32 = 5;
@@ -52,10 +56,13 @@ impl Directory {
         self.root.join(name)
     }
 
-    /// An error if a run would replace files here that no run has written.
+    /// An error if a run could not write here, or would replace files that no run has written.
     ///
     /// [`Directory::create`] comes before the first file of ours, so a start that was killed at any moment left a log.
     pub(super) fn must_be_ours_or_free(&self) -> Result<(), StoreError> {
+        if self.root.to_str().is_none() {
+            return Err(StoreError::NotText { path: self.root.clone() });
+        }
         let names = ["sweep.toml"].into_iter().chain(PUBLISHED);
         let Some(file) = names.into_iter().find(|name| self.root.join(name).exists()) else { return Ok(()) };
         // Others have a directory `log` as well.
@@ -145,8 +152,14 @@ impl Directory {
 /// Who a lock file names.
 fn owner_in(file: &mut File) -> String {
     let mut owner = String::new();
-    let known = file.read_to_string(&mut owner).is_ok() && !owner.trim().is_empty();
-    if known { owner.trim().to_owned() } else { "process unknown".to_owned() }
+    let known = file.take(LONGEST_OWNER).read_to_string(&mut owner).is_ok() && !owner.trim().is_empty();
+    if known { printable(owner.trim()).into_owned() } else { "process unknown".to_owned() }
+}
+
+/// True if a file has this text. One of another size is not read, nor what is no file.
+pub(crate) fn holds_text(path: &Path, text: &str) -> bool {
+    let alike = path.metadata().is_ok_and(|found| found.is_file() && found.len() == text.len() as u64);
+    alike && fs::read(path).is_ok_and(|found| found == text.as_bytes())
 }
 
 /// True for a file that a run is writing, or left half written.

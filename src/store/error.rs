@@ -4,12 +4,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::model::CaseId;
+use crate::shown::{printable, shown};
 
 /// Why a results directory cannot be read or written. Each text says what happened to which file and what to do next.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The operating system refused.
-    #[error("cannot {action} {}: {source}; {}", path.display(), remedy(source))]
+    #[error("cannot {action} {}: {source}; {}", shown(path), remedy(source))]
     File {
         /// The file or directory.
         path: PathBuf,
@@ -19,7 +20,7 @@ pub enum StoreError {
         source: io::Error,
     },
     /// The HDF5 library refused.
-    #[error("cannot {action} {}: {}", path.display(), hdf5_reason(source, *disk_full))]
+    #[error("cannot {action} {}: {}", shown(path), hdf5_reason(source, *disk_full))]
     Hdf5 {
         /// The HDF5 file.
         path: PathBuf,
@@ -33,7 +34,7 @@ pub enum StoreError {
     /// Another process works on the directory.
     #[error(
         "{} is in use by another run ({owner}); wait until it ends or stop it, or choose another directory with -o",
-        path.display()
+        shown(path)
     )]
     Locked {
         /// The results directory.
@@ -42,17 +43,24 @@ pub enum StoreError {
         owner: String,
     },
     /// A path that holds no results.
-    #[error("{} is not a results directory: {what}; give the directory that `stribeck run` wrote", path.display())]
+    #[error("{} is not a results directory: {what}; give the directory that `stribeck run` wrote", shown(path))]
     NotResults {
         /// The path given.
         path: PathBuf,
         /// What is missing.
         what: &'static str,
     },
-    /// A directory of someone else, whose files a run would replace.
+    /// A path that HDF5 cannot take.
     #[error(
-        "{} is not a results directory (it has {file} but no log); choose another directory with -o", path.display()
+        "{} has bytes that are no UTF-8 text, and HDF5 opens no file under such a name; choose another directory with -o",
+        shown(path)
     )]
+    NotText {
+        /// The results directory.
+        path: PathBuf,
+    },
+    /// A directory of someone else, whose files a run would replace.
+    #[error("{} is not a results directory (it has {file} but no log); choose another directory with -o", shown(path))]
     Occupied {
         /// The directory.
         path: PathBuf,
@@ -60,7 +68,7 @@ pub enum StoreError {
         file: &'static str,
     },
     /// A file whose content is not what its record says.
-    #[error("{} is damaged: {what}; delete it and run the sweep again, its cases are then solved anew", path.display())]
+    #[error("{} is damaged: {what}; delete it and run the sweep again, its cases are then solved anew", shown(path))]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -71,7 +79,8 @@ pub enum StoreError {
     #[error(
         "case {case} is in {} and in {} with numbers that differ by more than the tolerance; one of them is wrong: find out by \
          `stribeck explain`, delete that file, and start again",
-        first.display(), second.display()
+        shown(first),
+        shown(second)
     )]
     Disagreement {
         /// The case.
@@ -136,7 +145,7 @@ fn hdf5_reason(source: &hdf5::Error, disk_full: bool) -> String {
     if disk_full {
         return format!("no space left on the disk; {MAKE_SPACE}");
     }
-    format!("{source}; check the disk, and the directory with `stribeck verify`")
+    format!("{}; check the disk, and the directory with `stribeck verify`", printable(&source.to_string()))
 }
 
 /// HDF5 has no error code for a full disk: it quotes the system's error number in the text of an inner frame.

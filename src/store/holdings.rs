@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::damage::{Damage, inspect};
-use super::directory::{Directory, hash_file};
+use super::directory::{Directory, PUBLISHED, hash_file};
 use super::index::{Index, Shard, Slot};
 use super::log::{LogPlace, read_logs, read_record};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
-use super::shard::ShardReader;
+use super::shard::{SHARD_DIGITS, ShardReader};
 use super::{CaseEntry, Contents, History, Status, StoreError, Warning};
 use crate::model::{CaseId, Output};
 
@@ -321,7 +321,7 @@ pub(super) fn read_claims(directory: &Directory) -> Result<LogContent, StoreErro
                 Ok(claim) => drop(claims.insert(claim.file.file.clone(), claim)),
                 Err(warning) => unknown.push(warning),
             },
-            Record::Published { key, files, .. } => published = Some(LastPublished { key, files }),
+            Record::Published { key, files, .. } => published = last_published(key, files),
             Record::Start { .. } | Record::End { .. } => {}
         }
     })?;
@@ -334,11 +334,17 @@ pub(super) fn read_claims(directory: &Directory) -> Result<LogContent, StoreErro
     Ok(LogContent { warnings, history, published, claims })
 }
 
+/// What was published; `None` if the record is not of the files that this version publishes, which are then missing.
+fn last_published(key: String, files: Vec<FileRecord>) -> Option<LastPublished> {
+    let ours = files.iter().map(|file| file.file.as_str()).eq(PUBLISHED);
+    ours.then_some(LastPublished { key, files })
+}
+
 /// The claim of a record; name and number of cases if it is none that this version could have written.
 fn claim(record: ShardRecord, place: LogPlace) -> Result<Claim, (String, usize)> {
     let cases = record.cases.len();
     let stem = record.file.file.strip_suffix(".h5").unwrap_or_default();
-    let plain_name = !stem.is_empty() && stem.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let plain_name = stem.len() == SHARD_DIGITS && stem.bytes().all(|byte| byte.is_ascii_hexdigit());
     let hash_is_sound = record.file.blake3.parse::<blake3::Hash>().is_ok();
     match record.contents() {
         Some(contents) if plain_name && hash_is_sound && u16::try_from(cases).is_ok() => {
@@ -351,6 +357,7 @@ fn claim(record: ShardRecord, place: LogPlace) -> Result<Claim, (String, usize)>
 /// What is wrong with a file, measured by its record; `None` if nothing is.
 pub(super) fn fault(path: &Path, record: &FileRecord, inspection: Inspection) -> Result<Option<String>, StoreError> {
     let bytes = match path.metadata() {
+        Ok(metadata) if !metadata.is_file() => return Ok(Some("it is no file".to_owned())),
         Ok(metadata) => metadata.len(),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
             return Ok(Some("the file is missing".to_owned()));

@@ -41,6 +41,7 @@ mod warning;
 mod writing;
 
 pub use contents::Contents;
+pub(crate) use directory::holds_text;
 pub use directory::write_whole;
 pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;

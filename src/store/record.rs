@@ -10,6 +10,7 @@ use serde_json::Value;
 use super::contents::columns_key;
 use super::{CaseEntry, Contents, Status, Timing};
 use crate::model::{CaseId, FieldSelection};
+use crate::shown::printable;
 
 /// What a log line says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -151,7 +152,8 @@ impl Record {
             true => serde_json::from_slice(text).map(Self::Shard),
             false => serde_json::from_slice(text),
         };
-        record.map_err(|error| format!("a record of another version of the program ({error})"))
+        record
+            .map_err(|error| format!("a record of another version of the program ({})", printable(&error.to_string())))
     }
 }
 

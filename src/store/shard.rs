@@ -19,6 +19,9 @@ pub(super) fn case_text(id: CaseId) -> CaseText {
     CaseText::from_ascii(&id.to_string()).expect("a case id is 16 hexadecimal digits")
 }
 
+/// Hexadecimal digits in the name of a shard.
+pub(super) const SHARD_DIGITS: usize = 32;
+
 /// Name of the file of these cases: the same whenever the same cases are committed together for the same output.
 pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents) -> String {
     let mut hasher = blake3::Hasher::new();
@@ -30,7 +33,7 @@ pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents)
         hasher.update(&id.0.to_le_bytes());
     }
     let mut name = hasher.finalize().to_hex().to_string();
-    name.truncate(32);
+    name.truncate(SHARD_DIGITS);
     name + ".h5"
 }
 

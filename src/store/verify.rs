@@ -7,10 +7,11 @@ use super::damage::{Damage, inspect};
 use super::directory::{Directory, files_in, is_temporary};
 use super::holdings::{Claim, Inspection, LogContent, fault, open_checked, read_claims, shard_record};
 use super::{StoreError, Warning};
+use crate::shown::{printable, shown};
 
 /// A file that is not what the log says.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}: {what}; {remedy}", file.display())]
+#[error("{}: {what}; {remedy}", shown(file))]
 pub struct Problem {
     /// The file.
     pub file: PathBuf,
@@ -95,7 +96,7 @@ fn shard_fault(directory: &Directory, path: &Path, claim: &Claim) -> Result<Opti
     match open_checked(path, &shard_record(directory, claim.place)?) {
         Ok(_) => Ok(None),
         Err(StoreError::Damaged { what, .. }) => Ok(Some(what)),
-        Err(StoreError::Hdf5 { source, .. }) => Ok(Some(source.to_string())),
+        Err(StoreError::Hdf5 { source, .. }) => Ok(Some(printable(&source.to_string()).into_owned())),
         Err(error) => Err(error),
     }
 }

@@ -8,7 +8,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::contents::{field, places};
-use super::directory::{Directory, Staged, write_whole};
+use super::directory::{Directory, Staged, holds_text, write_whole};
 use super::holdings::Inspection;
 use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace};
@@ -45,14 +45,14 @@ impl Store {
     ///
     /// # Errors
     /// [`StoreError::Locked`] if another process works there, [`StoreError::Occupied`] if files are there that would be
-    /// replaced and no run has written (nothing is changed then), others if the directory cannot be read or written.
+    /// replaced and no run has written, [`StoreError::NotText`] if HDF5 cannot take the path (nothing is changed then), others if the directory cannot be read or written.
     pub fn open(path: &Path, sweep_text: &str, output: &Output) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
         directory.must_be_ours_or_free()?;
         directory.create()?;
         let lock = directory.lock()?;
         directory.remove_leftovers()?;
-        if !std::fs::read(directory.sweep()).is_ok_and(|held| held == sweep_text.as_bytes()) {
+        if !holds_text(&directory.sweep(), sweep_text) {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }
         let holdings = Holdings::load(directory, output, Inspection::Bytes)?;
@@ -69,7 +69,7 @@ impl Store {
     /// Whether [`Store::open`] would take a directory that holds no results yet. Changes nothing.
     ///
     /// # Errors
-    /// [`StoreError::Occupied`] as for [`Store::open`].
+    /// [`StoreError::Occupied`] and [`StoreError::NotText`] as for [`Store::open`].
     pub fn may_take(path: &Path) -> Result<(), StoreError> {
         Directory::new(path).must_be_ours_or_free()
     }

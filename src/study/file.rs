@@ -7,6 +7,7 @@ use crate::collocation::{self, Settings};
 use crate::input::{self, Entry, Fault, InputError, Section};
 use crate::model::{Parameters, Substrate};
 use crate::relaxation::{self, Acceleration};
+use crate::shown::printable;
 use crate::sweep::{Axes, Method, read_axes, read_error, read_points, read_substrate, read_title};
 
 /// What the file is called in messages.
@@ -34,7 +35,7 @@ impl Study {
     /// Reads a study file.
     ///
     /// # Errors
-    /// [`InputError`] if the file cannot be read, is larger than 16 MiB, is not UTF-8 or not a valid study.
+    /// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8 or not a valid study.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
         input::read(KIND, path.as_ref(), interpret)
     }
@@ -79,7 +80,11 @@ fn interpret(name: &str, text: &str) -> Result<Study, Fault> {
         cases.push(case);
     }
     Ok(Study {
-        title: root.get("title").map(|title| read_title(&title)).transpose()?.unwrap_or_else(|| name.to_owned()),
+        title: root
+            .get("title")
+            .map(|title| read_title(&title))
+            .transpose()?
+            .unwrap_or_else(|| printable(name).into_owned()),
         axes,
         cases,
         variants,

@@ -6,6 +6,7 @@ use super::specification::{Axes, Sweep};
 use super::{output, solver};
 use crate::input::{self, Entry, Fault, InputError, Quantity, Section, read_axis};
 use crate::model::{RetardationMode, Substrate};
+use crate::shown::{is_printable, printable};
 
 /// What the file is called in messages.
 const KIND: input::Kind = "sweep file";
@@ -30,7 +31,7 @@ impl Sweep {
     /// Reads a sweep file.
     ///
     /// # Errors
-    /// [`InputError`] if the file cannot be read, is larger than 16 MiB, is not UTF-8 or not a valid sweep.
+    /// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8 or not a valid sweep.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
         input::read(KIND, path.as_ref(), interpret)
     }
@@ -49,7 +50,11 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
     let axes = read_axes(&root.require("axes", AXES_EXAMPLE)?)?;
     Ok(Sweep {
-        title: root.get("title").map(|title| read_title(&title)).transpose()?.unwrap_or_else(|| name.to_owned()),
+        title: root
+            .get("title")
+            .map(|title| read_title(&title))
+            .transpose()?
+            .unwrap_or_else(|| printable(name).into_owned()),
         axes,
         substrate: root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?.unwrap_or_default(),
         solver: root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default(),
@@ -77,8 +82,8 @@ pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
 /// Reads a title.
 pub(crate) fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
     let title = entry.text()?;
-    let printable = !title.trim().is_empty() && !title.chars().any(char::is_control);
-    if printable && title.chars().count() <= 500 {
+    let visible = !title.trim().is_empty() && is_printable(title);
+    if visible && title.chars().count() <= 500 {
         Ok(title.to_owned())
     } else {
         let what = "`title` must be one line of 1 to 500 characters";
