@@ -49,7 +49,7 @@ impl VerifyReport {
     }
 }
 
-const SOLVE_AGAIN: &str = "run the sweep again: its cases are solved anew";
+const SOLVE_AGAIN: &str = "run the sweep that its cases are of again: they are solved anew";
 const PUBLISH_AGAIN: &str = "run the sweep again: it is rebuilt from the shards";
 
 /// Re-reads every shard against its record (size, checksum, cases, shapes) and the published files against theirs.

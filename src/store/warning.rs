@@ -19,7 +19,7 @@ pub enum Warning {
         what: String,
     },
     /// A shard that is not what its record says.
-    #[error("{}: {what}; its {cases} cases are not used, and solved again", shown(file))]
+    #[error("{}: {what}; its {cases} cases are not used, and solved again where the sweep has them", shown(file))]
     Shard {
         /// The shard.
         file: PathBuf,
