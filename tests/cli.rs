@@ -277,7 +277,7 @@ fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
             out(&verify)
         );
         assert!(
-            out(&verify).contains("run the sweep again") && out(&verify).contains("1 problem found"),
+            out(&verify).contains(" again: ") && out(&verify).contains("1 problem found"),
             "{}",
             out(&verify)
         );
