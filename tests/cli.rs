@@ -276,11 +276,7 @@ fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
             "{}",
             out(&verify)
         );
-        assert!(
-            out(&verify).contains(" again: ") && out(&verify).contains("1 problem found"),
-            "{}",
-            out(&verify)
-        );
+        assert!(out(&verify).contains(" again: ") && out(&verify).contains("1 problem found"), "{}", out(&verify));
         // What is told of a directory is what the next run will find; a quick look sees sizes alone.
         let told = |command: &[&str]| out(&say(directory.path(), command));
         let (status, plan) = (told(&["status", "results/small"]), told(&["plan", "small.toml"]));
