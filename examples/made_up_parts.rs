@@ -16,8 +16,8 @@ use stribeck::model::{COLUMNS, Fields, Parameters};
 use stribeck::store::{CaseEntry, Ending, Status, Store, Timing};
 use stribeck::sweep::{Part, Plan, Sweep};
 
-/// Cases of a commit, as of quick cases that finish within a tenth of a second.
-const COMMIT: usize = 1000;
+/// Cases of a commit, as the engine makes them of quick cases in a part of many.
+const COMMIT: usize = 4096;
 
 /// Values of β: with 64 cases in a chain the last one of each row is a short one.
 const BETAS: usize = 1000;

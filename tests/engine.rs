@@ -302,6 +302,36 @@ fn chains_that_finish_while_the_writer_is_at_work_are_committed_together() {
     assert!(groups.len() <= 5, "{groups:?}");
 }
 
+/// The wait is an hour: only its being cut short lets this test end.
+#[test]
+fn chains_wait_for_company_until_the_run_ends_or_is_interrupted() {
+    let patient = || engine(2).with_queue(100).with_group_wait(Duration::from_secs(3600));
+    let chains: Vec<usize> = (0..40).collect();
+    let mut groups = Vec::new();
+    let commit = |group: Vec<Finished<'_, usize>>| {
+        groups.push(group.len());
+        Ok::<_, Infallible>(())
+    };
+    let report = patient().run(&chains, &Interrupt::new(), solve, never_panicked, commit);
+    assert_eq!(report, Ok(Report { failed: 40, ..Report::default() }));
+    assert_eq!(groups, [40], "all of it is one commit");
+
+    let interrupt = Interrupt::new();
+    let interrupting = |&chain: &usize, interrupt: &Interrupt| {
+        if chain == 30 {
+            interrupt.request();
+        }
+        solve(&chain, interrupt)
+    };
+    let mut committed = 0;
+    let commit = |group: Vec<Finished<'_, usize>>| {
+        committed += group.len();
+        Ok::<_, Infallible>(())
+    };
+    let report = patient().run(&chains, &interrupt, interrupting, never_panicked, commit).expect("nothing fails");
+    assert!(report.interrupted && committed >= 30, "{committed}");
+}
+
 #[test]
 fn a_finished_chain_does_not_wait_for_a_slow_one() {
     let committed = AtomicUsize::new(0);

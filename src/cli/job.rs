@@ -1,6 +1,7 @@
 //! The work of a run: solving what is pending, then publishing.
 
 use std::num::NonZeroUsize;
+use std::time::Duration;
 
 use super::CliError;
 use super::entry::{case_entry, panicked};
@@ -10,10 +11,17 @@ use crate::continuation::Interrupt;
 use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report};
 use crate::model::{Output, Parameters};
 use crate::store::{Ending, Publication, Published, Store, StoreError};
-use crate::sweep::{MAX_CHAIN, Plan, Sweep};
+use crate::sweep::{MAX_CHAIN, Part, Plan, Sweep};
 
 /// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
 const WAITING_CHAINS: usize = 8;
+
+/// The same for a part of a sweep, whatever its threads.
+const PART_CHAINS: usize = 64;
+
+/// Time between the commits of all parts, and the longest between those of one.
+const COMMIT_INTERVAL: Duration = Duration::from_millis(100);
+const LONGEST_WAIT: Duration = Duration::from_secs(10);
 
 /// Values of fields that may wait to be written: 32 MB.
 const WAITING_FIELD_VALUES: usize = 1 << 22;
@@ -85,10 +93,19 @@ impl Job<'_> {
     }
 }
 
-/// Finished chains that may wait for a slow disk: some for each thread, fewer where their fields would take much memory.
-pub fn queue_length(threads: usize, output: &Output) -> usize {
+/// Finished chains that may wait for a slow disk: some for each thread, of a part as many as make a large commit, fewer where
+/// their fields would take much memory.
+pub fn queue_length(threads: usize, part: Option<Part>, output: &Output) -> usize {
     let field_values = MAX_CHAIN * output.fields.names().len() * output.x.len();
-    (WAITING_CHAINS * threads).min(WAITING_FIELD_VALUES / field_values.max(1))
+    let chains = WAITING_CHAINS * threads;
+    let chains = if part.is_some() { chains.max(PART_CHAINS) } else { chains };
+    chains.min(WAITING_FIELD_VALUES / field_values.max(1))
+}
+
+/// How long finished chains of a part wait to be committed together: so long that all parts make about ten commits a second for
+/// the file system they share, but no longer than it may be a pity to lose.
+pub fn group_wait(part: Part) -> Duration {
+    (COMMIT_INTERVAL * part.of()).min(LONGEST_WAIT)
 }
 
 /// Publishes a sweep whose cases are all stored.

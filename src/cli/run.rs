@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::collection::{Collection, Held, part_directory, parts};
 use super::destination::{destination, had_other_sweep, read_sweep};
-use super::job::{Job, publish, queue_length};
+use super::job::{Job, group_wait, publish, queue_length};
 use super::merge::join_all;
 use super::run_report::{about_other_sweep, how_to_resume, of_part, of_whole};
 use super::wording::count;
@@ -54,12 +54,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let plan = Plan::new(&sweep);
     let directory = destination(arguments.output.as_deref(), &sweep)?;
     let threads = threads::number(arguments.threads);
-    let engine = Engine::new(threads)?.with_queue(queue_length(threads.get(), &sweep.output));
+    let part = arguments.shard;
+    let mut engine = Engine::new(threads)?.with_queue(queue_length(threads.get(), part, &sweep.output));
+    if let Some(part) = part {
+        engine = engine.with_group_wait(group_wait(part));
+    }
     let interrupt = Arc::new(Interrupt::new());
     let signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
 
-    let part = arguments.shard;
     let home = part.map_or_else(|| directory.clone(), |part| part_directory(&directory, part));
     let other_sweep = had_other_sweep(&home, &sweep);
     let mut store = Store::open(&home, &sweep.text, &sweep.output)?.solving_with(recipe(&plan));

@@ -11,8 +11,9 @@ use crate::continuation::{Interrupt, Interrupted, SolvedCase, panic_message};
 /// Cases at which a group of finished chains is committed without looking for more.
 const GROUP_CASES: usize = 4096;
 
-/// How long a finished chain waits for others to be committed with. A commit waits for the disk several times, however
-/// little it brings there; this is the time in which a kill loses more than the chains at work.
+/// How long a finished chain waits for others to be committed with, unless [`Engine::with_group_wait`] says otherwise. A commit
+/// waits for the disk several times, however little it brings there; this is the time in which a kill loses more than the
+/// chains at work.
 const GROUP_WAIT: Duration = Duration::from_millis(100);
 
 /// A pool of threads that solves chains.
@@ -20,6 +21,7 @@ const GROUP_WAIT: Duration = Duration::from_millis(100);
 pub struct Engine {
     pool: rayon::ThreadPool,
     queue_length: usize,
+    group_wait: Duration,
 }
 
 /// The threads of an [`Engine`] could not be started.
@@ -62,7 +64,7 @@ impl Engine {
     /// # Errors
     /// [`ThreadsError`] if the system does not give that many.
     pub fn new(threads: NonZeroUsize) -> Result<Self, ThreadsError> {
-        Ok(Self { pool: solver_threads(threads)?, queue_length: threads.get() })
+        Ok(Self { pool: solver_threads(threads)?, queue_length: threads.get(), group_wait: GROUP_WAIT })
     }
 
     /// The engine with room for at least `chains` finished chains in its queue: a longer one keeps the solver threads at
@@ -70,6 +72,13 @@ impl Engine {
     #[must_use]
     pub fn with_queue(self, chains: usize) -> Self {
         Self { queue_length: self.queue_length.max(chains), ..self }
+    }
+
+    /// The engine with another time that a finished chain may wait for others to be committed with. An interruption, and the end
+    /// of the run, end the waiting.
+    #[must_use]
+    pub fn with_group_wait(self, group_wait: Duration) -> Self {
+        Self { group_wait, ..self }
     }
 
     /// Number of finished chains that may wait for the writer in its queue.
@@ -87,7 +96,8 @@ impl Engine {
     /// - `panicked` makes failed cases of a chain whose solver panicked, from the message of the panic. They are committed
     ///   like any others, and the other chains go on.
     /// - `commit` is called on the calling thread only, so it needs no lock. It gets the chains that finished since it was
-    ///   called last, in the order of `chains`: at least one, and what is there a tenth of a second after the first.
+    ///   called last, in the order of `chains`: at least one, and what is there a tenth of a second (or as long as the engine is
+    ///   told to wait) after the first.
     ///   Which chains are in one group depends on timing.
     ///
     /// # Errors
@@ -125,7 +135,7 @@ impl Engine {
 
             let mut report = Report::default();
             let mut chains_left = chains.len();
-            while let Some(group) = next_group(&receiver, self.queue_length) {
+            while let Some(group) = next_group(&receiver, self.queue_length, self.group_wait) {
                 let mut after = report;
                 for Finished { cases, panicked, .. } in &group {
                     let converged = cases.iter().filter(|case| case.outcome.is_ok()).count();
@@ -153,9 +163,13 @@ pub(crate) fn solver_threads(threads: NonZeroUsize) -> Result<rayon::ThreadPool,
 }
 
 /// The chains to commit next, in their order; `None` when all solver threads have ended and nothing is left.
-fn next_group<'a, C>(finished: &Receiver<Finished<'a, C>>, most: usize) -> Option<Vec<Finished<'a, C>>> {
+fn next_group<'a, C>(
+    finished: &Receiver<Finished<'a, C>>,
+    most: usize,
+    wait: Duration,
+) -> Option<Vec<Finished<'a, C>>> {
     let first = finished.recv().ok()?;
-    let end = Instant::now() + GROUP_WAIT;
+    let end = Instant::now() + wait;
     let mut cases = first.cases.len();
     let mut group = vec![first];
     while group.len() < most && cases < GROUP_CASES {
