@@ -196,6 +196,8 @@ fn what_is_wrong_with_a_directory_ends_with_4_and_says_what_to_do() {
         (vec!["run", "small.toml", "-o", "file/below"], "check"),
         (vec!["run", "small.toml", "-o", "theirs"], "choose another directory with -o"),
         (vec!["plan", "small.toml", "-o", "theirs"], "choose another directory with -o"),
+        (vec!["run", "small.toml", "-o", "theirs", "--shard", "1/2"], "choose another directory with -o"),
+        (vec!["slurm", "small.toml", "-o", "theirs", "--tasks", "2"], "choose another directory with -o"),
         (vec!["status", "absent"], "give the directory that `stribeck run` wrote"),
         (vec!["status", "file"], "give the directory that `stribeck run` wrote"),
         (vec!["verify", "."], "give the directory that `stribeck run` wrote"),

@@ -64,6 +64,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
 
     let home = part.map_or_else(|| directory.clone(), |part| part_directory(&directory, part));
+    // Before anything is made in it: what a part solves is to be merged there.
+    Store::may_take(&directory)?;
     let other_sweep = had_other_sweep(&home, &sweep);
     let mut store = Store::open(&home, &sweep.text, &sweep.output)?.solving_with(recipe(&plan));
     for warning in store.warnings() {

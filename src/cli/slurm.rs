@@ -210,7 +210,10 @@ fn by_hand(part: &Path, merge: &Path, tasks: u32) -> String {
 
 /// Submits the arrays of parts, and the merge after them.
 fn submit(part: &Path, merge: &Path, tasks: u32) -> Result<(), CliError> {
-    let size = max_array_size(&ask("scontrol", &["show", "config"])?).unwrap_or(USUAL_ARRAY_SIZE);
+    let config = ask("scontrol", &["show", "config"])?;
+    let unknown =
+        || CliError::Slurm { program: "scontrol", said: "its configuration tells no MaxArraySize".to_owned() };
+    let size = max_array_size(&config).ok_or_else(unknown)?;
     let path = |path: &Path| path.to_string_lossy().into_owned();
     let mut jobs = Vec::new();
     for (tasks, before) in arrays(tasks, size) {
