@@ -1,4 +1,4 @@
-"""Runs a command and says what it cost: `scripts/measured.py COMMAND…`. What the command prints goes to stderr."""
+"""Runs a command and says what it cost: `python3 scripts/measured.py COMMAND…`. What the command prints goes to stderr."""
 
 import resource
 import subprocess
