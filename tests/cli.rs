@@ -130,6 +130,12 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
         (vec!["slurm", "small.toml", "--tasks", "2", "--time", "2h"], "hours:minutes:seconds or days-hours"),
         (vec!["slurm", "small.toml", "--tasks", "2", "--time", "4"], "leaves a part no time to work"),
         (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch", "hold"], "an option of sbatch"),
+        (
+            vec!["slurm", "small.toml", "--tasks", "2", "--sbatch=--array=1-9%2"],
+            "--array is set by `stribeck slurm` itself",
+        ),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch", "--no-requeue"], "--no-requeue is set by"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch=-dafter:7"], "-d is set by"),
         (vec!["slurm", "small.toml", "--tasks", "2", "--setup", "a\nb"], "one line"),
         (vec!["slurm", "small.toml", "--tasks", "2", "-o", "10%"], "cannot write logs below"),
         (vec!["slurm", "absent.toml", "--tasks", "2"], "check the path"),
@@ -651,6 +657,33 @@ fn slurm_writes_its_scripts_and_says_how_to_submit_them() {
     }
     let run = say(here, &["run", "small.toml", "-o", "my out", "--quiet"]);
     assert_eq!(code(&run), 0, "{}", err(&run));
+}
+
+#[test]
+fn slurm_replaces_its_own_scripts_and_no_others() {
+    let directory = with_sweep(SMALL);
+    let here = directory.path();
+    let write = |tasks| say(here, &["slurm", "small.toml", "-o", "out", "--tasks", tasks]);
+    fs::create_dir_all(here.join("out/slurm")).expect("created");
+    for name in ["part.sh", "merge.sh", "small.toml"] {
+        let file = here.join("out/slurm").join(name);
+        fs::write(&file, "#!/bin/bash\n# mine\n").expect("written");
+        let before = paths(here);
+        let refused = write("2");
+        assert_eq!(code(&refused), 4, "{name}");
+        let said = err(&refused);
+        assert!(said.contains(&format!("out/slurm/{name} is there, which `stribeck slurm` has not written")), "{said}");
+        assert_eq!(
+            (fs::read_to_string(&file).expect("kept"), paths(here)),
+            ("#!/bin/bash\n# mine\n".to_owned(), before)
+        );
+        fs::remove_file(file).expect("removed");
+    }
+    for tasks in ["2", "3"] {
+        assert_eq!(code(&write(tasks)), 0);
+        let part = fs::read_to_string(here.join("out/slurm/part.sh")).expect("written");
+        assert!(part.contains(&format!("--shard \"$part/{tasks}\"")), "{part}");
+    }
 }
 
 #[test]

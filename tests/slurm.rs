@@ -188,9 +188,13 @@ fn a_sweep_on_a_cluster_whose_node_dies_has_the_bytes_of_one_machine() {
     cluster.node("kill", "n2");
     let before: Vec<usize> = lost.iter().map(|&part| committed(part)).collect();
 
-    // Another part gets a shorter limit, which it runs into.
-    let (limited, (task, _)) =
-        cluster.running().into_iter().find(|(part, _)| !lost.contains(part)).expect("others run");
+    // Another part gets a shorter limit, which it runs into. One that had stored nothing would not be started again.
+    let mut other = None;
+    cluster.wait("another part to store something", || {
+        other = cluster.running().into_iter().find(|(part, _)| !lost.contains(part) && committed(*part) > 0);
+        other.is_some()
+    });
+    let (limited, (task, _)) = other.expect("found");
     cluster.ask("scontrol", &["update", &format!("JobId={task}"), "TimeLimit=1"]);
 
     cluster.wait("the parts of the dead node to be requeued", || {

@@ -99,6 +99,15 @@ pub enum CliError {
         /// The path.
         path: PathBuf,
     },
+    /// A script would replace a file that is not of this program.
+    #[error(
+        "{} is there, which `stribeck slurm` has not written; move it away, or choose another directory with -o",
+        shown(file)
+    )]
+    Foreign {
+        /// The file.
+        file: PathBuf,
+    },
     /// Slurm did not do what it was asked to.
     #[error("`{program}` did not work: {said}; the scripts are written, submit them by hand where Slurm runs")]
     Slurm {
@@ -188,6 +197,7 @@ impl CliError {
             | CliError::Tolerance { .. } => 2,
             CliError::Store(_)
             | CliError::Incomplete { .. }
+            | CliError::Foreign { .. }
             | CliError::Slurm { .. }
             | CliError::NotADirectory { .. }
             | CliError::Occupied { .. }

@@ -9,7 +9,7 @@ use std::process::Command;
 use clap::Args;
 
 use super::destination::{destination, read_sweep};
-use super::slurm_script::{Job, merge_script, part_script};
+use super::slurm_script::{Job, MARK, merge_script, part_script};
 use super::wording::count;
 use super::{CliError, Exit, console, shell};
 use crate::shown::shown;
@@ -113,10 +113,41 @@ fn one_line(text: &str) -> Result<String, String> {
     }
 }
 
+/// Options of sbatch without which the parts would not be what they are said to be.
+const OWN_OPTIONS: [&str; 16] = [
+    "--array",
+    "-a",
+    "--cpus-per-task",
+    "-c",
+    "--dependency",
+    "-d",
+    "--no-requeue",
+    "--nodes",
+    "-N",
+    "--ntasks",
+    "-n",
+    "--open-mode",
+    "--output",
+    "-o",
+    "--signal",
+    "--time",
+];
+
 fn sbatch_option(text: &str) -> Result<String, String> {
-    match one_line(text) {
-        Ok(option) if option.starts_with('-') => Ok(option),
-        _ => Err("give an option of sbatch, as in --constraint=avx2".to_owned()),
+    let option = match one_line(text) {
+        Ok(option) if option.starts_with('-') => option,
+        _ => return Err("give an option of sbatch, as in --constraint=avx2".to_owned()),
+    };
+    let is = |own: &str| match own.starts_with("--") {
+        true => option.split(['=', ' ']).next() == Some(own),
+        // The value of a short option may follow without a blank.
+        false => option.starts_with(own) && !option.starts_with("--"),
+    };
+    match OWN_OPTIONS.into_iter().find(|own| is(own)) {
+        Some(own) => {
+            Err(format!("{own} is set by `stribeck slurm` itself: its own options choose the value, if there is one"))
+        }
+        None => Ok(option),
     }
 }
 
@@ -143,9 +174,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     }
     Store::may_take(&directory)?;
     let home = directory.join("slurm");
+    let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
+    let kept = home.join(format!("{}.toml", sweep.name));
+    must_be_ours_or_free(&part, &merge, &kept)?;
     create(&home.join("log"))?;
     // The sweep as it is now: whoever edits the file while jobs wait in the queue does not change half of them.
-    let kept = home.join(format!("{}.toml", sweep.name));
     write_whole(kept.clone(), sweep.text.as_bytes())?;
     let program = std::env::current_exe()
         .map_err(|source| CliError::System { action: "find out where this program is", source })?;
@@ -161,7 +194,6 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         options: options(arguments),
         setup: &arguments.setup,
     };
-    let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
     write_whole(part.clone(), part_script(&job).as_bytes())?;
     write_whole(merge.clone(), merge_script(&job).as_bytes())?;
     console::print(&format!("wrote {} and {}\n", shown(&part), shown(&merge)))?;
@@ -171,6 +203,16 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         console::print(&by_hand(&part, &merge, arguments.tasks))?;
     }
     Ok(Exit::Success)
+}
+
+/// The scripts that are replaced have to be earlier ones; a sweep file beside them is an earlier one too.
+fn must_be_ours_or_free(part: &Path, merge: &Path, kept: &Path) -> Result<(), CliError> {
+    let ours = |script: &Path| {
+        fs::read(script).is_ok_and(|text| text.split(|byte| *byte == b'\n').nth(1) == Some(MARK.as_bytes()))
+    };
+    let foreign = [part, merge].into_iter().find(|script| script.exists() && !ours(script));
+    let foreign = foreign.or_else(|| Some(kept).filter(|kept| kept.exists() && !part.exists()));
+    foreign.map_or(Ok(()), |file| Err(CliError::Foreign { file: file.to_owned() }))
 }
 
 /// The options of sbatch for both jobs.
@@ -215,17 +257,28 @@ fn submit(part: &Path, merge: &Path, tasks: u32) -> Result<(), CliError> {
         || CliError::Slurm { program: "scontrol", said: "its configuration tells no MaxArraySize".to_owned() };
     let size = max_array_size(&config).ok_or_else(unknown)?;
     let path = |path: &Path| path.to_string_lossy().into_owned();
-    let mut jobs = Vec::new();
+    let mut jobs: Vec<String> = Vec::new();
+    let submitted = |jobs: &[String], arguments: &[&str]| {
+        ask("sbatch", arguments).map_err(|error| match error {
+            CliError::Slurm { program, said } if !jobs.is_empty() => {
+                let jobs = jobs.join(" ");
+                let said =
+                    format!("{said}; what was submitted before stays in the queue, `scancel {jobs}` takes it back");
+                CliError::Slurm { program, said }
+            }
+            error => error,
+        })
+    };
     for (tasks, before) in arrays(tasks, size) {
         let (array, before) = (format!("--array=1-{tasks}"), before.to_string());
-        let job = ask("sbatch", &["--parsable", &array, &path(part), &before])?;
+        let job = submitted(&jobs, &["--parsable", &array, &path(part), &before])?;
         // A cluster's name may follow the number.
         let job = job.trim().split(';').next().unwrap_or_default().to_owned();
         console::print(&format!("submitted {} as job {job}\n", count(u64::from(tasks), "part")))?;
         jobs.push(job);
     }
     let dependency = format!("--dependency=afterany:{}", jobs.join(":"));
-    let job = ask("sbatch", &["--parsable", &dependency, &path(merge)])?;
+    let job = submitted(&jobs, &["--parsable", &dependency, &path(merge)])?;
     console::print(&format!("submitted the merge as job {}\n", job.trim()))
 }
 
