@@ -687,6 +687,48 @@ fn slurm_replaces_its_own_scripts_and_no_others() {
 }
 
 #[test]
+fn what_is_in_the_queue_already_is_told_when_slurm_takes_no_more() {
+    use std::os::unix::fs::PermissionsExt;
+    let directory = with_sweep(SMALL);
+    let here = directory.path();
+    // A Slurm with arrays of two tasks, which takes two jobs.
+    let programs = [
+        ("scontrol", "echo 'MaxArraySize = 3'"),
+        (
+            "sbatch",
+            "echo \"$@\" >> asked; n=$(wc -l < asked); [ $n -le 2 ] && echo \"4$n;hal\" || { echo 'too many jobs' >&2; exit 1; }",
+        ),
+    ];
+    for (name, text) in programs {
+        let file = here.join(name);
+        fs::write(&file, format!("#!/bin/sh\n{text}\n")).expect("written");
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).expect("made executable");
+    }
+    let path = format!("{}:{}", here.display(), std::env::var("PATH").expect("a path"));
+    let submit = |tasks: &str| {
+        let _ = fs::remove_file(here.join("asked"));
+        let mut command = stribeck(here);
+        command.args(["slurm", "small.toml", "-o", "out", "--tasks", tasks, "--submit"]).env("PATH", &path);
+        command.output().expect("the program starts")
+    };
+    let submitted = submit("2");
+    assert_eq!(code(&submitted), 0, "{}", err(&submitted));
+    assert!(
+        out(&submitted).contains("submitted 2 parts as job 41\nsubmitted the merge as job 42\n"),
+        "{}",
+        out(&submitted)
+    );
+    let asked = fs::read_to_string(here.join("asked")).expect("asked");
+    assert!(asked.contains("--parsable --dependency=afterany:41 "), "{asked}");
+    for tasks in ["3", "6"] {
+        let refused = submit(tasks);
+        assert_eq!(code(&refused), 4);
+        let said = err(&refused);
+        assert!(said.contains("`sbatch` did not work: too many jobs; ") && said.contains("`scancel 41 42`"), "{said}");
+    }
+}
+
+#[test]
 fn a_cluster_without_slurm_is_told_and_the_scripts_stay() {
     let directory = with_sweep(SMALL);
     let mut command = stribeck(directory.path());

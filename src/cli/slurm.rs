@@ -258,28 +258,30 @@ fn submit(part: &Path, merge: &Path, tasks: u32) -> Result<(), CliError> {
     let size = max_array_size(&config).ok_or_else(unknown)?;
     let path = |path: &Path| path.to_string_lossy().into_owned();
     let mut jobs: Vec<String> = Vec::new();
-    let submitted = |jobs: &[String], arguments: &[&str]| {
-        ask("sbatch", arguments).map_err(|error| match error {
-            CliError::Slurm { program, said } if !jobs.is_empty() => {
-                let jobs = jobs.join(" ");
-                let said =
-                    format!("{said}; what was submitted before stays in the queue, `scancel {jobs}` takes it back");
-                CliError::Slurm { program, said }
-            }
-            error => error,
-        })
-    };
     for (tasks, before) in arrays(tasks, size) {
         let (array, before) = (format!("--array=1-{tasks}"), before.to_string());
-        let job = submitted(&jobs, &["--parsable", &array, &path(part), &before])?;
-        // A cluster's name may follow the number.
-        let job = job.trim().split(';').next().unwrap_or_default().to_owned();
+        let job = submit_one(&jobs, &[&array, &path(part), &before])?;
         console::print(&format!("submitted {} as job {job}\n", count(u64::from(tasks), "part")))?;
         jobs.push(job);
     }
     let dependency = format!("--dependency=afterany:{}", jobs.join(":"));
-    let job = submitted(&jobs, &["--parsable", &dependency, &path(merge)])?;
-    console::print(&format!("submitted the merge as job {}\n", job.trim()))
+    let job = submit_one(&jobs, &[&dependency, &path(merge)])?;
+    console::print(&format!("submitted the merge as job {job}\n"))
+}
+
+/// Submits a job after others; its number.
+fn submit_one(others: &[String], arguments: &[&str]) -> Result<String, CliError> {
+    let job = ask("sbatch", &[&["--parsable"], arguments].concat()).map_err(|error| match error {
+        CliError::Slurm { program, said } if !others.is_empty() => {
+            let others = others.join(" ");
+            let said =
+                format!("{said}; what was submitted before stays in the queue, `scancel {others}` takes it back");
+            CliError::Slurm { program, said }
+        }
+        error => error,
+    })?;
+    // A cluster's name may follow the number.
+    Ok(job.trim().split(';').next().unwrap_or_default().to_owned())
 }
 
 /// MaxArraySize in what `scontrol show config` prints.
