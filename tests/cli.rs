@@ -136,6 +136,8 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
         ),
         (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch", "--no-requeue"], "--no-requeue is set by"),
         (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch=-dafter:7"], "-d is set by"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch=-t4"], "-t is set by"),
+        (vec!["slurm", "small.toml", "--tasks", "2", "--sbatch=--time=4"], "--time is set by"),
         (vec!["slurm", "small.toml", "--tasks", "2", "--setup", "a\nb"], "one line"),
         (vec!["slurm", "small.toml", "--tasks", "2", "-o", "10%"], "cannot write logs below"),
         (vec!["slurm", "absent.toml", "--tasks", "2"], "check the path"),
@@ -284,7 +286,11 @@ fn a_flipped_byte_is_found_and_repaired_by_the_next_run() {
             "{}",
             out(&verify)
         );
-        assert!(out(&verify).contains(" again: ") && out(&verify).contains("1 problem found"), "{}", out(&verify));
+        let remedy = match name.contains("shards") {
+            true => "run the sweep that its cases are of again: they are solved anew",
+            false => "run the sweep again: it is rebuilt from the shards",
+        };
+        assert!(out(&verify).contains(remedy) && out(&verify).contains("1 problem found"), "{}", out(&verify));
         // What is told of a directory is what the next run will find; a quick look sees sizes alone.
         let told = |command: &[&str]| out(&say(directory.path(), command));
         let (status, plan) = (told(&["status", "results/small"]), told(&["plan", "small.toml"]));
@@ -424,8 +430,8 @@ fn what_is_expected_is_about_what_comes() {
     let mut seconds: Vec<f64> = timings(&results).iter().map(|row| row[0]).collect();
     seconds.sort_by(f64::total_cmp);
     let median = 1e3 * seconds[seconds.len() / 2];
-    // Right in its order of magnitude. Other programs may be at work now and not then, which a median hardly feels.
-    assert!((expected / median).ln().abs() < 20_f64.ln(), "expected {expected} ms a case, took {median}");
+    // Other programs may be at work now and not then, which a median feels less than a mean.
+    assert!((expected / median).ln().abs() < 8_f64.ln(), "expected {expected} ms a case, took {median}");
     let size = |place: &str| -> f64 {
         let path = results.join(place);
         let files = if path.is_dir() { paths(&path) } else { vec![path.display().to_string()] };

@@ -114,7 +114,7 @@ fn one_line(text: &str) -> Result<String, String> {
 }
 
 /// Options of sbatch without which the parts would not be what they are said to be.
-const OWN_OPTIONS: [&str; 16] = [
+const OWN_OPTIONS: [&str; 17] = [
     "--array",
     "-a",
     "--cpus-per-task",
@@ -131,6 +131,7 @@ const OWN_OPTIONS: [&str; 16] = [
     "-o",
     "--signal",
     "--time",
+    "-t",
 ];
 
 fn sbatch_option(text: &str) -> Result<String, String> {
