@@ -34,6 +34,7 @@ use place::Place;
 use random::Random;
 use rounds::{table, torture};
 use stops::Moment;
+use stored::logs;
 use sweep::Sweep;
 use witness::{assert_completes, assert_told};
 
@@ -260,6 +261,26 @@ fn a_torn_line_of_the_log_costs_its_cases_and_no_others() {
 #[test]
 fn a_damaged_line_of_the_log_costs_its_cases_and_no_others() {
     strike(Fault::DamagedLine, finished(Sweep::Failing), &["of a shard", "of no shard"]);
+}
+
+#[test]
+fn damaged_lines_that_follow_each_other_are_told_together_and_others_apart() {
+    let place = finished(Sweep::Failing);
+    let (_, log) = logs(&place.results()).remove(0);
+    let sound = fs::read_to_string(&log).expect("read");
+    let lines: Vec<&str> = sound.lines().collect();
+    assert!(lines.len() >= 4, "a start, shards, an end and a publication");
+    // Which lines are harmed, and in how many warnings that is told.
+    for (harmed, warnings) in [(&[0, 1][..], 1), (&[1, 2, 3], 1), (&[0, 2, 3], 2), (&[0, 2], 2)] {
+        let harm =
+            |(i, line): (usize, &&str)| if harmed.contains(&i) { line.to_uppercase() } else { (*line).to_owned() };
+        let content: Vec<String> = lines.iter().enumerate().map(harm).collect();
+        fs::write(&log, content.join("\n") + "\n").expect("written");
+        assert_eq!(assert_told(&place).damaged.len(), harmed.len());
+        let status = place.say(&["status", "out"]);
+        assert_eq!(program::err(&status).lines().count(), warnings, "{}", program::err(&status));
+    }
+    assert_completes(&place, 1);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::fs;
 
 use crate::place::{End, Place};
 use crate::program::{code, err, out};
-use crate::stored::{Cases, Start, Stored};
+use crate::stored::{Cases, Line, Start, Stored};
 use crate::sweep::SAME_IN_EVERY_RUN;
 
 /// Starts that `status` lists.
@@ -93,7 +93,13 @@ fn assert_status(place: &Place, stored: &Stored, [converged, failed, left]: [usi
 
 /// Every damage is told, and nothing else.
 fn assert_warnings(warned: &str, stored: &Stored, running: bool) {
-    let lines = stored.damaged.iter().map(|damaged| format!("log/{:04}.jsonl, line {}: ", damaged.log, damaged.line));
+    // Damaged lines that follow each other are told together.
+    let neighbours = |a: &Line, b: &Line| a.log == b.log && a.line + 1 == b.line;
+    let lines = stored.damaged.chunk_by(neighbours).map(|run| match run {
+        [one] => format!("log/{:04}.jsonl, line {}: ", one.log, one.line),
+        [first, .., last] => format!("log/{:04}.jsonl, lines {} to {}: ", first.log, first.line, last.line),
+        [] => unreachable!("runs have a first line"),
+    });
     // The last line may be half written while a run works, so that lines are not complained of then.
     let mut expected: Vec<_> = lines.filter(|_| !running).map(|line| (line, String::new())).collect();
     let shards = stored.lossy().into_iter();
