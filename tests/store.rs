@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use stribeck::model::{COLUMNS, CaseId, FieldSelection, Output};
-use stribeck::store::{Ending, Holdings, Inspection, Publication, Status, Store, StoreError, Warning, verify};
+use stribeck::store::{DataSet, Ending, Holdings, Inspection, Publication, Status, Store, StoreError, Warning, verify};
 use synthetic::{
     ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, published_bytes, reference, resume, row,
 };
@@ -561,4 +561,50 @@ fn the_documentation_lists_every_column_field_and_header() {
     drop(finished(directory.path()));
     let summary = fs::read_to_string(directory.path().join("summary.csv")).unwrap();
     assert!(text.contains(summary.lines().next().unwrap()));
+}
+
+/// What was published is read back, to the last bit.
+#[test]
+fn a_data_set_is_read_back_as_it_was_published() {
+    let directory = tempdir().unwrap();
+    let mut store = finished(directory.path());
+    let data = DataSet::open(directory.path()).unwrap();
+    assert_eq!((data.title.as_str(), data.sweep_text.as_str()), ("synthetic, β from 10", SWEEP));
+    assert_eq!((&data.f[..], &data.alpha[..], &data.beta[..]), (&F[..], &ALPHA[..], &BETA[..]));
+    assert_eq!((data.x.as_slice(), data.outdated), (&*output().x, false));
+    let (statuses, reasons, cases) = (data.statuses().unwrap(), data.reasons().unwrap(), data.cases().unwrap());
+    let costs = data.costs().unwrap().unwrap();
+    let columns: Vec<Vec<f64>> = COLUMNS.iter().map(|column| data.column(column.name).unwrap()).collect();
+    for (i_f, f) in F.into_iter().enumerate() {
+        for (i_alpha, alpha) in ALPHA.into_iter().enumerate() {
+            for (i_beta, beta) in BETA.into_iter().enumerate() {
+                // Elastic cases are stored once.
+                let alpha = if f == 0.0 { f64::INFINITY } else { alpha };
+                let f = if alpha == f64::INFINITY { 0.0 } else { f };
+                let wanted = entry(f, alpha, beta, &output());
+                let place = data.place([i_f, i_alpha, i_beta]);
+                assert_eq!((statuses[place], &reasons[place]), (wanted.outcome, &wanted.reason));
+                assert_eq!((&cases[place], &costs[place].case), (&wanted.id.to_string(), &wanted.id.to_string()));
+                assert_eq!(costs[place].seconds, wanted.timing.seconds);
+                let values: Vec<f64> = columns.iter().map(|column| column[place]).collect();
+                assert_eq!(bits(&values), bits(&wanted.values));
+                let film = data.field("film_thickness", [i_f, i_alpha, i_beta]).unwrap();
+                match wanted.fields.film_thickness {
+                    Some(field) => assert_eq!(bits(&film), bits(&field)),
+                    None => assert!(film.iter().all(|value| value.is_nan())),
+                }
+            }
+        }
+    }
+    assert!(data.column("mu_q").is_err());
+
+    // Cases that come later are not in it.
+    store.commit(&[entry(7.0, 1.0, 10.0, &output())]).unwrap();
+    assert!(DataSet::open(directory.path()).unwrap().outdated);
+    // Timings of other cases are not taken for its own.
+    let timings = directory.path().join("timings.csv");
+    let text = fs::read_to_string(&timings).unwrap();
+    fs::write(&timings, text.lines().take(5).collect::<Vec<_>>().join("\n")).unwrap();
+    let error = data.costs().unwrap_err();
+    assert!(matches!(&error, StoreError::Altered { .. }), "{error}");
 }

@@ -214,7 +214,11 @@ impl Staged {
 
     /// Gives the file its name and waits until the directory is on the disk.
     pub(super) fn put_in_place(self) -> Result<(), StoreError> {
-        let directory = self.target.parent().expect("a file has a directory").to_owned();
+        let directory = match self.target.parent().expect("a file has a directory") {
+            // A name alone is one in the working directory.
+            parent if parent.as_os_str().is_empty() => Path::new(".").to_owned(),
+            parent => parent.to_owned(),
+        };
         self.rename()?;
         synchronise_directory(&directory)
     }

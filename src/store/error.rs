@@ -50,6 +50,34 @@ pub enum StoreError {
         /// What is missing.
         what: &'static str,
     },
+    /// A results directory without published files.
+    #[error(
+        "{} has no results.h5: nothing is published yet; run `stribeck run {} -o {}` to its end",
+        shown(path),
+        shown(sweep),
+        shown(path)
+    )]
+    Unpublished {
+        /// The results directory.
+        path: PathBuf,
+        /// Its sweep file.
+        sweep: PathBuf,
+    },
+    /// A published file that is not as it was written.
+    #[error(
+        "{} is not as it was published: {}; run `stribeck run {}` with the same -o again, which rebuilds it",
+        shown(path),
+        printable(what),
+        shown(sweep)
+    )]
+    Altered {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        what: String,
+        /// The sweep file of its directory.
+        sweep: PathBuf,
+    },
     /// A path that HDF5 cannot take.
     #[error(
         "{} has bytes that are no UTF-8 text, and HDF5 opens no file under such a name; choose another directory with -o",

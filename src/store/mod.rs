@@ -20,6 +20,7 @@
 
 mod contents;
 mod damage;
+mod data_set;
 mod dimension_scales;
 mod directory;
 mod entry;
@@ -32,6 +33,7 @@ mod joining;
 mod log;
 mod open_shards;
 mod publication;
+mod reason;
 mod record;
 mod results;
 mod shard;
@@ -41,6 +43,7 @@ mod warning;
 mod writing;
 
 pub use contents::Contents;
+pub use data_set::{Cost, DataSet};
 pub(crate) use directory::holds_text;
 pub use directory::write_whole;
 pub use entry::{CaseEntry, Status, Timing};
@@ -49,6 +52,7 @@ pub use history::{Beginning, History, Start};
 pub use holdings::{Counts, Holdings, Inspection, Origin};
 pub use joining::{Agreement, Joined};
 pub use publication::{Publication, Published};
+pub use reason::kind_of_reason;
 pub use record::Ending;
 pub use verify::{Problem, VerifyReport, verify};
 pub use warning::Warning;
