@@ -1,10 +1,11 @@
 //! Charts from outside: what is given is drawn, failures as failures, in well-formed SVG and in PNG of the promised width.
 
+mod chart_files;
+
+use chart_files::{check_formats, number, texts, with};
 use roxmltree::{Document, Node};
 use stribeck::figures::Outcome::{Error, Failed, Unknown};
-use stribeck::figures::{
-    Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WIDTH, WorkPrecision,
-};
+use stribeck::figures::{Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision};
 
 const BLUE: &str = "#0072B2";
 const VERMILLION: &str = "#D55E00";
@@ -61,50 +62,8 @@ fn map(columns: &[&str], rows: &[&str], x: &[f64], y: &[f64], cell: impl Fn(usiz
         y: y.to_vec(),
         panels: (0..columns.len() * rows.len()).map(panel).collect(),
         scale: ColourScale { label: "relative error".to_string(), logarithmic: true, range: None },
+        contours: false,
     }
-}
-
-/// All text of a picture, each text trimmed.
-fn texts(document: &Document) -> Vec<String> {
-    document
-        .descendants()
-        .filter(|n| n.has_tag_name("text"))
-        .filter_map(|n| n.text())
-        .map(|t| t.trim().to_string())
-        .collect()
-}
-
-fn with<'a>(document: &'a Document, attributes: &'a [(&str, &str)]) -> impl Iterator<Item = Node<'a, 'a>> {
-    document.descendants().filter(|node| attributes.iter().all(|(name, value)| node.attribute(*name) == Some(*value)))
-}
-
-fn number(node: &Node, name: &str) -> f64 {
-    node.attribute(name).unwrap().parse().unwrap()
-}
-
-/// Width and height of a PNG, which is decoded to its end.
-fn decoded(bytes: &[u8]) -> (u32, u32) {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    let frame = reader.next_frame(&mut pixels).unwrap();
-    assert!(pixels.iter().any(|place| *place != pixels[0]), "the picture is empty");
-    (frame.width, frame.height)
-}
-
-/// Both formats of a chart are well formed, of one size, and the same when drawn again.
-fn check_formats(
-    svg: impl Fn() -> Result<String, FigureError>,
-    png: impl Fn() -> Result<Vec<u8>, FigureError>,
-) -> String {
-    let text = svg().unwrap();
-    let document = Document::parse(&text).unwrap();
-    let (width, height) = (number(&document.root_element(), "width"), number(&document.root_element(), "height"));
-    assert_eq!(width, f64::from(WIDTH));
-    let bytes = png().unwrap();
-    assert_eq!(decoded(&bytes), (WIDTH, height as u32));
-    assert_eq!(svg().unwrap(), text);
-    assert_eq!(png().unwrap(), bytes);
-    text
 }
 
 #[test]

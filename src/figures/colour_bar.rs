@@ -14,6 +14,8 @@ pub(super) struct ColourRange {
     /// Some value lies below `low` (above `high`): the bar ends in a point there.
     below: bool,
     above: bool,
+    /// About how many bands the colours come in; none if they change smoothly.
+    bands: Option<usize>,
 }
 
 impl ColourRange {
@@ -33,10 +35,43 @@ impl ColourRange {
             }
             None => (least, most),
         };
-        Some(ColourRange { low, high, logarithmic, below: least < low, above: most > high })
+        Some(ColourRange { low, high, logarithmic, below: least < low, above: most > high, bands: None })
     }
 
-    fn share(&self, value: f64) -> f64 {
+    /// The same scale in about this many bands, whose boundaries are round values.
+    pub(super) fn in_bands(self, count: usize) -> Self {
+        ColourRange { bands: Some(count), ..self }
+    }
+
+    /// The values that part the bands, between the ends of the scale; none if colours change smoothly.
+    pub(super) fn boundaries(&self) -> Vec<f64> {
+        let values = self.bands.map(|count| self.round(count + 1).major).unwrap_or_default();
+        values.into_iter().map(|tick| tick.value).filter(|value| self.low < *value && *value < self.high).collect()
+    }
+
+    /// The colour of each band, that of its middle.
+    pub(super) fn band_inks(&self) -> Vec<Ink> {
+        let shares = self.band_ends();
+        shares.windows(2).map(|pair| palette::viridis(0.5 * (pair[0] + pair[1]))).collect()
+    }
+
+    /// The ends of all bands as shares of the scale.
+    fn band_ends(&self) -> Vec<f64> {
+        let inner = self.boundaries().into_iter().map(|value| self.share(value));
+        [0.0].into_iter().chain(inner).chain([1.0]).collect()
+    }
+
+    /// At most `most` round values with labels.
+    fn round(&self, most: usize) -> Ticks {
+        if self.logarithmic {
+            ticks::logarithmic(self.low, self.high, most)
+        } else {
+            ticks::linear(self.low, self.high, most)
+        }
+    }
+
+    /// 0 at the lower end, 1 at the upper; beyond for values beyond.
+    pub(super) fn share(&self, value: f64) -> f64 {
         if self.logarithmic {
             (value.log10() - self.low.log10()) / (self.high.log10() - self.low.log10())
         } else {
@@ -51,15 +86,19 @@ impl ColourRange {
 
     /// Ticks of a bar of this length.
     pub(super) fn ticks(&self, length: f64, em: f64) -> Ticks {
-        let candidates = |most| {
-            if self.logarithmic {
-                ticks::logarithmic(self.low, self.high, most)
-            } else {
-                ticks::linear(self.low, self.high, most)
-            }
+        let candidates = |most| match self.bands {
+            None => self.round(most),
+            // Labels stand at boundaries.
+            Some(count) => ticks::thinned_evenly(self.round(count + 1), most),
         };
         let place = |value: f64| length * self.share(value);
         ticks::fitting(candidates, |tick| (place(tick.value) - 0.6 * em, place(tick.value) + 0.6 * em), 0.4 * em)
+    }
+
+    /// Lines across a bar that is drawn there, at these values.
+    pub(super) fn across(&self, (left, top): Point, length: f64, em: f64, values: &[f64]) -> Vec<Vec<Point>> {
+        let y = |value: f64| top + length * (1.0 - self.share(value));
+        values.iter().map(|value| vec![(left, y(*value)), (left + BAR * em, y(*value))]).collect()
     }
 
     /// How wide the bar is with its ticks and its label.
@@ -73,10 +112,17 @@ impl ColourRange {
     pub(super) fn draw(&self, scene: &mut Scene, (left, top): Point, length: f64, em: f64, label: &str) {
         let bar = Area { left, top, right: left + BAR * em, bottom: top + length };
         const STEPS: usize = 128;
-        let height = |step: usize| bar.bottom - length * step as f64 / STEPS as f64;
-        for step in 0..STEPS {
-            let part = Area { top: height(step + 1), bottom: height(step), ..bar };
-            scene.rectangle(part, palette::viridis((step as f64 + 0.5) / STEPS as f64));
+        let (ends, inks) = match self.bands {
+            Some(_) => (self.band_ends(), self.band_inks()),
+            None => {
+                let end = |step: usize| step as f64 / STEPS as f64;
+                let ink = |step: usize| palette::viridis((step as f64 + 0.5) / STEPS as f64);
+                ((0..=STEPS).map(end).collect(), (0..STEPS).map(ink).collect())
+            }
+        };
+        for (pair, ink) in ends.windows(2).zip(inks) {
+            let height = |share: f64| bar.bottom - length * share;
+            scene.rectangle(Area { top: height(pair[1]), bottom: height(pair[0]), ..bar }, ink);
         }
         for (beyond, edge, tip, end) in
             [(self.below, bar.bottom, bar.bottom + 0.7 * em, 0.0), (self.above, bar.top, bar.top - 0.7 * em, 1.0)]

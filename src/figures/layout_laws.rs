@@ -3,28 +3,11 @@
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use super::font::{self, DESCENT};
-use super::scene::{Anchor, Area, Point, Scene, Shape, Text};
-use super::{Cell, ColourScale, Map, MethodLine, Outcome, Panel, SettingPoint, WIDTH, WorkPrecision};
-
-/// The rectangle of a text, from the top of its capitals to the descenders.
-fn bounds(text: &Text) -> Area {
-    const CAPITALS: f64 = 0.73;
-    let width = font::width(&text.words, text.em);
-    let before = match text.anchor {
-        Anchor::Start => 0.0,
-        Anchor::Middle => 0.5 * width,
-        Anchor::End => width,
-    };
-    let (x, y) = text.at;
-    if text.turned {
-        let bottom = y + before;
-        Area { left: x - CAPITALS * text.em, top: bottom - width, right: x + DESCENT * text.em, bottom }
-    } else {
-        let left = x - before;
-        Area { left, top: y - CAPITALS * text.em, right: left + width, bottom: y + DESCENT * text.em }
-    }
-}
+use super::scene::{Area, Point, Scene, Shape, Text};
+use super::{
+    Cell, Colour, ColourScale, Curve, LineAxis, Lines, Map, MethodLine, Outcome, Panel, Relief, ReliefCurve,
+    ReliefPanel, Section, SectionPanel, SettingPoint, Stroke, WIDTH, WorkPrecision,
+};
 
 fn texts(scene: &Scene) -> Vec<&Text> {
     scene.shapes.iter().filter_map(|shape| if let Shape::Text(text) = shape { Some(text) } else { None }).collect()
@@ -32,7 +15,7 @@ fn texts(scene: &Scene) -> Vec<&Text> {
 
 /// Texts that cover each other.
 fn collisions(scene: &Scene) -> Vec<(String, String)> {
-    let texts: Vec<(&Text, Area)> = texts(scene).into_iter().map(|text| (text, bounds(text).grown(-0.5))).collect();
+    let texts: Vec<(&Text, Area)> = texts(scene).into_iter().map(|text| (text, text.area().grown(-0.5))).collect();
     let mut found = vec![];
     for (i, (one, area)) in texts.iter().enumerate() {
         let over = texts[..i].iter().filter(|(_, other)| other.overlaps(area));
@@ -50,7 +33,7 @@ fn outside(scene: &Scene) -> Vec<Point> {
         Shape::Path { points, .. } => points.clone(),
         Shape::Polygon { corners, .. } => corners.clone(),
         Shape::Disc { centre, radius, .. } => corners(&Area::about(*centre, *radius)),
-        Shape::Text(text) => corners(&bounds(text)),
+        Shape::Text(text) => corners(&text.area()),
     };
     scene.shapes.iter().flat_map(points).filter(|point| !picture.contains(&Area::about(*point, 0.0))).collect()
 }
@@ -94,7 +77,8 @@ fn map() -> impl Strategy<Value = Map> {
         logarithmic,
         range: logarithmic.then_some((1e-6, 1e-2)),
     });
-    (label(), labels(7), labels(4), axis(), axis(), scale).prop_map(|(title, columns, rows, x, y, scale)| {
+    (label(), labels(7), labels(4), axis(), axis(), scale, any::<bool>()).prop_map(|given| {
+        let (title, columns, rows, x, y, scale, contours) = given;
         let cell = |i: usize| match i % 11 {
             3 => Cell::Failed,
             5 => Cell::Absent,
@@ -104,7 +88,87 @@ fn map() -> impl Strategy<Value = Map> {
         let panel = |p: usize| Panel { cells: (0..x.len() * y.len()).map(|i| cell(i + p)).collect() };
         let panels = (0..rows.len() * columns.len()).map(panel).collect();
         let (x_label, y_label) = ("α".to_string(), "β".to_string());
-        Map { title, subtitle: "below the title".to_string(), x_label, y_label, columns, rows, panels, x, y, scale }
+        let subtitle = "below the title".to_string();
+        Map { title, subtitle, x_label, y_label, columns, rows, panels, x, y, scale, contours }
+    })
+}
+
+fn lines() -> impl Strategy<Value = Lines> {
+    let line_axis =
+        || (label(), any::<bool>()).prop_map(|(label, logarithmic)| LineAxis { label, logarithmic, range: None });
+    let x = prop_oneof![8 => (-3.0..3.0f64).prop_map(|e| 10f64.powf(e)), 1 => Just(0.0), 1 => Just(f64::INFINITY)];
+    let y = prop_oneof![8 => (-9.0..3.0f64).prop_map(|e| 10f64.powf(e)), 1 => Just(f64::NAN), 1 => -5.0..5.0f64];
+    let curve = (
+        prop_oneof![2 => label(), 1 => Just(String::new())],
+        prop::collection::vec((x, y), 0..9),
+        prop::collection::vec(0.01..100.0f64, 0..3),
+        any::<[bool; 3]>(),
+    );
+    let curve = curve.prop_map(|(label, points, failed, [dashed, kind, marked])| Curve {
+        label,
+        points,
+        failed,
+        stroke: if dashed { Stroke::Dashed } else { Stroke::Solid },
+        colour: if kind { Colour::Kind(1) } else { Colour::Family(0.5) },
+        marked,
+    });
+    (label(), line_axis(), line_axis(), prop::collection::vec(curve, 1..9)).prop_map(|(title, x, y, mut curves)| {
+        // One point at least has a place on any axis.
+        curves[0].points.push((2.0, 3.0));
+        Lines { title, subtitle: "f = 100, α = 1".to_string(), x, y, curves }
+    })
+}
+
+fn relief() -> impl Strategy<Value = Relief> {
+    let axis = || {
+        prop::collection::btree_set(-40..40i32, 2..12).prop_map(|tenths| -> Vec<f64> {
+            tenths.into_iter().map(|tenths| 10f64.powf(0.2 * f64::from(tenths))).collect()
+        })
+    };
+    let panels = prop::collection::vec((label(), prop::collection::vec(label(), 0..3)), 1..4);
+    (label(), label(), label(), label(), axis(), axis(), any::<bool>(), -3.0..3.0f64, panels).prop_map(|given| {
+        let (title, x_label, y_label, z_label, x, y, logarithmic, power, panels) = given;
+        let height = |k: usize| 10f64.powf(power) * (1.0 + (1.7 * k as f64).sin().powi(2) * 5.0);
+        let points = || [(x[0], y[0], height(0)), (x[x.len() - 1], y[y.len() - 1], height(7))].to_vec();
+        let curve = |label| ReliefCurve { label, points: points() };
+        let heights = || (0..x.len() * y.len()).map(|k| (k % 13 != 5).then(|| height(k))).collect();
+        let panel = |(label, curves): (String, Vec<String>)| ReliefPanel {
+            label,
+            heights: heights(),
+            curves: curves.into_iter().map(curve).collect(),
+        };
+        let panels = panels.into_iter().map(panel).collect();
+        let subtitle = String::new();
+        Relief {
+            title,
+            subtitle,
+            x_label,
+            y_label,
+            z_label,
+            x: x.clone(),
+            y: y.clone(),
+            logarithmic,
+            range: None,
+            panels,
+        }
+    })
+}
+
+fn section() -> impl Strategy<Value = Section> {
+    let range = || (-100.0..100.0f64, -3.0..3.0f64).prop_map(|(low, power)| (low, low + 10f64.powf(power)));
+    let panel = (label(), 2..9usize, 2..9usize, -2.0..2.0f64).prop_map(|(label, columns, rows, size)| SectionPanel {
+        label,
+        x: (0..columns).map(|i| i as f64).collect(),
+        surface: (0..columns).map(|i| size * (i as f64).cos()).collect(),
+        cylinder: (0..columns).map(|i| size * (i as f64).cos() + 0.1).collect(),
+        depth: (0..rows).map(|j| j as f64).collect(),
+        values: (0..columns * rows).map(|k| size * (1.7 * k as f64).sin()).collect(),
+    });
+    let panels = prop::collection::vec(panel, 1..6);
+    (label(), label(), label(), label(), range(), range(), 1..15usize, panels).prop_map(|given| {
+        let (title, x_label, y_label, name, x_range, y_range, levels, panels) = given;
+        let scale = ColourScale { label: name, logarithmic: false, range: None };
+        Section { title, subtitle: String::new(), x_label, y_label, panels, x_range, y_range, scale, levels }
     })
 }
 
@@ -114,6 +178,27 @@ proptest! {
     #[test]
     fn maps_keep_their_texts_apart_and_inside(map in map()) {
         let scene = map.scene().unwrap();
+        prop_assert_eq!(collisions(&scene), vec![]);
+        prop_assert_eq!(outside(&scene), vec![]);
+    }
+
+    #[test]
+    fn charts_of_lines_keep_their_texts_apart_and_inside(chart in lines()) {
+        let scene = chart.scene().unwrap();
+        prop_assert_eq!(collisions(&scene), vec![]);
+        prop_assert_eq!(outside(&scene), vec![]);
+    }
+
+    #[test]
+    fn reliefs_keep_their_texts_apart_and_inside(chart in relief()) {
+        let scene = chart.scene().unwrap();
+        prop_assert_eq!(collisions(&scene), vec![]);
+        prop_assert_eq!(outside(&scene), vec![]);
+    }
+
+    #[test]
+    fn sections_keep_their_texts_apart_and_inside(chart in section()) {
+        let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }

@@ -3,6 +3,7 @@
 use super::font;
 use super::marker::{self, Form};
 use super::palette::{FAILED_CROSS, FRAME, Ink, TEXT, faded};
+use super::polyline::dashes;
 use super::scene::{Anchor, Area, Point, Scene};
 
 /// What stands before an entry.
@@ -10,6 +11,8 @@ use super::scene::{Anchor, Area, Point, Scene};
 pub(super) enum Swatch {
     /// A line with its marker.
     Line { form: Form, ink: Ink },
+    /// A line, with lengths of dash and gap if it has some, and its marker if it has one.
+    Stroke { pattern: Option<(f64, f64)>, form: Option<Form>, ink: Ink },
     /// A small faint marker.
     Small { form: Form, ink: Ink },
     /// A ×.
@@ -63,6 +66,17 @@ fn draw_swatch(scene: &mut Scene, swatch: Swatch, (left, y): Point, width: f64, 
         Swatch::Line { form, ink } => {
             scene.line((left, y), (left + width, y), 0.12 * em, ink);
             marker::rimmed(scene, form, middle, LARGE_RADIUS * em, ink);
+        }
+        Swatch::Stroke { pattern, form, ink } => {
+            let line = vec![(left, y), (left + width, y)];
+            let pieces = match pattern {
+                None => vec![line],
+                Some((dash, gap)) => dashes(&line, dash, gap),
+            };
+            pieces.into_iter().for_each(|piece| scene.path(piece, 0.12 * em, ink));
+            if let Some(form) = form {
+                marker::rimmed(scene, form, middle, 0.22 * em, ink);
+            }
         }
         Swatch::Small { form, ink } => {
             marker::marker(scene, form, middle, SMALL_RADIUS * em, faded(ink, SMALL_OPACITY))

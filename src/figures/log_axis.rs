@@ -25,6 +25,11 @@ impl LogAxis {
         Some(LogAxis { low: low - lacking, high: high + lacking })
     }
 
+    /// The axis from one positive number to a larger one.
+    pub(super) fn between(low: f64, high: f64) -> Self {
+        LogAxis { low: low.log10(), high: high.log10() }
+    }
+
     /// 0 at the lower end, 1 at the upper.
     pub(super) fn share(&self, value: f64) -> f64 {
         (value.log10() - self.low) / (self.high - self.low)
@@ -32,7 +37,9 @@ impl LogAxis {
 
     /// At most `most` labels.
     pub(super) fn ticks(&self, most: usize) -> Ticks {
-        ticks::logarithmic(10f64.powf(self.low), 10f64.powf(self.high), most)
+        // A decade at the very end must not be lost to rounding.
+        const SLACK: f64 = 1e-9;
+        ticks::logarithmic(10f64.powf(self.low - SLACK), 10f64.powf(self.high + SLACK), most)
     }
 }
 
@@ -47,6 +54,16 @@ mod tests {
         let shares = values.map(|value| axis.share(value));
         assert!(shares.windows(2).all(|pair| pair[0] < pair[1]));
         assert!(shares.iter().all(|share| (0.0..=1.0).contains(share)));
+    }
+
+    #[test]
+    fn the_ends_of_an_axis_are_labelled() {
+        for (low, high) in [(1e-3, 1e3), (10.0, 1000.0), (1e-7, 1e5)] {
+            let axis = LogAxis::between(low, high);
+            assert_eq!((axis.share(low), axis.share(high)), (0.0, 1.0));
+            let ticks = axis.ticks(13);
+            assert_eq!((ticks.major[0].value, ticks.major[ticks.major.len() - 1].value), (low, high));
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! One quantity over two axes: what the chart is given.
 
 use super::scene::Scene;
-use super::{FigureError, paint};
+use super::{FigureError, checks, paint};
 
 /// A quantity as colour over two logarithmic axes, in panels: a row for each method, say, and a column for each value of
 /// a third parameter.
@@ -30,6 +30,9 @@ pub struct Map {
     pub panels: Vec<Panel>,
     /// From values to colours, the same in all panels.
     pub scale: ColourScale,
+    /// Whether lines of equal value are drawn over the cells, at levels marked on the colour bar. They are interpolated between the
+    /// values of the axes, and keep out of cells without a value, of those of 0 and ∞, and of zeros on a logarithmic scale.
+    pub contours: bool,
 }
 
 /// One map: a cell for each y and x, x running fastest.
@@ -50,6 +53,8 @@ pub enum Cell {
     Absent,
     /// The case was solved, but has no such quantity.
     Unknown,
+    /// The case was solved, and that is all the map shows.
+    Solved,
 }
 
 /// From values to colours.
@@ -106,12 +111,7 @@ impl Map {
         }
         self.check_axis(&self.x, "value of the horizontal axis", &self.x_label)?;
         self.check_axis(&self.y, "value of the vertical axis", &self.y_label)?;
-        let count = |what: String, found: usize, wanted: usize| {
-            if found == wanted {
-                return Ok(());
-            }
-            Err(FigureError::Count { chart: self.title.clone(), what, found, wanted })
-        };
+        let count = |what: String, found, wanted| checks::count(&self.title, what, found, wanted);
         count("panels".to_string(), self.panels.len(), self.rows.len() * self.columns.len())?;
         for (i, panel) in self.panels.iter().enumerate() {
             count(format!("cells in panel {}", i + 1), panel.cells.len(), self.x.len() * self.y.len())?;
@@ -124,17 +124,7 @@ impl Map {
                 }
             }
         }
-        if let Some((low, high)) = self.scale.range {
-            let place = || format!("the range of \"{}\"", self.scale.label);
-            self.check_value(low, "the lower end", place())?;
-            let ordered = low < high && high.is_finite() && (!self.scale.logarithmic || low > 0.0);
-            if !ordered {
-                let wanted =
-                    "a range goes from a lower to a higher number, both above zero if the scale is logarithmic";
-                return Err(self.refused("the upper end", high, place(), wanted));
-            }
-        }
-        Ok(())
+        checks::range(&self.title, &self.scale.label, self.scale.range, self.scale.logarithmic)
     }
 
     fn check_axis(&self, values: &[f64], what: &'static str, label: &str) -> Result<(), FigureError> {

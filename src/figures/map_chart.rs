@@ -5,23 +5,14 @@ use super::colour_bar::ColourRange;
 use super::legend::{self, Entry, Swatch};
 use super::map::{Cell, Map, Panel};
 use super::paint::WIDTH;
-use super::palette::{EXACT, FAILED, FAILED_CROSS, FRAME, PAPER, TEXT, UNKNOWN};
+use super::palette::{EXACT, FAILED, FAILED_CROSS, FRAME, PAPER, SOLVED, TEXT, UNKNOWN};
 use super::scene::{Anchor, Area, Point, Scene, thickness};
 use super::ticks::{Tick, Ticks};
-use super::{font, marker};
+use super::{font, map_contours, marker};
 
 const MARGIN: f64 = 30.0;
 /// More columns than this are folded into several lines of panels.
 const MOST_COLUMNS: usize = 4;
-
-/// Size of the font: 6 points or more when one panel is printed 8.5 cm wide, and several as wide as a page (17 cm).
-fn font_size(columns: usize) -> f64 {
-    match columns {
-        1 => 40.0,
-        2 => 32.0,
-        _ => 26.0,
-    }
-}
 
 /// What all panels share.
 struct Layout {
@@ -31,6 +22,8 @@ struct Layout {
     x_ticks: Ticks,
     y_ticks: Ticks,
     colours: Option<ColourRange>,
+    /// Where lines of equal value are drawn.
+    levels: Vec<f64>,
 }
 
 /// The chart, which has been checked.
@@ -39,7 +32,7 @@ pub(super) fn draw(map: &Map) -> Scene {
     let rows = map.rows.len();
     let folds = map.columns.len().div_ceil(MOST_COLUMNS);
     let columns = map.columns.len().div_ceil(folds);
-    let em = font_size(columns);
+    let em = font::size(columns);
     let right = f64::from(WIDTH) - MARGIN;
     let top = scene.heading(1.15 * em, MARGIN, right - MARGIN, &map.title, &map.subtitle) + 0.4 * em;
 
@@ -69,7 +62,11 @@ pub(super) fn draw(map: &Map) -> Scene {
     }
     let x_ticks = x.ticks(panel_width, em, false);
     let y_ticks = y.ticks(panel_height, em, true);
-    let layout = Layout { em, x, y, x_ticks, y_ticks, colours };
+    let levels = match colours {
+        Some(range) if map.contours => map_contours::levels(&range.ticks(bar_length, em), &values),
+        _ => vec![],
+    };
+    let layout = Layout { em, x, y, x_ticks, y_ticks, colours, levels };
 
     // Downwards: each row under its label, folded if it has many columns. The labels of columns stand once above all rows,
     // or above each fold.
@@ -110,6 +107,9 @@ pub(super) fn draw(map: &Map) -> Scene {
     if let Some(range) = layout.colours {
         let bar_top = panels.centre().1 - 0.5 * bar_length;
         range.draw(&mut scene, (bar_left, bar_top), bar_length, em, &map.scale.label);
+        for across in range.across((bar_left, bar_top), bar_length, em, &layout.levels) {
+            map_contours::stroke(&mut scene, across, em);
+        }
     }
     let entries = entries(map);
     let below = names + 0.4 * em;
@@ -158,6 +158,7 @@ fn draw_cells(scene: &mut Scene, map: &Map, layout: &Layout, panel: &Panel, area
             },
             Cell::Failed => FAILED,
             Cell::Unknown => UNKNOWN,
+            Cell::Solved => SOLVED,
             Cell::Absent => continue,
         };
         scene.rectangle(place, ink);
@@ -165,6 +166,10 @@ fn draw_cells(scene: &mut Scene, map: &Map, layout: &Layout, panel: &Panel, area
             let reach = (0.3 * place.width().min(place.height())).min(0.4 * layout.em);
             marker::cross(scene, place.centre(), reach, 0.09 * layout.em, FAILED_CROSS);
         }
+    }
+    let axes = (&layout.x, &layout.y);
+    for line in layout.levels.iter().flat_map(|level| map_contours::lines(map, panel, axes, &area, *level)) {
+        map_contours::stroke(scene, line, layout.em);
     }
     for across in layout.x.blocks() {
         for up in layout.y.blocks() {
@@ -207,6 +212,7 @@ fn entries(map: &Map) -> Vec<Entry> {
         (shown(&|cell| *cell == Cell::Failed), FAILED, true, "failed"),
         (shown(&zero), EXACT, false, "0 (exact)"),
         (shown(&|cell| *cell == Cell::Unknown), UNKNOWN, false, "solved, quantity not known"),
+        (shown(&|cell| *cell == Cell::Solved), SOLVED, false, "converged"),
         (shown(&|cell| *cell == Cell::Absent), PAPER, false, "no case"),
     ];
     let entry = |(_, ink, crossed, label): (bool, _, _, &str)| Entry {

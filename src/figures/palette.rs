@@ -13,6 +13,8 @@ pub(super) const QUIET_TEXT: Ink = RGBAColor(85, 85, 85, 1.0);
 pub(super) const FRAME: Ink = RGBAColor(68, 68, 68, 1.0);
 /// Lines of the grid.
 pub(super) const GRID: Ink = RGBAColor(228, 228, 228, 1.0);
+/// Walls behind a surface in space.
+pub(super) const WALL: Ink = RGBAColor(247, 247, 247, 1.0);
 /// The paper.
 pub(super) const PAPER: Ink = RGBAColor(255, 255, 255, 1.0);
 /// Behind cases that failed.
@@ -21,6 +23,8 @@ pub(super) const FAILED: Ink = RGBAColor(250, 214, 208, 1.0);
 pub(super) const FAILED_CROSS: Ink = RGBAColor(170, 34, 34, 1.0);
 /// Behind errors of exactly zero.
 pub(super) const EXACT: Ink = RGBAColor(222, 235, 247, 1.0);
+/// Cells of cases that were solved, in a map that shows no more.
+pub(super) const SOLVED: Ink = RGBAColor(120, 190, 220, 1.0);
 /// Cells whose quantity does not exist.
 pub(super) const UNKNOWN: Ink = RGBAColor(208, 208, 208, 1.0);
 

@@ -69,6 +69,27 @@ pub(super) struct Text {
     pub(super) words: String,
 }
 
+impl Text {
+    /// The rectangle of the text, from the top of its capitals to the descenders.
+    pub(super) fn area(&self) -> Area {
+        const CAPITALS: f64 = 0.73;
+        let width = font::width(&self.words, self.em);
+        let before = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * width,
+            Anchor::End => width,
+        };
+        let (x, y) = self.at;
+        if self.turned {
+            let bottom = y + before;
+            Area { left: x - CAPITALS * self.em, top: bottom - width, right: x + DESCENT * self.em, bottom }
+        } else {
+            let left = x - before;
+            Area { left, top: y - CAPITALS * self.em, right: left + width, bottom: y + DESCENT * self.em }
+        }
+    }
+}
+
 /// One shape. Later shapes cover earlier ones.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {

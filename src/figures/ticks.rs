@@ -32,7 +32,7 @@ pub(super) fn logarithmic(low: f64, high: f64, most: usize) -> Ticks {
         let major = kept.into_iter().map(|e| Tick { value: power_of_ten(e), label: decade(e) }).collect();
         return Ticks { major, minor };
     }
-    for digits in [&[1.0, 2.0, 5.0][..], &[1.0, 3.0][..]] {
+    for digits in [&[1.0, 2.0, 5.0][..], &[1.0, 3.0][..], &[1.0][..]] {
         let values = multiples(low, high, digits);
         if (2..=most).contains(&values.len()) {
             let plain = values.iter().all(|value| (1e-3..2e4).contains(value));
@@ -87,6 +87,23 @@ pub(super) fn fits(ticks: &Ticks, extent: impl Fn(&Tick) -> (f64, f64), gap: f64
 /// The most ticks, nine at most, whose labels leave room for each other.
 pub(super) fn fitting(ticks: impl Fn(usize) -> Ticks, extent: impl Fn(&Tick) -> (f64, f64), gap: f64) -> Ticks {
     (3..=9).rev().map(&ticks).find(|ticks| fits(ticks, &extent, gap)).unwrap_or_else(|| ticks(2))
+}
+
+/// The same ticks with at most `most` labels, every second, fifth, … one.
+pub(super) fn thinned_evenly(ticks: Ticks, most: usize) -> Ticks {
+    let step = [1, 2, 5, 10, 20, 50, 100].into_iter().find(|step| ticks.major.len().div_ceil(*step) <= most);
+    let step = step.unwrap_or(ticks.major.len());
+    // A zero keeps its label.
+    let first = ticks.major.iter().position(|tick| tick.value == 0.0).unwrap_or(0) % step;
+    let mut thinned = Ticks { major: vec![], minor: ticks.minor };
+    for (i, tick) in ticks.major.into_iter().enumerate() {
+        if i % step == first {
+            thinned.major.push(tick);
+        } else {
+            thinned.minor.push(tick.value);
+        }
+    }
+    thinned
 }
 
 /// `count` times `digit`·10^`power`, rounded once.

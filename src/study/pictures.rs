@@ -186,5 +186,6 @@ fn map(study: &Study, axes: &Axes, rows: &[Row], variants: Range<usize>, quantit
             logarithmic: true,
             range: (least < most).then_some((least, most)),
         },
+        contours: false,
     }
 }
