@@ -24,6 +24,7 @@
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
 //! | [`figures`] | charts: numbers in, SVG or PNG out | – |
+//! | [`pictures`] | pictures of a published data set, with their numbers | [`store`], [`model`], [`exact`] for known limits, [`figures`] |
 //! | [`study`] | error against run time, stability of each method | [`input`], [`sweep`], the solvers, [`engine`], [`figures`] |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!
@@ -44,6 +45,7 @@ pub mod exact;
 pub mod figures;
 pub mod input;
 pub mod model;
+pub mod pictures;
 pub mod relaxation;
 mod shown;
 pub mod store;

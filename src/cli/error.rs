@@ -9,6 +9,7 @@ use super::solve::ESTIMATE_POINTS;
 use crate::engine::ThreadsError;
 use crate::figures::FigureError;
 use crate::input::InputError;
+use crate::pictures::PictureError;
 use crate::shown::shown;
 use crate::store::StoreError;
 use crate::sweep::Method;
@@ -169,8 +170,11 @@ pub enum CliError {
         source: io::Error,
     },
     /// A picture cannot be drawn.
-    #[error("cannot draw a picture: {0}; please report it with the study file")]
-    Picture(#[from] FigureError),
+    #[error("cannot draw a picture: {0}; please report it with the study file or the command")]
+    Figure(#[from] FigureError),
+    /// A picture that a data set has nothing for.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -191,6 +195,9 @@ impl CliError {
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }
             | CliError::OtherSweep { .. }
+            | CliError::Picture(
+                PictureError::Unknown { .. } | PictureError::Outside { .. } | PictureError::Missing { .. },
+            )
             | CliError::Threads(_)
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
@@ -203,7 +210,8 @@ impl CliError {
             | CliError::Occupied { .. }
             | CliError::Directory { .. }
             | CliError::Unwritten { .. }
-            | CliError::Picture(_)
+            | CliError::Figure(_)
+            | CliError::Picture(PictureError::Store(_) | PictureError::Figure(_))
             | CliError::Stopped { .. }
             | CliError::System { .. } => 4,
         }

@@ -2,6 +2,7 @@
 
 pub mod gauss;
 pub mod kernel;
+pub mod stress;
 
 mod displacement;
 mod identity;

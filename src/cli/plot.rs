@@ -1,0 +1,137 @@
+//! `stribeck plot`: pictures of a published data set.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::wording::count;
+use super::{CliError, Exit, console};
+use crate::pictures::{Axis, AxisScale, Format, Kind, Picture, Request, Source, pictures};
+use crate::shown::shown;
+use crate::store::{DataSet, write_whole};
+use crate::sweep::Sweep;
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck plot results/quick                                       all that makes sense
+  stribeck plot results/quick --what surfaces,maps --of mu_tot --format png
+  stribeck plot results/quick --what curves --of mu_v --along alpha --beta 10,100,1000 --f 100
+  stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
+  stribeck plot results/surface --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
+  stribeck plot results/surface --what stress --alpha 0.1,0.3,1,10 --beta 1000
+
+The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
+nearest ones it has, which the picture names. Columns and fields are those of docs/output.md; docs/figures.md
+shows pictures of each kind with their commands.")]
+pub struct Arguments {
+    /// A results directory
+    #[arg(value_name = "DIR")]
+    directory: PathBuf,
+    /// Kinds of pictures [default: all that the sweep has something for]
+    #[arg(long, value_name = "KIND,…", value_delimiter = ',', value_enum)]
+    what: Vec<Kind>,
+    /// Columns and fields to be shown [default: a choice]
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    of: Vec<String>,
+    /// Axis along which curves run [default: each that has several values]
+    #[arg(long, value_name = "AXIS", value_enum)]
+    along: Option<Axis>,
+    /// Values of f
+    #[arg(long, value_name = "F,…", value_delimiter = ',')]
+    f: Vec<f64>,
+    /// Values of α; inf is one
+    #[arg(long, value_name = "A,…", value_delimiter = ',')]
+    alpha: Vec<f64>,
+    /// Values of β
+    #[arg(long, value_name = "B,…", value_delimiter = ',')]
+    beta: Vec<f64>,
+    /// Where profiles and stresses are shown, in a₀ [default: all of the sweep's x]
+    #[arg(long, value_name = "FROM,TO", value_parser = range, allow_hyphen_values = true)]
+    x: Option<(f64, f64)>,
+    /// Ends of the vertical axis of curves, profiles and loops [default: from the values]
+    #[arg(long, value_name = "FROM,TO", value_parser = range, allow_hyphen_values = true)]
+    y: Option<(f64, f64)>,
+    /// Scale of the quantity
+    #[arg(long, value_enum, default_value_t)]
+    scale: AxisScale,
+    /// All quantities of curves in one picture
+    #[arg(long)]
+    together: bool,
+    /// No known limits and approximations beside the solutions
+    #[arg(long)]
+    bare: bool,
+    /// Format of the pictures
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Directory of the pictures [default: DIR/figures]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// Two numbers, the first below the second.
+fn range(text: &str) -> Result<(f64, f64), String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some([from, to]) if from < to => Ok((*from, *to)),
+        _ => Err("two numbers with a comma between them, the first below the second, as in -1,1.5".to_owned()),
+    }
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let data = DataSet::open(&arguments.directory)?;
+    if data.outdated {
+        console::tell(&format!(
+            "warning: cases were solved after {} was published, and are not shown; run the sweep to its end",
+            shown(&arguments.directory.join("results.h5"))
+        ));
+    }
+    let substrate = match Sweep::parse("sweep", &data.sweep_text) {
+        Ok(sweep) => Some(sweep.substrate),
+        Err(_) => {
+            console::tell(&format!(
+                "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} of the \
+                 program wrote, is none for this version",
+                crate::shown::printable(&data.version)
+            ));
+            None
+        }
+    };
+    let source = Source { data, substrate };
+    let request = Request {
+        kinds: arguments.what.clone(),
+        of: arguments.of.clone(),
+        along: arguments.along,
+        values: [arguments.f.clone(), arguments.alpha.clone(), arguments.beta.clone()],
+        x: arguments.x,
+        y: arguments.y,
+        scale: arguments.scale,
+        together: arguments.together,
+        bare: arguments.bare,
+    };
+    let pictures = pictures(&source, &request)?;
+    let directory = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("figures"));
+    fs::create_dir_all(&directory).map_err(|source| CliError::Directory {
+        action: "make",
+        path: directory.clone(),
+        source,
+    })?;
+    let mut text = String::new();
+    for picture in &pictures {
+        let file = write(&directory, picture, arguments.format)?;
+        text += &format!("{}\n", shown(&file));
+    }
+    text += &format!("{}, each with its numbers as .csv\n", count(pictures.len() as u64, "picture"));
+    console::print(&text)?;
+    Ok(Exit::Success)
+}
+
+/// Writes the picture and its numbers; returns the file of the picture.
+fn write(directory: &Path, picture: &Picture, format: Format) -> Result<PathBuf, CliError> {
+    let bytes = picture.chart.paint(format)?;
+    write_whole(directory.join(format!("{}.csv", picture.name)), &picture.table.csv())?;
+    let file = directory.join(format!("{}.{}", picture.name, format.extension()));
+    write_whole(file.clone(), &bytes)?;
+    Ok(file)
+}

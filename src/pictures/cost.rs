@@ -1,0 +1,58 @@
+//! Estimated error against seconds of each case.
+
+use std::collections::HashSet;
+
+use super::maps::largest_errors;
+use super::picture::{Chart, Picture};
+use super::request::{Kind, Request, Selection};
+use super::source::Source;
+use super::table::Table;
+use super::{Axis, PictureError};
+use crate::figures::{MethodLine, Outcome, SettingPoint, WorkPrecision};
+use crate::store::Status;
+
+/// Each case once, however often it stands in the sweep; a line for each f.
+pub(super) fn cost(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let Some(costs) = source.data.costs()? else {
+        return Err(Kind::Cost.missing("the directory has no timings.csv; run the sweep again, which publishes it"));
+    };
+    let selection = Selection::of(&source.data, &request.values)?;
+    let (statuses, errors) = (source.data.statuses()?, largest_errors(source)?);
+    let mut table = Table::new(&["case", "status", "f", "alpha", "beta", "seconds", "error"]);
+    let mut seen = HashSet::new();
+    let mut lines = Vec::new();
+    for i_f in selection.on(Axis::F) {
+        let mut cases = Vec::new();
+        for i_alpha in selection.on(Axis::Alpha) {
+            for i_beta in selection.on(Axis::Beta) {
+                let indices = [*i_f, *i_alpha, *i_beta];
+                let place = source.data.place(indices);
+                let cost = &costs[place];
+                if !seen.insert(&cost.case) {
+                    continue;
+                }
+                let outcome = match statuses[place] {
+                    Status::Failed => Outcome::Failed,
+                    Status::Converged if errors[place].is_nan() => Outcome::Unknown,
+                    Status::Converged => Outcome::Error(errors[place]),
+                };
+                let [f, alpha, beta] = source.point(indices);
+                table.row(&[&cost.case, statuses[place].name()], &[f, alpha, beta, cost.seconds, errors[place]]);
+                // A clock may not tell the shortest cases from nothing.
+                cases.push((cost.seconds.max(1e-9), outcome));
+            }
+        }
+        if !cases.is_empty() {
+            let points = vec![SettingPoint { label: format!("{} cases", cases.len()), cases }];
+            lines.push(MethodLine { label: source.words(Axis::F, *i_f), points });
+        }
+    }
+    let chart = WorkPrecision {
+        title: source.data.title.clone(),
+        subtitle: "each case once; large markers: medians".to_owned(),
+        x_label: "seconds for a case".to_owned(),
+        y_label: "largest estimated error of μᵥ, μₕ and c".to_owned(),
+        lines,
+    };
+    Ok(vec![Picture { name: "cost".to_owned(), chart: Chart::WorkPrecision(chart), table }])
+}

@@ -1,0 +1,209 @@
+//! A quantity along an axis, one curve for each value of another.
+
+use super::bundle::{Bundle, bundles};
+use super::family::{beside, colour};
+use super::known::{self, Known, Values};
+use super::picture::{Chart, Picture};
+use super::quantity::Quantity;
+use super::request::{Kind, Request, Selection};
+use super::source::Source;
+use super::table::Table;
+use super::{Axis, PictureError};
+use crate::figures::{Colour, Curve, LineAxis, Lines, Stroke};
+use crate::store::Status;
+
+/// Curves with more points than this have no markers.
+const MOST_MARKED: usize = 45;
+
+/// What curves show where nothing else is asked for.
+const COLUMNS: [&str; 4] = ["mu_tot", "mu_v", "mu_h", "c"];
+/// The same of errors.
+const ERRORS: [&str; 3] = ["error_mu_v", "error_mu_h", "error_c"];
+
+/// The pictures of curves that are asked for.
+pub(super) fn curves(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let names: Vec<&str> = named_columns(request, &COLUMNS);
+    along_each(source, request, Kind::Curves, &names)
+}
+
+/// Errors along each axis: for sweeps that have no map of them.
+pub(super) fn errors(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let request = Request { together: true, ..request.clone() };
+    along_each(source, &request, Kind::Errors, &ERRORS)
+}
+
+/// The columns asked for, or a choice.
+pub(super) fn named_columns<'a>(request: &'a Request, otherwise: &[&'a str]) -> Vec<&'a str> {
+    let named: Vec<&str> =
+        request.of.iter().map(String::as_str).filter(|name| Quantity::of_column(name).is_some()).collect();
+    if named.is_empty() { otherwise.to_vec() } else { named }
+}
+
+fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) -> Result<Vec<Picture>, PictureError> {
+    let selection = Selection::of(&source.data, &request.values)?;
+    let long = |axis: &Axis| selection.on(*axis).len() > 1;
+    let axes: Vec<Axis> = match request.along {
+        Some(axis) if !long(&axis) => {
+            return Err(kind.missing(format!("{} has one value here, and a curve needs two", axis.name())));
+        }
+        Some(axis) => vec![axis],
+        None => Axis::ALL.into_iter().filter(long).collect(),
+    };
+    if axes.is_empty() {
+        return Err(kind.missing("every axis has one value here, and a curve needs two"));
+    }
+    let mut pictures = Vec::new();
+    for along in axes {
+        let groups: Vec<Vec<&str>> =
+            if request.together { vec![names.to_vec()] } else { names.iter().map(|name| vec![*name]).collect() };
+        for names in groups {
+            if let Some((one, other)) = Quantity::of_different_units(&names) {
+                return Err(kind.missing(format!(
+                    "{one} and {other} have different units and no axis together; leave out --together"
+                )));
+            }
+            let name = match kind {
+                Kind::Errors => format!("errors-along-{}", along.name()),
+                _ => format!("{}-along-{}", names.join("-"), along.name()),
+            };
+            for bundle in bundles(source, request, &selection, along) {
+                let name = format!("{name}{}", bundle.suffix);
+                pictures.extend(draw(source, request, &bundle, &names, name)?);
+            }
+        }
+    }
+    Ok(pictures)
+}
+
+fn draw(
+    source: &Source,
+    request: &Request,
+    bundle: &Bundle,
+    names: &[&str],
+    name: String,
+) -> Result<Option<Picture>, PictureError> {
+    let mut table = Table::new(&["quantity", "kind", "f", "alpha", "beta", "value"]);
+    let (mut solved, mut known_curves) = (Vec::new(), Vec::new());
+    for (i_name, column) in names.iter().enumerate() {
+        let colours: Vec<Colour> = (0..bundle.members.len())
+            .map(|member| if names.len() > 1 { Colour::Kind(i_name) } else { colour(member, bundle.members.len()) })
+            .collect();
+        solved.extend(solutions(source, bundle, column, &colours, names.len() > 1, &mut table)?);
+        let known = if request.bare { &[] } else { known::of_column(column) };
+        for known in known {
+            let mut members = Vec::new();
+            for (member, colour) in bundle.members.iter().zip(&colours) {
+                let points = known_points(source, known, bundle, *member)?;
+                for (point, (_, value)) in bundle.points.iter().zip(&points) {
+                    let [f, alpha, beta] = source.point(bundle.at(*member, *point));
+                    table.row(&[column, known.label], &[f, alpha, beta, *value]);
+                }
+                members.push((*colour, points));
+            }
+            known_curves.extend(beside(known.label, known.stroke, members));
+        }
+    }
+    let nothing = solved.iter().all(|curve| curve.failed.is_empty() && curve.points.iter().all(|p| p.1.is_nan()));
+    if nothing {
+        return Ok(None);
+    }
+    let logarithmic = request.scale.is_logarithmic(solved.iter().flat_map(|curve| &curve.points).map(|point| point.1));
+    let range = request.y.or_else(|| vertical_range(&solved, &known_curves, logarithmic));
+    let x_label = bundle.along.label().to_owned();
+    let chart = Lines {
+        title: source.data.title.clone(),
+        subtitle: source.list(&bundle.fixed, bundle.start),
+        x: LineAxis { label: x_label, logarithmic: is_logarithmic(source, bundle), range: None },
+        y: LineAxis { label: Quantity::common_label(names), logarithmic, range },
+        curves: solved.into_iter().chain(known_curves).collect(),
+    };
+    Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
+}
+
+/// The curve of each member of the family; `named` by the column where several stand together.
+fn solutions(
+    source: &Source,
+    bundle: &Bundle,
+    column: &str,
+    colours: &[Colour],
+    named: bool,
+    table: &mut Table,
+) -> Result<Vec<Curve>, PictureError> {
+    let (statuses, values) = (source.data.statuses()?, source.column(column)?);
+    let mut curves = Vec::new();
+    for (member, colour) in bundle.members.iter().zip(colours) {
+        let (mut points, mut failed) = (Vec::new(), Vec::new());
+        for point in &bundle.points {
+            let indices = bundle.at(*member, *point);
+            let (x, place) = (source.value(bundle.along, *point), source.data.place(indices));
+            points.push((x, values[place]));
+            if statuses[place] == Status::Failed {
+                failed.push(x);
+            }
+            let [f, alpha, beta] = source.point(indices);
+            table.row(&[column, "solution"], &[f, alpha, beta, values[place]]);
+        }
+        let label = if named {
+            Quantity::of_column(column).expect("names were checked").words.to_owned()
+        } else if bundle.members.len() > 1 {
+            source.words(bundle.family, *member)
+        } else {
+            "solution".to_owned()
+        };
+        let marked = points.len() <= MOST_MARKED;
+        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: *colour, marked });
+    }
+    Ok(curves)
+}
+
+/// Where the vertical axis ends if what is known goes far away from the solutions, which are what the picture is for.
+fn vertical_range(solved: &[Curve], known: &[Curve], logarithmic: bool) -> Option<(f64, f64)> {
+    /// What known curves may take beyond the solutions, over their span.
+    const BEYOND: f64 = 0.35;
+    let place = |value: f64| if logarithmic { value.log10() } else { value };
+    let ends = |curves: &[Curve]| {
+        let values = curves.iter().flat_map(|curve| &curve.points).map(|point| place(point.1));
+        values
+            .filter(|value| value.is_finite())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+    };
+    let ((low, high), (known_low, known_high)) = (ends(solved), ends(known));
+    let span = high - low;
+    let (least, most) = (low - BEYOND * span, high + BEYOND * span);
+    if span.is_nan() || span <= 0.0 || (known_low >= least && known_high <= most) {
+        return None;
+    }
+    let (low, high) = (low.min(known_low.max(least)) - 0.05 * span, high.max(known_high.min(most)) + 0.05 * span);
+    Some(if logarithmic {
+        (10_f64.powf(low), 10_f64.powf(high))
+    } else {
+        (if low < 0.0 && ends(solved).0 >= 0.0 { 0.0 } else { low }, high)
+    })
+}
+
+/// True if the running axis spans more than a factor of five.
+fn is_logarithmic(source: &Source, bundle: &Bundle) -> bool {
+    let positive: Vec<f64> = bundle.points.iter().map(|point| source.value(bundle.along, *point)).collect();
+    let finite = || positive.iter().copied().filter(|value| *value > 0.0 && value.is_finite());
+    let (least, most) = (finite().fold(f64::INFINITY, f64::min), finite().fold(0.0, f64::max));
+    most > 5.0 * least || positive.contains(&f64::INFINITY)
+}
+
+fn known_points(
+    source: &Source,
+    known: &Known,
+    bundle: &Bundle,
+    member: usize,
+) -> Result<Vec<(f64, f64)>, PictureError> {
+    let places = bundle.points.iter().map(|point| (source.value(bundle.along, *point), bundle.at(member, *point)));
+    match known.values {
+        Values::Formula(formula) => Ok(places
+            .map(|(x, indices)| (x, source.parameters(indices).and_then(|case| formula(&case)).unwrap_or(f64::NAN)))
+            .collect()),
+        Values::Columns(names) => {
+            let columns = names.iter().map(|name| source.column(name)).collect::<Result<Vec<_>, _>>()?;
+            let sum = |place: usize| columns.iter().map(|column| column[place]).sum();
+            Ok(places.map(|(x, indices)| (x, sum(source.data.place(indices)))).collect())
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Why there is no picture.
+
+use crate::figures::FigureError;
+use crate::shown::printable;
+use crate::store::StoreError;
+
+/// What was asked for is not in the data set, or cannot be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum PictureError {
+    /// The data set cannot be read.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// The chart cannot be drawn.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+    /// A column or field that does not exist.
+    #[error("--of {}: there is no such column or field here; give some of {allowed}", printable(name))]
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        allowed: String,
+    },
+    /// A value that lies outside its axis.
+    #[error("--{axis} {value}: the sweep has {axis} {there}; give a value in this range, the nearest one is taken")]
+    Outside {
+        /// The axis.
+        axis: &'static str,
+        /// What was asked for.
+        value: f64,
+        /// What there is.
+        there: String,
+    },
+    /// A kind of picture that the data set has nothing for.
+    #[error("--what {kind}: {why}")]
+    Missing {
+        /// The kind asked for.
+        kind: &'static str,
+        /// What is missing, and what to do.
+        why: String,
+    },
+}

@@ -1,0 +1,118 @@
+//! What is known beside a solution: limits and approximations of the same quantity.
+
+use std::f64::consts::PI;
+
+use crate::exact::{DryContact, LargeBeta, approx_elastic_film};
+use crate::figures::Stroke;
+use crate::model::Parameters;
+
+/// A curve that is known without solving anything.
+#[derive(Clone, Copy)]
+pub struct Known {
+    /// Name in the legend.
+    pub label: &'static str,
+    /// How it is drawn.
+    pub stroke: Stroke,
+    /// Where its values come from.
+    pub values: Values,
+}
+
+/// Where known values come from.
+#[derive(Clone, Copy)]
+pub enum Values {
+    /// The sum of columns of the data set.
+    Columns(&'static [&'static str]),
+    /// A formula; `None` where it does not hold.
+    Formula(fn(&Parameters) -> Option<f64>),
+}
+
+/// c of the elastic film for β → ∞ (T40 of `docs/theory.md`), with the modulus that counts.
+fn elastic_asymptote(case: &Parameters) -> Option<f64> {
+    let compliance = if case.f == 0.0 || case.alpha == f64::INFINITY {
+        1.0
+    } else if case.alpha == 0.0 {
+        1.0 / (1.0 + case.f)
+    } else {
+        return None;
+    };
+    Some(compliance * 0.44583 * (compliance * case.beta).powf(-0.6))
+}
+
+/// What is known of a column.
+pub fn of_column(name: &str) -> &'static [Known] {
+    const DRY: &str = "dry limit";
+    match name {
+        "mu_v" => &[Known { label: DRY, stroke: Stroke::Dashed, values: Values::Columns(&["dry_mu_v"]) }],
+        "mu_h" => &[Known {
+            label: "large-β approximation",
+            stroke: Stroke::Dashed,
+            values: Values::Columns(&["approx_mu_h"]),
+        }],
+        "mu_tot" => &[Known {
+            label: "dry limit of μᵥ + approximation of μₕ",
+            stroke: Stroke::Dashed,
+            values: Values::Columns(&["dry_mu_v", "approx_mu_h"]),
+        }],
+        "c" => &[
+            Known {
+                label: "Eqs. 34 and 49 of the paper",
+                stroke: Stroke::Dashed,
+                values: Values::Formula(|case| Some(LargeBeta::new(case)?.approx_c())),
+            },
+            Known { label: "0.4458 β^(−3/5)", stroke: Stroke::Dotted, values: Values::Formula(elastic_asymptote) },
+        ],
+        "p_max" => &[Known {
+            label: DRY,
+            stroke: Stroke::Dashed,
+            values: Values::Formula(|case| Some(DryContact::of(case)?.max_pressure())),
+        }],
+        "x_outlet" => &[Known {
+            label: DRY,
+            stroke: Stroke::Dashed,
+            values: Values::Formula(|case| Some(DryContact::of(case)?.trailing_edge())),
+        }],
+        _ => &[],
+    }
+}
+
+/// What is known of a field in the contact: its name, and (x, value) on points of its own.
+pub fn of_field(name: &str, case: &Parameters) -> Option<(&'static str, Vec<(f64, f64)>)> {
+    match name {
+        "pressure" => {
+            let (x, pressure) = dry_pressure(&DryContact::of(case)?);
+            Some(("dry limit", x.into_iter().zip(pressure).collect()))
+        }
+        "film_thickness" if case.f == 0.0 => {
+            let x = contact_points(&DryContact::of(case)?);
+            let film = |x: f64| (x, approx_elastic_film(case.beta, x));
+            Some(("Eq. 36 of the paper", x.into_iter().map(film).collect()))
+        }
+        "film_thickness" => {
+            let approximation = LargeBeta::new(case)?;
+            let film = |x: f64| Some((x, approximation.approx_film(x)?));
+            let x = contact_points(approximation.contact());
+            Some(("large-β approximation", x.into_iter().filter_map(film).collect()))
+        }
+        _ => None,
+    }
+}
+
+/// The pressure of a dry contact on points of its own.
+pub fn dry_pressure(contact: &DryContact) -> (Vec<f64>, Vec<f64>) {
+    let x = contact_points(contact);
+    let pressure = contact.pressure_on(&x);
+    (x, pressure)
+}
+
+/// Ascending x over a dry contact, its edges included: dense at both edges, and down to a millionth of the contact at the leading
+/// one, where the pressure of a retarded substrate has a peak in a layer as narrow as 1/((1+f)α).
+fn contact_points(contact: &DryContact) -> Vec<f64> {
+    const EVEN: usize = 240;
+    const LAYER: usize = 120;
+    let ahead = |share: f64| contact.leading_edge() - 2.0 * contact.half_width() * share;
+    let even = (0..=EVEN).map(|i| 0.5 * (1.0 - (PI * i as f64 / EVEN as f64).cos()));
+    let layer = (0..LAYER).map(|i| 10_f64.powf(-6.0 + 5.0 * i as f64 / LAYER as f64));
+    let mut x: Vec<f64> = even.chain(layer).map(ahead).collect();
+    x.sort_by(f64::total_cmp);
+    x
+}

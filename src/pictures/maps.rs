@@ -1,0 +1,179 @@
+//! A quantity as colour over α and β.
+
+use super::curves::named_columns;
+use super::picture::{Chart, Picture};
+use super::quantity::Quantity;
+use super::request::{Kind, Request, Selection, spread};
+use super::source::Source;
+use super::table::Table;
+use super::{Axis, PictureError};
+use crate::figures::{Cell, ColourScale, Map, Panel};
+use crate::store::Status;
+
+/// What maps show where nothing else is asked for.
+const COLUMNS: [&str; 4] = ["mu_tot", "mu_v", "mu_h", "film_min"];
+/// Most values of f side by side.
+const MOST_PANELS: usize = 4;
+
+/// The indices that maps show.
+struct Shown {
+    strengths: Vec<usize>,
+    alphas: Vec<usize>,
+    betas: Vec<usize>,
+}
+
+impl Shown {
+    fn of(source: &Source, request: &Request, kind: Kind) -> Result<Self, PictureError> {
+        let selection = Selection::of(&source.data, &request.values)?;
+        for axis in [Axis::Alpha, Axis::Beta] {
+            if selection.on(axis).len() < 2 {
+                return Err(
+                    kind.missing(format!("{} has one value here, and a map needs two; try --what curves", axis.name()))
+                );
+            }
+        }
+        let strengths = selection.on(Axis::F);
+        let asked = !request.values[Axis::F.dimension()].is_empty();
+        Ok(Self {
+            strengths: if asked { strengths.to_vec() } else { spread(strengths, MOST_PANELS) },
+            alphas: selection.on(Axis::Alpha).to_vec(),
+            betas: selection.on(Axis::Beta).to_vec(),
+        })
+    }
+
+    /// The map of a number of each place.
+    fn map(
+        &self,
+        source: &Source,
+        (name, label): (&str, &str),
+        contours: bool,
+        cell: impl Fn(usize) -> Cell,
+        logarithmic: impl FnOnce(&mut dyn Iterator<Item = f64>) -> bool,
+    ) -> Map {
+        let panel = |i_f: &usize| {
+            let places = self
+                .betas
+                .iter()
+                .flat_map(|i_beta| self.alphas.iter().map(move |i_alpha| source.data.place([*i_f, *i_alpha, *i_beta])));
+            Panel { cells: places.map(&cell).collect() }
+        };
+        let panels: Vec<Panel> = self.strengths.iter().map(panel).collect();
+        let mut values = panels.iter().flat_map(|panel| &panel.cells).filter_map(|cell| match cell {
+            Cell::Value(value) => Some(*value),
+            _ => None,
+        });
+        let logarithmic = logarithmic(&mut values);
+        Map {
+            title: source.data.title.clone(),
+            subtitle: name.to_owned(),
+            x_label: Axis::Alpha.label().to_owned(),
+            y_label: Axis::Beta.label().to_owned(),
+            columns: self.strengths.iter().map(|i_f| source.words(Axis::F, *i_f)).collect(),
+            rows: vec![String::new()],
+            x: self.alphas.iter().map(|i| source.data.alpha[*i]).collect(),
+            y: self.betas.iter().map(|i| source.data.beta[*i]).collect(),
+            panels,
+            scale: ColourScale { label: label.to_owned(), logarithmic, range: None },
+            contours,
+        }
+    }
+
+    fn table(&self, source: &Source, column: &str, text: impl Fn(usize) -> (String, f64)) -> Table {
+        let mut table = Table::new(&["status", "f", "alpha", "beta", column]);
+        for i_f in &self.strengths {
+            for i_alpha in &self.alphas {
+                for i_beta in &self.betas {
+                    let indices = [*i_f, *i_alpha, *i_beta];
+                    let ([f, alpha, beta], (status, value)) = (source.point(indices), text(source.data.place(indices)));
+                    table.row(&[&status], &[f, alpha, beta, value]);
+                }
+            }
+        }
+        table
+    }
+}
+
+/// A map for each column asked for, with lines of equal value.
+pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let shown = Shown::of(source, request, Kind::Maps)?;
+    let statuses = source.data.statuses()?;
+    let mut pictures = Vec::new();
+    for column in named_columns(request, &COLUMNS) {
+        let quantity = Quantity::of_column(column).expect("names were checked");
+        let values = source.column(column)?;
+        let label = quantity.label();
+        let map = shown.map(
+            source,
+            (quantity.words, &label),
+            true,
+            |place| cell(statuses[place], values[place]),
+            |values| request.scale.is_logarithmic(values),
+        );
+        // Without a solution there is nothing to show; the map of status says so.
+        if map.panels.iter().flat_map(|panel| &panel.cells).any(|cell| matches!(cell, Cell::Value(_))) {
+            let table = shown.table(source, column, |place| (statuses[place].name().to_owned(), values[place]));
+            pictures.push(Picture { name: format!("map-{column}"), chart: Chart::Map(map), table });
+        }
+    }
+    Ok(pictures)
+}
+
+/// The largest estimated error of each case.
+pub(super) fn errors(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let shown = Shown::of(source, request, Kind::Errors)?;
+    let statuses = source.data.statuses()?;
+    let largest = largest_errors(source)?;
+    if largest.iter().all(|error| error.is_nan()) {
+        return Err(Kind::Errors.missing(
+            "no case has estimated errors; with the relaxation method ask for them: estimate = true below [solver.relaxation]",
+        ));
+    }
+    let label = "largest estimated relative error of μᵥ, μₕ and c";
+    let map = shown.map(
+        source,
+        (label, "estimated relative error"),
+        false,
+        |place| cell(statuses[place], largest[place]),
+        |_| true,
+    );
+    let table = shown.table(source, "largest_error", |place| (statuses[place].name().to_owned(), largest[place]));
+    Ok(vec![Picture { name: "map-errors".to_owned(), chart: Chart::Map(map), table }])
+}
+
+/// Which cases converged.
+pub(super) fn status(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let shown = Shown::of(source, request, Kind::Status)?;
+    let statuses = source.data.statuses()?;
+    let failed = statuses.iter().filter(|status| **status == Status::Failed).count();
+    let converged = |status: Status| if status == Status::Failed { Cell::Failed } else { Cell::Solved };
+    let words = format!("{} places of the sweep converged, {failed} failed", statuses.len() - failed);
+    let map = shown.map(source, (&words, ""), false, |place| converged(statuses[place]), |_| true);
+    let reasons = source.data.reasons()?;
+    let table = shown.table(source, "failed", |place| {
+        let reason = &reasons[place];
+        let status = statuses[place].name();
+        let text = if reason.is_empty() { status.to_owned() } else { format!("{status}: {reason}") };
+        (text, if statuses[place] == Status::Failed { 1.0 } else { 0.0 })
+    });
+    Ok(vec![Picture { name: "map-status".to_owned(), chart: Chart::Map(map), table }])
+}
+
+/// The largest of the three estimates of each place; NaN where one is not known.
+pub(super) fn largest_errors(source: &Source) -> Result<Vec<f64>, PictureError> {
+    let columns = ["error_mu_v", "error_mu_h", "error_c"].map(|name| source.column(name));
+    let [mu_v, mu_h, c] = columns;
+    let (mu_v, mu_h, c) = (mu_v?, mu_h?, c?);
+    let largest = |place: usize| {
+        let errors = [mu_v[place], mu_h[place], c[place]];
+        if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) }
+    };
+    Ok((0..mu_v.len()).map(largest).collect())
+}
+
+fn cell(status: Status, value: f64) -> Cell {
+    match status {
+        Status::Failed => Cell::Failed,
+        Status::Converged if value.is_finite() => Cell::Value(value),
+        Status::Converged => Cell::Unknown,
+    }
+}

@@ -1,0 +1,64 @@
+//! The plane of α and β of a sweep, as far as it has a place on logarithmic axes.
+
+use super::request::{Kind, Selection};
+use super::source::{Source, rounded};
+use super::{Axis, PictureError};
+
+/// Indices on the two axes.
+pub(super) struct Plane {
+    alphas: Vec<usize>,
+    betas: Vec<usize>,
+    /// Values of α without a place: 0 and ∞.
+    special: Vec<usize>,
+}
+
+impl Plane {
+    /// The values chosen that are positive and finite, two or more on each axis.
+    pub(super) fn of(source: &Source, selection: &Selection, kind: Kind) -> Result<Self, PictureError> {
+        let (alphas, special): (Vec<usize>, Vec<usize>) = selection.on(Axis::Alpha).iter().partition(|i_alpha| {
+            let alpha = source.data.alpha[**i_alpha];
+            alpha > 0.0 && alpha.is_finite()
+        });
+        let betas = selection.on(Axis::Beta).to_vec();
+        for (axis, indices) in [(Axis::Alpha, &alphas), (Axis::Beta, &betas)] {
+            if indices.len() < 2 {
+                return Err(kind.missing(format!(
+                    "{} has {} value here with a place on a logarithmic axis, and a surface needs two; try --what curves",
+                    axis.name(),
+                    indices.len()
+                )));
+            }
+        }
+        Ok(Self { alphas, betas, special })
+    }
+
+    /// Values of α.
+    pub(super) fn alphas(&self, source: &Source) -> Vec<f64> {
+        self.alphas.iter().map(|i| source.data.alpha[*i]).collect()
+    }
+
+    /// Values of β.
+    pub(super) fn betas(&self, source: &Source) -> Vec<f64> {
+        self.betas.iter().map(|i| source.data.beta[*i]).collect()
+    }
+
+    /// Indices and place of every point, α fastest.
+    pub(super) fn places<'a>(
+        &'a self,
+        source: &'a Source,
+        i_f: usize,
+    ) -> impl Iterator<Item = ([usize; 3], usize)> + 'a {
+        self.betas.iter().flat_map(move |i_beta| {
+            self.alphas.iter().map(move |i_alpha| {
+                let indices = [i_f, *i_alpha, *i_beta];
+                (indices, source.data.place(indices))
+            })
+        })
+    }
+
+    /// What is not shown, in words; empty if all is.
+    pub(super) fn left_out(&self, source: &Source) -> String {
+        let values: Vec<String> = self.special.iter().map(|i| rounded(source.data.alpha[*i])).collect();
+        if values.is_empty() { String::new() } else { format!("not shown: α = {}", values.join(", ")) }
+    }
+}

@@ -1,0 +1,96 @@
+//! Pressure, film and displacement of chosen cases over x.
+
+use super::cases::Cases;
+use super::family::{beside, colour};
+use super::known;
+use super::picture::{Chart, Picture};
+use super::quantity::Quantity;
+use super::request::{Kind, Request};
+use super::source::Source;
+use super::table::Table;
+use super::{Axis, PictureError};
+use crate::figures::{Curve, LineAxis, Lines, Stroke};
+
+/// A profile for each field asked for that is there.
+pub(super) fn profiles(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let there = &source.data.fields;
+    if there.is_empty() {
+        return Err(Kind::Profiles.missing(
+            "the sweep has no fields; add fields = [\"pressure\", \"film_thickness\"] below [output] to it and run it again",
+        ));
+    }
+    let named: Vec<&str> = there.iter().copied().filter(|name| request.of.iter().any(|of| of == name)).collect();
+    let names = if named.is_empty() { there.clone() } else { named };
+    let cases = Cases::choose(source, request, Kind::Profiles, Axis::Alpha)?;
+    names.into_iter().map(|name| profile(source, request, &cases, name)).collect()
+}
+
+fn profile(source: &Source, request: &Request, cases: &Cases, name: &'static str) -> Result<Picture, PictureError> {
+    let quantity = Quantity::of_field(name).expect("a data set has known fields only");
+    let inside = shown(source, request, Kind::Profiles)?;
+    let (from, to) = (source.data.x[inside[0]], source.data.x[inside[inside.len() - 1]]);
+    let mut table = Table::new(&["kind", "f", "alpha", "beta", "x", name]);
+    let (mut curves, mut known_label, mut members) = (Vec::new(), "", Vec::new());
+    for (i, indices) in cases.indices.iter().enumerate() {
+        let field = source.data.field(name, *indices)?;
+        let [f, alpha, beta] = source.point(*indices);
+        let points: Vec<(f64, f64)> = inside.iter().map(|i| (source.data.x[*i], field[*i])).collect();
+        let mut rows = |kind: &str, points: &[(f64, f64)]| {
+            for (x, value) in points {
+                table.row(&[kind], &[f, alpha, beta, *x, *value]);
+            }
+        };
+        rows("solution", &points);
+        let colour = colour(i, cases.indices.len());
+        if let Some(case) = source.parameters(*indices).filter(|_| !request.bare)
+            && let Some((label, mut known)) = known::of_field(name, &case)
+        {
+            known.retain(|(x, _)| (from..=to).contains(x));
+            rows(label, &known);
+            known_label = label;
+            members.push((colour, known));
+        }
+        let label = cases.label(source, *indices);
+        curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, marked: false });
+    }
+    let drawn = || curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
+    let logarithmic = request.scale.is_logarithmic(drawn());
+    curves.extend(beside(known_label, Stroke::Dashed, members));
+    let chart = Lines {
+        title: source.data.title.clone(),
+        subtitle: cases.subtitle(source),
+        x: LineAxis { label: X_LABEL.to_owned(), logarithmic: false, range: Some((from, to)) },
+        y: LineAxis { label: quantity.label(), logarithmic, range: request.y },
+        curves,
+    };
+    Ok(Picture { name: format!("profile-{name}{}", suffix(source, request, cases)), chart: Chart::Lines(chart), table })
+}
+
+/// Name of the horizontal axis of fields.
+pub(super) const X_LABEL: &str = "position x (a₀), inlet on the right";
+
+/// Indices of the x that are shown, at least two.
+pub(super) fn shown(source: &Source, request: &Request, kind: Kind) -> Result<Vec<usize>, PictureError> {
+    let x = &source.data.x;
+    let (from, to) = request.x.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    let inside: Vec<usize> = (0..x.len()).filter(|i| (from..=to).contains(&x[*i])).collect();
+    if inside.len() < 2 {
+        let (first, last) = (x[0], x[x.len() - 1]);
+        return Err(kind.missing(format!(
+            "--x {from},{to} holds {} of the x of this sweep, from {first} to {last}; a profile needs two",
+            inside.len()
+        )));
+    }
+    Ok(inside)
+}
+
+/// Tells pictures of cases apart that were chosen by hand.
+pub(super) fn suffix(source: &Source, request: &Request, cases: &Cases) -> String {
+    let by_hand = |axis: &Axis| cases.fixed.contains(axis) && !request.values[axis.dimension()].is_empty();
+    let fixed = Axis::ALL.into_iter().filter(by_hand);
+    let part = |axis: Axis| {
+        let value = source.value(axis, cases.indices[0][axis.dimension()]);
+        format!("-{}-{}", axis.name(), super::source::rounded(value).replace('∞', "inf"))
+    };
+    fixed.map(part).collect()
+}

@@ -1,0 +1,89 @@
+//! A quantity as height over α and β.
+
+use super::curves::named_columns;
+use super::picture::{Chart, Picture};
+use super::plane::Plane;
+use super::quantity::Quantity;
+use super::request::{Kind, Request, Selection, spread};
+use super::source::Source;
+use super::table::Table;
+use super::{Axis, PictureError};
+use crate::figures::{Relief, ReliefPanel};
+
+/// What surfaces show where nothing else is asked for.
+const COLUMNS: [&str; 3] = ["mu_tot", "mu_v", "mu_h"];
+/// Most surfaces side by side.
+const MOST_PANELS: usize = 3;
+
+/// A surface for each column asked for; the values of f stand side by side.
+///
+/// One surface alone of μᵥ has its dry limit beside it, one of μₕ its large-β approximation.
+pub(super) fn surfaces(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let selection = Selection::of(&source.data, &request.values)?;
+    let plane = Plane::of(source, &selection, Kind::Surfaces)?;
+    let retarded: Vec<usize> = selection.on(Axis::F).to_vec();
+    let asked = !request.values[Axis::F.dimension()].is_empty();
+    // At f = 0 a surface is a cylinder over α: shown if asked for, or if there is nothing else.
+    let varied: Vec<usize> = retarded.iter().copied().filter(|i_f| source.data.f[*i_f] > 0.0).collect();
+    let strengths = if asked || varied.is_empty() { retarded } else { spread(&varied, MOST_PANELS) };
+    if strengths.len() > MOST_PANELS {
+        return Err(Kind::Surfaces
+            .missing(format!("at most {MOST_PANELS} surfaces have room side by side; give fewer values with --f")));
+    }
+    named_columns(request, &COLUMNS)
+        .into_iter()
+        .filter_map(|column| surface(source, request, &plane, &strengths, column).transpose())
+        .collect()
+}
+
+fn surface(
+    source: &Source,
+    request: &Request,
+    plane: &Plane,
+    strengths: &[usize],
+    column: &str,
+) -> Result<Option<Picture>, PictureError> {
+    let quantity = Quantity::of_column(column).expect("names were checked");
+    let mut panels: Vec<(String, &str, usize)> =
+        strengths.iter().map(|i_f| (source.words(Axis::F, *i_f), column, *i_f)).collect();
+    if let ([i_f], false) = (strengths, request.bare) {
+        let limit = match column {
+            "mu_v" => Some(("dry limit", "dry_mu_v")),
+            "mu_h" => Some(("large-β approximation", "approx_mu_h")),
+            _ => None,
+        };
+        panels.extend(limit.map(|(label, column)| (label.to_owned(), column, *i_f)));
+    }
+    let mut table = Table::new(&["quantity", "f", "alpha", "beta", "value"]);
+    let mut drawn = Vec::new();
+    for (label, column, i_f) in panels {
+        let values = source.column(column)?;
+        let heights: Vec<Option<f64>> =
+            plane.places(source, i_f).map(|(_, place)| Some(values[place]).filter(|value| value.is_finite())).collect();
+        for (indices, place) in plane.places(source, i_f) {
+            let [f, alpha, beta] = source.point(indices);
+            table.row(&[column], &[f, alpha, beta, values[place]]);
+        }
+        if heights.iter().any(Option::is_some) {
+            drawn.push(ReliefPanel { label, heights, curves: vec![] });
+        }
+    }
+    if drawn.is_empty() {
+        return Ok(None);
+    }
+    let all = drawn.iter().flat_map(|panel| panel.heights.iter().flatten().copied());
+    let logarithmic = request.scale.is_logarithmic(all);
+    let chart = Relief {
+        title: source.data.title.clone(),
+        subtitle: plane.left_out(source),
+        x_label: "α".to_owned(),
+        y_label: "β".to_owned(),
+        z_label: quantity.label(),
+        x: plane.alphas(source),
+        y: plane.betas(source),
+        logarithmic,
+        range: None,
+        panels: drawn,
+    };
+    Ok(Some(Picture { name: format!("surface-{column}"), chart: Chart::Relief(chart), table }))
+}

@@ -1,0 +1,270 @@
+//! `stribeck plot` from outside: what is drawn is what was published, and what cannot be drawn is said.
+
+mod program;
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use program::{code, err, out, say};
+use roxmltree::Document;
+use stribeck::store::DataSet;
+use tempfile::{TempDir, tempdir};
+
+const SMALL: &str = r#"
+title = "A small <sweep> & its pictures"
+[axes]
+f = [0.0, 10.0]
+alpha = [0.1, 1.0, 10.0, inf]
+beta = [10.0, 30.0, 100.0]
+[output]
+fields = ["pressure", "film_thickness", "displacement"]
+x = { from = -2.0, to = 3.0, points = 2001 }
+"#;
+
+/// Runs a sweep and returns its directory, in which the results are in `results/small`.
+fn finished(sweep: &str) -> TempDir {
+    let directory = tempdir().expect("a temporary directory");
+    fs::write(directory.path().join("small.toml"), sweep).expect("written");
+    let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
+    assert!([0, 3].contains(&code(&run)), "{}", err(&run));
+    directory
+}
+
+fn plot(directory: &Path, arguments: &[&str]) -> Vec<PathBuf> {
+    let run = say(directory, &[&["plot", "results/small"], arguments].concat());
+    assert_eq!(code(&run), 0, "{arguments:?}: {}", err(&run));
+    assert_eq!(err(&run), "");
+    let said = out(&run);
+    let mut lines: Vec<&str> = said.lines().collect();
+    let last = lines.pop().expect("a last line");
+    assert!(last.contains(&format!("{} picture", lines.len())), "{said}");
+    lines.into_iter().map(|line| directory.join(line)).collect()
+}
+
+/// The rows of a CSV file, by the names of its header.
+fn rows(path: &Path) -> Vec<HashMap<String, String>> {
+    let mut reader = csv::Reader::from_path(path).expect("a CSV file");
+    reader.deserialize().map(|row| row.expect("a row")).collect()
+}
+
+fn number(row: &HashMap<String, String>, name: &str) -> f64 {
+    row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?} is a number"))
+}
+
+fn only(pictures: &[PathBuf]) -> PathBuf {
+    let [picture] = pictures else { panic!("one picture, not {pictures:?}") };
+    picture.with_extension("csv")
+}
+
+#[test]
+fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
+    let directory = finished(SMALL);
+    let pictures = plot(directory.path(), &[]);
+    let names: Vec<&str> = pictures.iter().map(|path| path.file_stem().unwrap().to_str().unwrap()).collect();
+    for name in [
+        "surface-mu_tot",
+        "surface-mu_v",
+        "map-mu_h",
+        "mu_tot-along-f",
+        "mu_v-along-alpha",
+        "c-along-beta",
+        "profile-pressure",
+        "profile-film_thickness",
+        "profile-displacement",
+        "loop",
+        "stress",
+        "map-errors",
+        "map-status",
+        "cost",
+    ] {
+        assert!(names.contains(&name), "{name} is not among {names:?}");
+    }
+    for path in &pictures {
+        let svg = fs::read_to_string(path).unwrap();
+        let document = Document::parse(&svg).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        assert_eq!(document.root_element().attribute("width"), Some("1600"));
+        let texts: String = document.descendants().filter_map(|node| node.text()).collect();
+        assert!(texts.contains("A small <sweep> & its pictures"), "{}: {texts}", path.display());
+        assert!(!svg.contains("NaN"), "{}", path.display());
+        assert!(rows(&path.with_extension("csv")).len() > 1, "{}", path.display());
+    }
+    let first: Vec<Vec<u8>> = pictures.iter().map(|path| fs::read(path).unwrap()).collect();
+    let again: Vec<Vec<u8>> = plot(directory.path(), &[]).iter().map(|path| fs::read(path).unwrap()).collect();
+    assert!(first == again, "the same data are the same bytes");
+    for path in plot(directory.path(), &["--format", "png"]) {
+        let bytes = fs::read(&path).unwrap();
+        assert!(bytes.starts_with(b"\x89PNG") && bytes[16..20] == 1600_u32.to_be_bytes(), "{}", path.display());
+    }
+}
+
+#[test]
+fn the_numbers_of_curves_are_those_of_the_summary() {
+    let directory = finished(SMALL);
+    let summary = rows(&directory.path().join("results/small/summary.csv"));
+    for column in ["mu_tot", "film_min", "error_c"] {
+        let picture = only(&plot(
+            directory.path(),
+            &["--what", "curves", "--of", column, "--along", "beta", "--f", "10", "--bare"],
+        ));
+        let drawn = rows(&picture);
+        // f = 10 with four α and three β.
+        assert_eq!(drawn.len(), 12);
+        for row in drawn {
+            let same = |other: &&HashMap<String, String>| {
+                ["f", "alpha", "beta"].iter().all(|name| number(other, name) == number(&row, name))
+            };
+            let published = summary.iter().find(same).expect("a case of the summary");
+            assert_eq!(number(published, column), number(&row, "value"), "{row:?}");
+        }
+    }
+}
+
+#[test]
+fn the_numbers_of_profiles_are_those_of_the_fields() {
+    let directory = finished(SMALL);
+    let data = DataSet::open(&directory.path().join("results/small")).unwrap();
+    let options =
+        ["--what", "profiles", "--of", "film_thickness", "--alpha", "1", "--beta", "10,100", "--f", "10", "--x=-1,1"];
+    let drawn = rows(&only(&plot(directory.path(), &options)));
+    let solved: Vec<_> = drawn.iter().filter(|row| row["kind"] == "solution").collect();
+    assert_eq!(solved.len(), 2 * data.x.iter().filter(|x| x.abs() <= 1.0).count());
+    for row in solved {
+        let beta = data.beta.iter().position(|beta| *beta == number(row, "beta")).unwrap();
+        let x = data.x.iter().position(|x| *x == number(row, "x")).unwrap();
+        assert_eq!(data.field("film_thickness", [1, 1, beta]).unwrap()[x], number(row, "film_thickness"));
+    }
+    assert!(drawn.iter().any(|row| row["kind"] == "large-β approximation"));
+}
+
+/// F_v = (2/π) ∫ p dw (Eq. 22): the area of the loop drawn, 0 for an elastic substrate.
+#[test]
+fn the_area_of_a_loop_is_the_viscoelastic_friction() {
+    let directory = finished(SMALL);
+    let data = DataSet::open(&directory.path().join("results/small")).unwrap();
+    let friction = data.column("mu_v").unwrap();
+    for (i_f, f) in [(0, "0"), (1, "10")] {
+        let options = ["--what", "loops", "--alpha", "1", "--beta", "100", "--f", f, "--bare"];
+        let drawn = rows(&only(&plot(directory.path(), &options)));
+        let area: f64 = drawn
+            .windows(2)
+            .map(|pair| {
+                let [p0, p1] = [&pair[0], &pair[1]].map(|row| number(row, "pressure"));
+                0.5 * (p0 + p1) * (number(&pair[1], "height") - number(&pair[0], "height"))
+            })
+            .sum::<f64>()
+            * 2.0
+            / PI;
+        let wanted = friction[data.place([i_f, 1, 2])];
+        assert!((area - wanted).abs() < 1e-3, "f = {f}: area {area}, friction {wanted}");
+    }
+}
+
+/// Every plane below the surface carries the load π/2 (T4).
+#[test]
+fn the_stress_drawn_carries_the_load() {
+    let directory = finished(SMALL);
+    let options = ["--what", "stress", "--alpha", "1", "--beta", "100", "--f", "10", "--x=-2,3"];
+    let drawn = rows(&only(&plot(directory.path(), &options)));
+    let shallow =
+        drawn.iter().map(|row| number(row, "depth")).filter(|depth| *depth > 0.02).fold(f64::INFINITY, f64::min);
+    let plane: Vec<_> = drawn.iter().filter(|row| number(row, "depth") == shallow).collect();
+    let load: f64 = plane
+        .windows(2)
+        .map(|pair| {
+            let [one, other] = [pair[0], pair[1]].map(|row| number(row, "stress"));
+            -0.5 * (one + other) * (number(pair[1], "x") - number(pair[0], "x"))
+        })
+        .sum();
+    assert!((load / (0.5 * PI) - 1.0).abs() < 0.01, "{load}");
+}
+
+#[test]
+fn sweeps_of_any_shape_have_pictures() {
+    let axes = |f: &str, alpha: &str, beta: &str, output: &str| {
+        format!("[axes]\nf = [{f}]\nalpha = [{alpha}]\nbeta = [{beta}]\n[output]\n{output}\n")
+    };
+    // One case without fields has nothing to show but its status and cost; a failed one (β too large for doubles) not even errors.
+    for (sweep, wanted, missing) in [
+        (axes("10.0", "1.0", "10.0, 20.0, 40.0", "fields = []"), "mu_tot-along-beta", "profile"),
+        (axes("10.0", "1.0", "10.0, 20.0", ""), "profile-pressure", "map"),
+        (axes("0.0", "1.0", "10.0", ""), "profile-film_thickness", "along"),
+        (axes("10.0", "1.0", "10.0", "fields = []"), "cost", "curve"),
+        (axes("10.0", "1.0", "1e60, 1e61", ""), "cost", "profile"),
+        (axes("10.0", "0.0, 1.0, inf", "10.0, 20.0", "limits = false"), "map-status", "surface"),
+    ] {
+        let directory = finished(&sweep);
+        let names: Vec<String> = plot(directory.path(), &[])
+            .iter()
+            .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+            .collect();
+        assert!(names.iter().any(|name| name == wanted), "{sweep}: {names:?}");
+        assert!(!names.iter().any(|name| name.contains(missing)), "{sweep}: {names:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
+    let directory = finished(&SMALL.replace("\"pressure\", \"film_thickness\", \"displacement\"", "\"pressure\""));
+    for (arguments, expected) in [
+        (&["--of", "mu_q"][..], "--of mu_q: there is no such column or field here; give some of mu_v, mu_h"),
+        (&["--of", "displacement"], "no such column or field"),
+        (&["--beta", "5000"], "--beta 5000: the sweep has beta from 10 to 100"),
+        (&["--alpha=-1"], "--alpha -1: the sweep has alpha from 0.1 to inf"),
+        (&["--f", "nan"], "--f NaN"),
+        (&["--what", "loops"], "no field film_thickness; add it to fields below [output]"),
+        (&["--what", "stress"], "no field film_thickness"),
+        (&["--what", "curves", "--along", "beta", "--beta", "10"], "beta has one value here, and a curve needs two"),
+        (&["--what", "surfaces", "--alpha", "1"], "alpha has 1 value here"),
+        (&["--what", "maps", "--beta", "30"], "beta has one value here, and a map needs two"),
+        (&["--what", "profiles", "--x=5,6"], "--x 5,6 holds 0 of the x of this sweep, from -2 to 3"),
+        (&["--what", "profiles", "--alpha", "1,10", "--beta", "10,30"], "give several values of one axis only"),
+        (&["--what", "curves", "--of", "mu_v,c", "--together"], "mu_v and c have different units"),
+        (&["--x", "2,1"], "the first below the second"),
+        (&["--what", "pies"], "invalid value 'pies'"),
+    ] {
+        let run = say(directory.path(), &[&["plot", "results/small"], arguments].concat());
+        assert_eq!(code(&run), 2, "{arguments:?}");
+        assert!(err(&run).contains(expected), "{arguments:?}: {}", err(&run));
+        assert!(!directory.path().join("results/small/figures").exists(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_directory_that_is_not_as_it_was_published_is_refused() {
+    let directory = finished(SMALL);
+    let results = directory.path().join("results/small/results.h5");
+    let sound = fs::read(&results).unwrap();
+    let refused = |expected: &str| {
+        let run = say(directory.path(), &["plot", "results/small"]);
+        assert_eq!(code(&run), 4);
+        assert!(err(&run).contains(expected), "{}", err(&run));
+        assert!(!directory.path().join("results/small/figures").exists());
+    };
+    let mut damaged = sound.clone();
+    let middle = damaged.len() / 2;
+    damaged[middle] ^= 1;
+    fs::write(&results, damaged).unwrap();
+    refused("is not as it was published: its checksum is not the one of its record; run `stribeck run");
+    fs::remove_file(&results).unwrap();
+    refused("has no results.h5: nothing is published yet; run `stribeck run");
+    let run = say(directory.path(), &["plot", "nowhere"]);
+    assert_eq!((code(&run), err(&run).contains("there is no such directory")), (4, true), "{}", err(&run));
+}
+
+/// Published files are passed on without logs and shards.
+#[test]
+fn published_files_alone_are_enough() {
+    let directory = finished(SMALL);
+    let alone = directory.path().join("alone");
+    fs::create_dir(&alone).unwrap();
+    fs::copy(directory.path().join("results/small/results.h5"), alone.join("results.h5")).unwrap();
+    let run = say(directory.path(), &["plot", "alone", "-o", "pictures"]);
+    assert_eq!(code(&run), 0, "{}", err(&run));
+    assert!(directory.path().join("pictures/surface-mu_tot.svg").is_file());
+    // Seconds are in timings.csv, which was not passed on.
+    assert!(!directory.path().join("pictures/cost.svg").exists());
+    let run = say(directory.path(), &["plot", "alone", "--what", "cost"]);
+    assert_eq!((code(&run), err(&run).contains("no timings.csv")), (2, true), "{}", err(&run));
+}
