@@ -1,0 +1,281 @@
+//! The Python scripts on results with failed cases, an elastic row (f = 0) and an infinite α: what they draw and say.
+//!
+//! Needs Python with the packages of `scripts/requirements.txt`; `./scripts/prerequisites --tests` installs them.
+
+mod in_python;
+mod synthetic;
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use in_python::{check, file_of_python};
+use stribeck::model::FieldSelection;
+use stribeck::store::{CaseEntry, Publication, Status, Store};
+use synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, row};
+use tempfile::{TempDir, tempdir};
+
+/// The synthetic results.
+fn results() -> TempDir {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    directory
+}
+
+/// The synthetic results, each case changed as told.
+fn changed(change: impl Fn(&mut CaseEntry)) -> TempDir {
+    let directory = tempdir().unwrap();
+    let mut store = synthetic::open(directory.path());
+    for mut chain in chains(&output()) {
+        chain.iter_mut().for_each(&change);
+        store.commit(&chain).unwrap();
+    }
+    synthetic::publish(&mut store).unwrap();
+    directory
+}
+
+fn script(name: &str, results: &[&Path], options: &[&str]) -> Output {
+    file_of_python(&format!("scripts/{name}.py")).args(results).args(options).output().unwrap()
+}
+
+/// Runs a script that draws; returns what it says. The picture must be one: a PNG with more than a few colours.
+fn draws(name: &str, results: &[&Path], options: &[&str]) -> String {
+    let directory = tempdir().unwrap();
+    let picture = directory.path().join("picture.png");
+    let mut options = options.to_vec();
+    options.extend(["-o", picture.to_str().unwrap()]);
+    let run = script(name, results, &options);
+    let said = check(&run);
+    let warnings = String::from_utf8_lossy(&run.stderr);
+    assert!(!warnings.contains("Warning"), "{warnings}");
+    let bytes = std::fs::read(&picture).unwrap();
+    let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let size = reader.next_frame(&mut pixels).unwrap();
+    assert!(size.width > 800 && size.height > 600, "{name}: {} × {} pixels", size.width, size.height);
+    let colours: std::collections::HashSet<_> = pixels.chunks_exact(size.color_type.samples()).collect();
+    assert!(colours.len() > 50, "{name} has only {} colours", colours.len());
+    said
+}
+
+/// Runs a script on what it cannot work with; returns its message, which must be one for users.
+fn refuses(name: &str, results: &[&Path], options: &[&str]) -> String {
+    let run = script(name, results, options);
+    let message = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(2), "{message}");
+    assert!(!message.contains("Traceback"), "{message}");
+    message
+}
+
+#[test]
+fn surfaces_are_drawn_and_say_what_they_leave_out() {
+    let directory = results();
+    for options in [&[][..], &["--three-d"], &["--three-d", "--quantity", "mu_h"]] {
+        let said = draws("surface", &[directory.path()], options);
+        assert!(said.contains("alpha = inf") && said.contains("f = 0"), "what is left out is named: {said}");
+    }
+}
+
+#[test]
+fn a_surface_needs_two_values_of_each_axis() {
+    let directory = tempdir().unwrap();
+    let mut store = synthetic::open(directory.path());
+    for chain in chains(&output()) {
+        store.commit(&chain).unwrap();
+    }
+    let one_row = |i_f: usize, _: usize| row(i_f, 1);
+    let publication =
+        Publication { title: "one α", sweep_text: SWEEP, f: &F, alpha: &[1.0], beta: &BETA, cases: &one_row };
+    store.publish(&publication).unwrap();
+    let message = refuses("surface", &[directory.path()], &[]);
+    assert!(message.contains("alpha has 1 value") && message.contains("add values of alpha"), "{message}");
+    assert!(!directory.path().join("surface.png").exists());
+    // One profile needs no surface.
+    draws("profiles", &[directory.path()], &[]);
+}
+
+#[test]
+fn what_is_no_results_directory_is_refused_with_a_remedy() {
+    let directory = results();
+    let damaged = tempdir().unwrap();
+    std::fs::write(damaged.path().join("results.h5"), "not HDF5").unwrap();
+    let nowhere = Path::new("nowhere");
+    for name in ["surface", "profiles", "compare"] {
+        let both = |other| if name == "compare" { vec![directory.path(), other] } else { vec![other] };
+        let message = refuses(name, &both(nowhere), &["-o", "never.png"]);
+        assert!(message.contains("nowhere/results.h5: no such file") && message.contains("stribeck run"), "{message}");
+        let message = refuses(name, &both(damaged.path()), &["-o", "never.png"]);
+        assert!(message.contains("not readable") && message.contains("stribeck verify"), "{message}");
+        let message = refuses(name, &both(directory.path()), &["-o", "picture.xyz"]);
+        assert!(message.contains("end its name in .png, .pdf or .svg"), "{message}");
+        let message = refuses(name, &both(directory.path()), &["-o", "nowhere/picture.png"]);
+        assert!(message.contains("name a file in a directory that exists"), "{message}");
+    }
+}
+
+#[test]
+fn a_profile_is_drawn_of_the_nearest_case() {
+    let directory = results();
+    let said = draws("profiles", &[directory.path()], &["--alpha", "1.4", "--beta", "100", "--f", "100"]);
+    assert!(said.contains("α = 1.4 is not in the sweep; the nearest is 1\n"), "{said}");
+    assert!(said.contains("shows the case α = 1, β = 100, f = 100\n"), "{said}");
+    let said = draws("profiles", &[directory.path()], &["--alpha", "inf", "--beta", "1e9", "--f", "0"]);
+    assert!(said.contains("the nearest is 1000\nshows the case α = ∞, β = 1000, f = 0"), "{said}");
+    // The case that failed.
+    draws("profiles", &[directory.path()], &["--alpha", "0.1", "--beta", "1000", "--f", "100"]);
+}
+
+#[test]
+fn profiles_need_fields_a_window_or_a_file_and_numbers() {
+    let directory = tempdir().unwrap();
+    let none = FieldSelection { pressure: false, film_thickness: false, displacement: false };
+    let without = stribeck::model::Output { fields: none, x: Vec::new().into(), ..output() };
+    let mut store = Store::open(directory.path(), SWEEP, &without).unwrap();
+    for chain in chains(&without) {
+        store.commit(&chain).unwrap();
+    }
+    synthetic::publish(&mut store).unwrap();
+    let message = refuses("profiles", &[directory.path()], &["-o", "never.png"]);
+    assert!(message.contains("keeps no fields") && message.contains("fields = [\"pressure\""), "{message}");
+    let message = refuses("profiles", &[results().path()], &[]);
+    assert!(message.contains("no window") && message.contains("-o FILE.png"), "{message}");
+    for wrong in ["-1", "nan", "many"] {
+        let message = refuses("profiles", &[results().path()], &["-o", "never.png", &format!("--alpha={wrong}")]);
+        assert!(message.contains(&format!("'{wrong}' is no number of at least 0")), "{message}");
+    }
+}
+
+#[test]
+fn sliders_and_clicks_take_another_case() {
+    let directory = results();
+    check(&file_of_python("tests/python/browse_profiles.py").arg(directory.path()).output().unwrap());
+}
+
+#[test]
+fn every_script_names_the_packages_that_it_imports() {
+    let said = check(&file_of_python("tests/python/inline_metadata.py").output().unwrap());
+    for name in ["surface.py", "profiles.py", "compare.py", "fit_film.py", "reference_dry.py"] {
+        assert!(said.contains(name), "{name} was not looked at: {said}");
+    }
+}
+
+#[test]
+fn a_sweep_compared_with_itself_is_equal() {
+    let directory = results();
+    let said = draws("compare", &[directory.path(), directory.path()], &["--tolerance", "1e-15"]);
+    for expected in [
+        "places: 40 in both, 0 in A alone, 0 in B alone",
+        "39 converged in both, 1 failed in both, 0 failed in one alone",
+        "sweep file: the same text",
+        "all places that both have are equal",
+        "within the tolerance",
+    ] {
+        assert!(said.contains(expected), "{expected} is not in\n{said}");
+    }
+}
+
+#[test]
+fn a_changed_number_and_a_changed_status_are_found() {
+    let directory = results();
+    let p_max = stribeck::model::COLUMNS.iter().position(|column| column.name == "p_max").unwrap();
+    let other = changed(|entry| {
+        if entry.id == case_id(100.0, 10.0, BETA[1]) {
+            entry.values[p_max] *= 1.01;
+        } else if entry.id == case_id(100.0, 1.0, BETA[0]) {
+            entry.outcome = Status::Failed;
+            entry.reason = "made to fail".into();
+            entry.values.fill(f64::NAN);
+            entry.fields = Default::default();
+        }
+    });
+    let said = draws("compare", &[directory.path(), other.path()], &["--quantity", "p_max"]);
+    assert!(said.contains("1 failed in one alone\n  f = 100, α = 1, β = 10 failed in B: made to fail"), "{said}");
+    let line = said.lines().find(|line| line.starts_with("p_max")).unwrap();
+    assert!(line.contains(" 38     37 ") && line.ends_with("f = 100, α = 10, β = 31.6228"), "{line}");
+    assert!(line.contains(" 1.0e-02 "), "{line}");
+    // A failure in one alone is beyond any tolerance.
+    let run = script("compare", &[directory.path(), other.path()], &["--tolerance", "0.5"]);
+    assert_eq!(run.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&run.stdout).contains("1 case failed in one alone"));
+}
+
+#[test]
+fn places_that_one_sweep_has_alone_are_listed() {
+    let (directory, fewer, table) = (results(), tempdir().unwrap(), tempdir().unwrap());
+    let mut store = synthetic::open(fewer.path());
+    for chain in chains(&output()) {
+        store.commit(&chain).unwrap();
+    }
+    let some = |i_f: usize, i_alpha: usize| row(i_f, i_alpha)[1..].to_vec();
+    let publication =
+        Publication { title: "fewer β", sweep_text: "other", f: &F, alpha: &ALPHA, beta: &BETA[1..], cases: &some };
+    store.publish(&publication).unwrap();
+    let file = table.path().join("all.csv");
+    let run = script("compare", &[directory.path(), fewer.path()], &["--csv", file.to_str().unwrap()]);
+    let said = check(&run);
+    assert!(said.contains("32 in both, 8 in A alone, 0 in B alone\n  A alone has β = 10\n"), "{said}");
+    assert!(said.contains("sweep file: differs"), "{said}");
+    let text = std::fs::read_to_string(file).unwrap();
+    assert_eq!(text.lines().count(), 1 + 40);
+    assert_eq!(text.lines().filter(|line| line.contains(",10.0,A,converged,,")).count(), 8, "{text}");
+    let disjoint = tempdir().unwrap();
+    let mut store = synthetic::open(disjoint.path());
+    for chain in chains(&output()) {
+        store.commit(&chain).unwrap();
+    }
+    let last = |i_f: usize, i_alpha: usize| row(i_f, i_alpha)[..1].to_vec();
+    let publication =
+        Publication { title: "β = 10", sweep_text: SWEEP, f: &F, alpha: &ALPHA, beta: &BETA[..1], cases: &last };
+    store.publish(&publication).unwrap();
+    let message = refuses("compare", &[fewer.path(), disjoint.path()], &[]);
+    assert!(message.contains("no place in common: no value of beta is in both"), "{message}");
+}
+
+/// Solves a small sweep to a tolerance.
+fn solved(tolerance: &str) -> TempDir {
+    let directory = tempdir().unwrap();
+    let sweep = directory.path().join("small.toml");
+    let text = format!(
+        "title = \"small\"\n[axes]\nf = [0.0, 100.0]\nalpha = [0.1, 1.0, 10.0, inf]\n\
+         beta = {{ from = 10.0, to = 300.0, points = 5, scale = \"log\" }}\n\
+         [solver]\ntolerance = {tolerance}\n[output]\nfields = []\n"
+    );
+    std::fs::write(&sweep, text).unwrap();
+    let mut run = Command::new(env!("CARGO_BIN_EXE_stribeck"));
+    run.arg("run").arg(&sweep).arg("-o").arg(directory.path().join("results")).args(["--quiet", "--threads", "1"]);
+    check(&run.output().unwrap());
+    directory
+}
+
+#[test]
+fn two_tolerances_differ_by_what_they_estimate() {
+    let (coarse, fine, table) = (solved("1e-4"), solved("1e-7"), tempdir().unwrap());
+    let directories = [coarse.path().join("results"), fine.path().join("results")];
+    let directories: Vec<&Path> = directories.iter().map(|path| path.as_path()).collect();
+    let file = table.path().join("all.csv");
+    let options = ["--tolerance", "1e-4", "--csv", file.to_str().unwrap()];
+    let said = draws("compare", &directories, &options);
+    assert!(said.contains("-tolerance = 1e-4\n  +tolerance = 1e-7"), "{said}");
+    assert!(said.contains("40 converged in both") && !said.contains("are equal"), "{said}");
+    assert_eq!(script("compare", &directories, &["--tolerance", "1e-12"]).status.code(), Some(1));
+
+    let mut reader = csv::Reader::from_path(file).unwrap();
+    let names = reader.headers().unwrap().clone();
+    let column = |name: String| names.iter().position(|header| header == name).unwrap();
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 40);
+    let (mut judged, mut differing) = (0, 0);
+    for quantity in ["mu_v", "mu_h", "mu_tot", "c"] {
+        let pair = [column(format!("difference_{quantity}")), column(format!("estimate_{quantity}"))];
+        for row in &rows {
+            let [difference, estimate] = pair.map(|index| row[index].parse::<f64>().unwrap());
+            differing += usize::from(difference > 0.0);
+            // An estimate is no bound: far below the tolerance it may be too small by orders of magnitude.
+            if estimate > 1e-6 {
+                assert!(difference < 1.5 * estimate, "{quantity}: {difference} beside {estimate}");
+                judged += 1;
+            }
+            assert!(difference < 1e-4, "{quantity}: {difference}");
+        }
+    }
+    assert!(judged > 5 && differing > 60, "{judged} judged, {differing} differ");
+}
