@@ -25,6 +25,7 @@
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
 //! | [`figures`] | charts: numbers in, SVG or PNG out | – |
 //! | [`pictures`] | pictures of a published data set, with their numbers | [`store`], [`model`], [`exact`] for known limits, [`figures`] |
+//! | [`report`] | one HTML page of a published data set | [`store`], [`model`] |
 //! | [`study`] | error against run time, stability of each method | [`input`], [`sweep`], the solvers, [`engine`], [`figures`] |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!
@@ -47,6 +48,7 @@ pub mod input;
 pub mod model;
 pub mod pictures;
 pub mod relaxation;
+pub mod report;
 mod shown;
 pub mod store;
 pub mod study;

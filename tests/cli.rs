@@ -53,7 +53,8 @@ fn finished() -> TempDir {
 #[test]
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
-    for command in ["run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "study"] {
+    for command in ["run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study"]
+    {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
         assert!(out(&help).contains(&format!("\n  stribeck {command} ")), "{}", out(&help));
@@ -76,6 +77,8 @@ fn examples_in_help_texts_are_valid_command_lines() {
         &["solve", "--help"],
         &["study", "--help"],
         &["slurm", "--help"],
+        &["plot", "--help"],
+        &["report", "--help"],
     ] {
         let help = out(&say(directory.path(), command));
         for line in help.lines().filter_map(|line| line.strip_prefix("  stribeck ")) {
@@ -85,8 +88,12 @@ fn examples_in_help_texts_are_valid_command_lines() {
             // A file that is not there is told apart from a line that is not understood.
             if !["solve", "explain", "merge"].contains(&words[0]) {
                 let output = say(directory.path(), &words);
-                let kind = if words[0] == "study" { "study" } else { "sweep" };
-                assert!(err(&output).contains(&format!("cannot read the {kind} file")), "{line}\n{}", err(&output));
+                let expected = match words[0] {
+                    "study" => "cannot read the study file",
+                    "plot" | "report" => "there is no such directory",
+                    _ => "cannot read the sweep file",
+                };
+                assert!(err(&output).contains(expected), "{line}\n{}", err(&output));
             }
             examples += 1;
         }

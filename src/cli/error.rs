@@ -146,6 +146,15 @@ pub enum CliError {
         /// The file.
         file: PathBuf,
     },
+    /// A page would replace a file that no report has written.
+    #[error(
+        "{} is there, which `stribeck report` has not written; move it away, or name another file with -o",
+        shown(file)
+    )]
+    NoReport {
+        /// The file.
+        file: PathBuf,
+    },
     /// A directory cannot be made or read.
     #[error("cannot {action} the directory {}: {source}; choose another place with -o", shown(path))]
     Directory {
@@ -208,6 +217,7 @@ impl CliError {
             | CliError::Slurm { .. }
             | CliError::NotADirectory { .. }
             | CliError::Occupied { .. }
+            | CliError::NoReport { .. }
             | CliError::Directory { .. }
             | CliError::Unwritten { .. }
             | CliError::Figure(_)

@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `plot`, `study` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `plot`, `report`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `workload` | which chains of a plan are left to be solved |
 //! | `collection`, `parts` | all that is stored of a sweep, its parts included; how far these are |
@@ -30,6 +30,7 @@ mod parts;
 mod plan;
 mod plot;
 mod repeat;
+mod report;
 mod run;
 mod run_report;
 mod shell;
@@ -75,6 +76,7 @@ Examples:
   stribeck solve --alpha 1 --beta 100 --f 10            a single case
   stribeck explain results/quick 100,1,1000             why this one is as it is
   stribeck plot results/quick                           pictures of it, in results/quick/figures
+  stribeck report results/quick                         one page of it, for a browser
   stribeck study sweeps/study-quick.toml                error against run time
 
 Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4 the disk or a file;
@@ -100,6 +102,8 @@ enum Command {
     Verify(verify::Arguments),
     /// Draw a published sweep: surfaces, maps, curves, profiles, loops, stresses, errors
     Plot(plot::Arguments),
+    /// Make one HTML page of a published sweep, which works offline
+    Report(report::Arguments),
     /// Measure error against run time, and where each method is stable
     Study(study::Arguments),
 }
@@ -140,6 +144,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Explain(arguments) => explain::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),
         Command::Plot(arguments) => plot::execute(arguments),
+        Command::Report(arguments) => report::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),
     };
     match ending {

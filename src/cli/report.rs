@@ -1,0 +1,67 @@
+//! `stribeck report`: one page of HTML that shows a published data set.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::wording::bytes;
+use super::{CliError, Exit, console};
+use crate::report::{BEGINNING, page};
+use crate::shown::shown;
+use crate::store::{DataSet, StoreError, write_whole};
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck report results/quick                         then open results/quick/report.html
+  stribeck report results/quick -o for-a-colleague.html
+
+One file that works without a network, in any browser of 2021 or later: surfaces and maps with a slider for f, any
+case with its fields, curves, errors against seconds, failures, a table to sort and download, and the sweep file.
+Large sweeps are thinned, and the page says how. docs/report.md has more.")]
+pub struct Arguments {
+    /// A results directory
+    #[arg(value_name = "DIR")]
+    directory: PathBuf,
+    /// The page [default: DIR/report.html]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let data = DataSet::open(&arguments.directory)?;
+    if data.outdated {
+        console::tell(&format!(
+            "warning: cases were solved after {} was published, and are not shown; run the sweep to its end",
+            shown(&arguments.directory.join("results.h5"))
+        ));
+    }
+    let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
+    must_be_ours_or_free(&file)?;
+    let page = page(&data)?;
+    write_whole(file.clone(), page.html.as_bytes())?;
+    let mut text = format!("{}: {}\n", shown(&file), bytes(page.html.len() as u64));
+    for note in &page.notes {
+        text += &format!("note: {note}\n");
+    }
+    console::print(&text)?;
+    Ok(Exit::Success)
+}
+
+/// An error if a file is there that no report has written.
+fn must_be_ours_or_free(path: &Path) -> Result<(), CliError> {
+    let unreadable = |source| StoreError::File { path: path.to_owned(), action: "open", source }.into();
+    if path.file_name().is_none() {
+        return Err(unreadable(ErrorKind::IsADirectory.into()));
+    }
+    let mut beginning = vec![0; BEGINNING.len()];
+    match File::open(path).and_then(|mut file| file.read_exact(&mut beginning)) {
+        Ok(()) if beginning == BEGINNING.as_bytes() => Ok(()),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+        Ok(()) => Err(CliError::NoReport { file: path.to_owned() }),
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => Err(CliError::NoReport { file: path.to_owned() }),
+        Err(source) => Err(unreadable(source)),
+    }
+}

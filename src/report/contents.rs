@@ -1,0 +1,180 @@
+//! The numbers of a page, as its script reads them.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::encoding::{floats, integers};
+use super::failures::FailurePart;
+use super::fields::{CasePlace, FieldsPart, fields};
+use super::thinning::Grid;
+use crate::model::COLUMNS;
+use crate::store::{Cost, DataSet, StoreError};
+
+/// All that the page shows. Lists of numbers are base64 (`encoding`).
+#[derive(Debug, Serialize)]
+pub(super) struct Contents {
+    title: String,
+    version: String,
+    outdated: bool,
+    /// Numbers of values of f, α and β in the data set.
+    shape: [usize; 3],
+    /// Values of f, α and β shown; ∞ is the word `inf`, which JSON has no number for.
+    axes: [Vec<AxisValue>; 3],
+    /// For each place shown the index of its case.
+    case_of: String,
+    /// Ids of the cases shown.
+    cases: Vec<String>,
+    /// For each place shown 0 (converged) or 1 (failed).
+    status: String,
+    /// The columns of `summary.csv` in their order, with units; one number for each place shown.
+    columns: Vec<ColumnPart>,
+    /// What each place cost; none without timings.csv.
+    costs: Option<CostPart>,
+    fields: Option<FieldsPart>,
+    failures: FailurePart,
+    /// What was left out, a sentence each.
+    pub(super) notes: Vec<String>,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(super) enum AxisValue {
+    Number(f64),
+    Word(&'static str),
+}
+
+#[derive(Debug, Serialize)]
+struct ColumnPart {
+    name: &'static str,
+    long_name: &'static str,
+    units: &'static str,
+    values: String,
+}
+
+#[derive(Debug, Serialize)]
+struct CostPart {
+    seconds: String,
+    iterations: String,
+    factorisations: String,
+    seeds: Vec<String>,
+    /// For each place the index of its seed.
+    seed: String,
+}
+
+impl From<f64> for AxisValue {
+    fn from(value: f64) -> Self {
+        if value == f64::INFINITY { AxisValue::Word("inf") } else { AxisValue::Number(value) }
+    }
+}
+
+/// Different texts, each once, in the order in which they come.
+#[derive(Default)]
+pub(super) struct Words {
+    pub(super) words: Vec<String>,
+    indices: BTreeMap<String, usize>,
+}
+
+impl Words {
+    pub(super) fn index(&mut self, word: &str) -> usize {
+        if let Some(index) = self.indices.get(word) {
+            return *index;
+        }
+        self.indices.insert(word.to_owned(), self.words.len());
+        self.words.push(word.to_owned());
+        self.words.len() - 1
+    }
+
+    /// True if the word is among them.
+    pub(super) fn has(&self, word: &str) -> bool {
+        self.indices.contains_key(word)
+    }
+}
+
+impl Contents {
+    /// The contents of the page of a data set.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the data set cannot be read.
+    pub(super) fn of(data: &DataSet) -> Result<Self, StoreError> {
+        let mut notes =
+            vec!["Numbers are shown to at most seven digits; summary.csv and results.h5 have all.".to_owned()];
+        let grid = Grid::of(data);
+        if grid.is_thinned(data) {
+            let words = |shape: [usize; 3]| format!("{} × {} × {}", shape[0], shape[1], shape[2]);
+            notes.push(format!(
+                "Of the {} places of the sweep (f × α × β) {} are shown, spread evenly with both ends of each axis.",
+                words(data.shape()),
+                words(std::array::from_fn(|axis| grid.0[axis].len()))
+            ));
+        }
+        let (ids, statuses, reasons) = (data.cases()?, data.statuses()?, data.reasons()?);
+        let places: Vec<usize> = grid.places().map(|indices| data.place(indices)).collect();
+
+        let mut words = Words::default();
+        let (mut case_of, mut cases) = (Vec::with_capacity(places.len()), Vec::new());
+        for (indices, place) in grid.places().zip(&places) {
+            let index = words.index(&ids[*place]);
+            if index == cases.len() {
+                cases.push(CasePlace { indices, status: statuses[*place] });
+            }
+            case_of.push(i32::try_from(index).expect("a page has fewer cases than 2³¹"));
+        }
+        let columns = COLUMNS
+            .iter()
+            .filter(|column| column.in_summary)
+            .map(|column| {
+                let values = data.column(column.name)?;
+                Ok(ColumnPart {
+                    name: column.name,
+                    long_name: column.long_name,
+                    units: column.units,
+                    values: floats(places.iter().map(|place| values[*place])),
+                })
+            })
+            .collect::<Result<Vec<_>, StoreError>>()?;
+        let costs = data.costs()?.map(|costs| CostPart::of(&costs, &places));
+        if costs.is_none() {
+            notes.push("There is no timings.csv, so nothing is known of what cases cost.".to_owned());
+        }
+        let fields = fields(data, &cases, &mut notes)?;
+        if fields.is_none() {
+            notes.push("The sweep has no fields: `fields` below [output] of the sweep file asks for them.".to_owned());
+        }
+        let failures = FailurePart::of(data, &places, &statuses, &reasons, &mut notes);
+        let axis = |values: &[f64], kept: &[usize]| kept.iter().map(|i| values[*i].into()).collect();
+        Ok(Self {
+            title: data.title.clone(),
+            version: data.version.clone(),
+            outdated: data.outdated,
+            shape: data.shape(),
+            axes: [axis(&data.f, &grid.0[0]), axis(&data.alpha, &grid.0[1]), axis(&data.beta, &grid.0[2])],
+            case_of: integers(case_of),
+            cases: words.words,
+            status: integers(places.iter().map(|place| i32::from(statuses[*place].code()))),
+            columns,
+            costs,
+            fields,
+            failures,
+            notes,
+        })
+    }
+}
+
+impl CostPart {
+    fn of(costs: &[Cost], places: &[usize]) -> Self {
+        let whole = |number: u64| number as f64;
+        let mut seeds = Words::default();
+        let seed: Vec<i32> = places
+            .iter()
+            .map(|place| i32::try_from(seeds.index(&costs[*place].seed)).expect("fewer seeds than 2³¹"))
+            .collect();
+        Self {
+            seconds: floats(places.iter().map(|place| costs[*place].seconds)),
+            iterations: floats(places.iter().map(|place| whole(costs[*place].iterations))),
+            factorisations: floats(places.iter().map(|place| whole(costs[*place].factorisations))),
+            seeds: seeds.words,
+            seed: integers(seed),
+        }
+    }
+}

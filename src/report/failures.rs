@@ -1,0 +1,94 @@
+//! Failed places and why they failed.
+
+use serde::Serialize;
+
+use super::contents::{AxisValue, Words};
+use super::encoding::integers;
+use crate::store::{DataSet, Status, kind_of_reason};
+
+/// Most failed places that are listed.
+const MOST_LISTED: usize = 1000;
+/// Most bytes of different reasons.
+const MOST_BYTES: usize = 1_000_000;
+
+/// Failed places of the whole data set, those not shown on the grid included.
+#[derive(Debug, Serialize)]
+pub(super) struct FailurePart {
+    /// How many there are.
+    count: usize,
+    kinds: Vec<Kind>,
+    /// f, α, β and the index of the kind, as far as they are listed.
+    listed: Vec<(AxisValue, AxisValue, AxisValue, usize)>,
+    /// Different reasons of the places shown on the grid.
+    reasons: Vec<String>,
+    /// For each place shown on the grid the index of its reason; −1 if it converged, or its reason is not in the page.
+    reason_of: String,
+}
+
+/// Places that failed for reasons that differ in numbers alone.
+#[derive(Debug, Serialize)]
+struct Kind {
+    count: usize,
+    /// The first of the reasons.
+    reason: String,
+    /// True if there are others.
+    varied: bool,
+}
+
+impl FailurePart {
+    /// The failures of a data set of which these places are shown.
+    pub(super) fn of(
+        data: &DataSet,
+        places: &[usize],
+        statuses: &[Status],
+        reasons: &[String],
+        notes: &mut Vec<String>,
+    ) -> Self {
+        let [_, alphas, betas] = data.shape();
+        let failed = (0..statuses.len()).filter(|place| statuses[*place] == Status::Failed);
+        let (mut words, mut kinds, mut listed) = (Words::default(), Vec::<Kind>::new(), Vec::new());
+        let mut count = 0;
+        for place in failed {
+            let reason = &reasons[place];
+            let index = words.index(&kind_of_reason(reason));
+            match kinds.get_mut(index) {
+                Some(kind) => {
+                    kind.count += 1;
+                    kind.varied |= kind.reason != *reason;
+                }
+                None => kinds.push(Kind { count: 1, reason: reason.clone(), varied: false }),
+            }
+            if count < MOST_LISTED {
+                let (i_f, i_alpha, i_beta) = (place / (alphas * betas), place / betas % alphas, place % betas);
+                listed.push((data.f[i_f].into(), data.alpha[i_alpha].into(), data.beta[i_beta].into(), index));
+            }
+            count += 1;
+        }
+        if count > MOST_LISTED {
+            notes.push(format!("Of {count} failed places the first {MOST_LISTED} are listed; summary.csv has all."));
+        }
+
+        let (mut texts, mut bytes, mut left_out) = (Words::default(), 0, 0_usize);
+        let reason_of: Vec<i32> = places
+            .iter()
+            .map(|place| {
+                if statuses[*place] != Status::Failed {
+                    return -1;
+                }
+                let reason = &reasons[*place];
+                if bytes + reason.len() > MOST_BYTES && !texts.has(reason) {
+                    left_out += 1;
+                    return -1;
+                }
+                let known = texts.words.len();
+                let index = texts.index(reason);
+                bytes += if index == known { reason.len() } else { 0 };
+                i32::try_from(index).expect("fewer reasons than 2³¹")
+            })
+            .collect();
+        if left_out > 0 {
+            notes.push(format!("The reasons of {left_out} failed places are not in this page; summary.csv has them."));
+        }
+        Self { count, kinds, listed, reasons: texts.words, reason_of: integers(reason_of) }
+    }
+}

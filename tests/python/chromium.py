@@ -1,0 +1,63 @@
+"""The browser that the tests of pages drive: Debian's Chromium, without a network."""
+
+import os
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+from playwright.sync_api import TimeoutError, sync_playwright
+
+BROWSER = "/usr/bin/chromium"
+# WebGL by the processor: machines that run tests have no graphics.
+OPTIONS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+class Watched:
+    """A page in a browser of its own, with what it complained of and what it asked for."""
+
+    def __init__(self, page):
+        self.page, self.complaints, self.requests = page, [], []
+        # A busy machine without graphics takes its time.
+        page.set_default_timeout(180_000)
+        page.on("console", lambda message: self.complaints.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        page.on("request", lambda request: self.requests.append(request.url))
+
+    def open(self, path):
+        """Loads a file and waits until all pictures are drawn."""
+        self.page.goto(Path(path).resolve().as_uri())
+        try:
+            self.page.wait_for_function("document.body.dataset.drawn === 'all'")
+        except TimeoutError:
+            sys.exit(f"the page is not drawn: {self.complaints}")
+
+    def screenshot(self, name):
+        """Into the directory that STRIBECK_SCREENSHOTS names, if it does."""
+        if directory := os.environ.get("STRIBECK_SCREENSHOTS"):
+            self.page.screenshot(path=Path(directory) / f"{name}.png")
+
+    def expect_peace(self):
+        """No error, and nothing fetched."""
+        assert self.complaints == [], self.complaints
+        fetched = [url for url in self.requests if not url.startswith(("file://", "blob:", "data:"))]
+        assert fetched == [], fetched
+
+
+@contextmanager
+def browser(width=1280, height=900, theme="light"):
+    if not Path(BROWSER).exists():
+        sys.exit(f"{BROWSER} is not there; run ./scripts/prerequisites --tests, which names the package")
+    with sync_playwright() as driver:
+        chromium = driver.chromium.launch(executable_path=BROWSER, args=OPTIONS)
+        context = chromium.new_context(viewport={"width": width, "height": height}, color_scheme=theme, accept_downloads=True)
+        yield Watched(context.new_page())
+        chromium.close()
