@@ -268,3 +268,32 @@ fn published_files_alone_are_enough() {
     let run = say(directory.path(), &["plot", "alone", "--what", "cost"]);
     assert_eq!((code(&run), err(&run).contains("no timings.csv")), (2, true), "{}", err(&run));
 }
+
+/// Each line of `scripts/figures`: its sweep is one of `sweeps/`, its options make the picture that it names, and that picture is
+/// shown in docs/figures.md.
+#[test]
+#[ignore = "slow: solves the sweeps of all figures"]
+fn the_figures_of_the_paper_can_be_drawn() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let script = fs::read_to_string(root.join("scripts/figures")).unwrap();
+    let docs = fs::read_to_string(root.join("docs/figures.md")).unwrap();
+    let table = script.split("figures='\n").nth(1).unwrap().split("\n'\n").next().unwrap();
+    let directory = tempdir().expect("a temporary directory");
+    let mut figures = 0;
+    for line in table.lines() {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let [name, sweep, picture, options @ ..] = &words[..] else { panic!("{line}") };
+        let file = root.join(format!("sweeps/{sweep}.toml"));
+        let run = say(directory.path(), &["run", file.to_str().unwrap(), "--quiet"]);
+        assert_eq!(code(&run), 0, "{sweep}: {}", err(&run));
+        let run = say(directory.path(), &[&["plot", &format!("results/{sweep}")], options].concat());
+        assert_eq!(code(&run), 0, "{line}: {}", err(&run));
+        let extension = if options.contains(&"png") { "png" } else { "svg" };
+        let drawn = directory.path().join(format!("results/{sweep}/figures/{picture}.{extension}"));
+        assert!(drawn.is_file(), "{}", drawn.display());
+        assert!(root.join(format!("docs/figures/{name}.{extension}")).is_file(), "{name}");
+        assert!(docs.contains(&format!("](figures/{name}.{extension})")), "{name} is not shown");
+        figures += 1;
+    }
+    assert_eq!(figures, 21);
+}
