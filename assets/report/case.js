@@ -4,13 +4,15 @@ const reasonIndices = integers(contents.failures.reason_of);
 // With very many different reasons not all are in the page.
 const reasonOf = (place) => contents.failures.reasons[reasonIndices[place]] ?? "the reason is in summary.csv";
 
+const withUnit = (value, name) => (Number.isNaN(value) ? digits(value) : `${digits(value, 5)} ${unitOf(name)}`);
+
 function showNumbers({ place }) {
   const failed = failedAt[place] === 1;
   const total = digits(column("mu_tot")[place]);
   document.getElementById("selected").textContent = failed
     ? `${pointWords(place)}: failed, ${reasonOf(place)}`
     : `${pointWords(place)}: converged, μₜₒₜ = ${total} a₀/R`;
-  const rows = [...columns.keys()].map((name) => [symbols[name], `${digits(column(name)[place], 5)} ${unitOf(name)}`, longName(name)]);
+  const rows = [...columns.keys()].map((name) => [symbols[name], withUnit(column(name)[place], name), longName(name)]);
   if (costs) {
     rows.push(["solved in", `${digits(costs.seconds[place], 3)} s`, "seconds on its thread"]);
     rows.push(["iterations", digits(costs.iterations[place]), "iterations"]);

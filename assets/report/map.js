@@ -57,6 +57,7 @@ function nameQuantity(state) {
   const map = isSurface && !scale.empty;
   const surface = map && !isEmpty;
   show("surface-pair", map);
+  show("hint", map);
   show("surface", surface);
   return { map, surface };
 }

@@ -3,7 +3,7 @@
 const symbols = {
   mu_v: "μᵥ", mu_h: "μₕ", mu_tot: "μₜₒₜ", mu_drag: "drag", mu_h_cavity: "μₕ, cavity", c: "c", film_min: "uₘᵢₙ",
   p_max: "pₘₐₓ", x_outlet: "xₒᵤₜ", error_mu_v: "error of μᵥ", error_mu_h: "error of μₕ", error_c: "error of c",
-  load_residual: "load residual", dry_mu_v: "μᵥ, dry limit", approx_mu_h: "μₕ, large-β approximation",
+  load_residual: "load residual", dry_mu_v: "μᵥ, dry", approx_mu_h: "μₕ, large β",
   largest_error: "largest estimated error", seconds: "seconds", iterations: "iterations",
 };
 
