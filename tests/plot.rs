@@ -7,10 +7,10 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use program::{code, err, out, say};
+use program::{code, err, out, say, with_results};
 use roxmltree::Document;
 use stribeck::store::DataSet;
-use tempfile::{TempDir, tempdir};
+use tempfile::tempdir;
 
 const SMALL: &str = r#"
 title = "A small <sweep> & its pictures"
@@ -22,15 +22,6 @@ beta = [10.0, 30.0, 100.0]
 fields = ["pressure", "film_thickness", "displacement"]
 x = { from = -2.0, to = 3.0, points = 2001 }
 "#;
-
-/// Runs a sweep and returns its directory, in which the results are in `results/small`.
-fn finished(sweep: &str) -> TempDir {
-    let directory = tempdir().expect("a temporary directory");
-    fs::write(directory.path().join("small.toml"), sweep).expect("written");
-    let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
-    assert!([0, 3].contains(&code(&run)), "{}", err(&run));
-    directory
-}
 
 fn plot(directory: &Path, arguments: &[&str]) -> Vec<PathBuf> {
     let run = say(directory, &[&["plot", "results/small"], arguments].concat());
@@ -60,7 +51,7 @@ fn only(pictures: &[PathBuf]) -> PathBuf {
 
 #[test]
 fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let pictures = plot(directory.path(), &[]);
     let names: Vec<&str> = pictures.iter().map(|path| path.file_stem().unwrap().to_str().unwrap()).collect();
     for name in [
@@ -101,7 +92,7 @@ fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
 
 #[test]
 fn the_numbers_of_curves_are_those_of_the_summary() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let summary = rows(&directory.path().join("results/small/summary.csv"));
     for column in ["mu_tot", "film_min", "error_c"] {
         let picture = only(&plot(
@@ -123,7 +114,7 @@ fn the_numbers_of_curves_are_those_of_the_summary() {
 
 #[test]
 fn the_numbers_of_profiles_are_those_of_the_fields() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let data = DataSet::open(&directory.path().join("results/small")).unwrap();
     let options =
         ["--what", "profiles", "--of", "film_thickness", "--alpha", "1", "--beta", "10,100", "--f", "10", "--x=-1,1"];
@@ -141,7 +132,7 @@ fn the_numbers_of_profiles_are_those_of_the_fields() {
 /// F_v = (2/π) ∫ p dw (Eq. 22): the area of the loop drawn, 0 for an elastic substrate.
 #[test]
 fn the_area_of_a_loop_is_the_viscoelastic_friction() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let data = DataSet::open(&directory.path().join("results/small")).unwrap();
     let friction = data.column("mu_v").unwrap();
     for (i_f, f) in [(0, "0"), (1, "10")] {
@@ -164,7 +155,7 @@ fn the_area_of_a_loop_is_the_viscoelastic_friction() {
 /// Every plane below the surface carries the load π/2 (T4).
 #[test]
 fn the_stress_drawn_carries_the_load() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let options = ["--what", "stress", "--alpha", "1", "--beta", "100", "--f", "10", "--x=-2,3"];
     let drawn = rows(&only(&plot(directory.path(), &options)));
     let shallow =
@@ -194,7 +185,7 @@ fn sweeps_of_any_shape_have_pictures() {
         (axes("10.0", "1.0", "1e60, 1e61", ""), "cost", "profile"),
         (axes("10.0", "0.0, 1.0, inf", "10.0, 20.0", "limits = false"), "map-status", "surface"),
     ] {
-        let directory = finished(&sweep);
+        let directory = with_results(&sweep);
         let names: Vec<String> = plot(directory.path(), &[])
             .iter()
             .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
@@ -206,7 +197,7 @@ fn sweeps_of_any_shape_have_pictures() {
 
 #[test]
 fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
-    let directory = finished(&SMALL.replace("\"pressure\", \"film_thickness\", \"displacement\"", "\"pressure\""));
+    let directory = with_results(&SMALL.replace("\"pressure\", \"film_thickness\", \"displacement\"", "\"pressure\""));
     for (arguments, expected) in [
         (&["--of", "mu_q"][..], "--of mu_q: there is no such column or field here; give some of mu_v, mu_h"),
         (&["--of", "displacement"], "no such column or field"),
@@ -233,7 +224,7 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
 
 #[test]
 fn a_directory_that_is_not_as_it_was_published_is_refused() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let results = directory.path().join("results/small/results.h5");
     let sound = fs::read(&results).unwrap();
     let refused = |expected: &str| {
@@ -256,7 +247,7 @@ fn a_directory_that_is_not_as_it_was_published_is_refused() {
 /// Published files are passed on without logs and shards.
 #[test]
 fn published_files_alone_are_enough() {
-    let directory = finished(SMALL);
+    let directory = with_results(SMALL);
     let alone = directory.path().join("alone");
     fs::create_dir(&alone).unwrap();
     fs::copy(directory.path().join("results/small/results.h5"), alone.join("results.h5")).unwrap();

@@ -10,12 +10,12 @@ use std::path::Path;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use in_python::{check, file_of_python};
-use program::{code, err, out, say};
+use program::{code, err, out, say, with_results};
 use serde_json::Value;
 use stribeck::model::{COLUMNS, CaseId, Fields, Output};
 use stribeck::report::page;
 use stribeck::store::{CaseEntry, DataSet, Publication, Status, Store, Timing};
-use tempfile::{TempDir, tempdir};
+use tempfile::tempdir;
 
 /// All that is awkward: no dissipation, infinite α, cases that fail, a title that looks like a page.
 const ODD: &str = r#"
@@ -27,15 +27,6 @@ beta = [10.0, 100.0, 1000.0, 1e60]
 [output]
 x = { from = -2.0, to = 3.0, points = 201 }
 "#;
-
-/// Runs a sweep and returns its directory, in which the results are in `results/small`.
-fn finished(sweep: &str) -> TempDir {
-    let directory = tempdir().expect("a temporary directory");
-    fs::write(directory.path().join("small.toml"), sweep).expect("written");
-    let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
-    assert!([0, 3].contains(&code(&run)), "{}", err(&run));
-    directory
-}
 
 /// Makes the page of the results and returns what the program prints.
 fn report(directory: &Path) -> String {
@@ -205,7 +196,7 @@ fn a_large_grid_is_thinned_to_fewer_than_15_megabytes_and_the_page_says_so() {
 
 #[test]
 fn the_same_results_give_the_same_page_and_nothing_else_is_replaced() {
-    let directory = finished(ODD);
+    let directory = with_results(ODD);
     let here = directory.path();
     let said = report(here);
     assert!(said.starts_with("results/small/report.html: "), "{said}");
@@ -234,7 +225,7 @@ fn the_same_results_give_the_same_page_and_nothing_else_is_replaced() {
 
 #[test]
 fn what_has_no_page_is_said() {
-    let directory = finished(ODD);
+    let directory = with_results(ODD);
     let here = directory.path();
     for (arguments, expected) in [
         (&["report", "nowhere"][..], "there is no such directory"),
@@ -281,7 +272,7 @@ fn a_page_of_outdated_results_says_so() {
 #[ignore = "slow: a browser draws surfaces without a graphics processor"]
 fn a_reader_finds_in_the_page_what_was_published() {
     for sweep in [ODD, &ODD.replace(", 1e60", "").replace("Odd", "Whole")] {
-        let directory = finished(sweep);
+        let directory = with_results(sweep);
         report(directory.path());
         let results = directory.path().join("results/small");
         let mut command = file_of_python("tests/python/browse_report.py");
@@ -328,11 +319,11 @@ fn pages_of_sweeps_of_any_shape_say_what_they_lack() {
         ),
     ];
     for (sweep, words) in sweeps {
-        let directory = finished(&sweep);
+        let directory = with_results(&sweep);
         report(directory.path());
         expect_words(directory.path(), words);
     }
-    let directory = finished(ODD);
+    let directory = with_results(ODD);
     fs::remove_file(directory.path().join("results/small/timings.csv")).unwrap();
     report(directory.path());
     let words = "There is no timings.csv beside the data set, so nothing is known of seconds.";

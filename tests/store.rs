@@ -608,3 +608,26 @@ fn a_data_set_is_read_back_as_it_was_published() {
     let error = data.costs().unwrap_err();
     assert!(matches!(&error, StoreError::Altered { .. }), "{error}");
 }
+
+/// A file that was passed on without its log may be anyone's: what does not fit its axes is refused, not indexed.
+#[test]
+fn a_data_set_whose_parts_do_not_fit_is_refused() {
+    let directory = tempdir().unwrap();
+    drop(finished(directory.path()));
+    for (name, expected) in [("mu_v", "mu_v has 3 values, its axes ask for 40"), ("status", "its axes ask for 40")] {
+        let alone = tempdir().unwrap();
+        let copy = alone.path().join("results.h5");
+        fs::copy(directory.path().join("results.h5"), &copy).unwrap();
+        let file = hdf5::File::open_rw(&copy).unwrap();
+        file.unlink(name).unwrap();
+        match name {
+            "status" => file.new_dataset_builder().with_data(&[0_i8; 3]).create(name).unwrap(),
+            _ => file.new_dataset_builder().with_data(&[1.0_f64; 3]).create(name).unwrap(),
+        };
+        file.close().unwrap();
+        let data = DataSet::open(alone.path()).unwrap();
+        let error = if name == "status" { data.statuses().unwrap_err() } else { data.column(name).unwrap_err() };
+        assert!(matches!(&error, StoreError::Altered { .. }) && error.to_string().contains(expected), "{error}");
+        assert_eq!(data.column("mu_h").unwrap().len(), 40);
+    }
+}

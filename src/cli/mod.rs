@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `plot`, `report`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
+//! | `published` | the published data set, for commands that show it |
 //! | `workload` | which chains of a plan are left to be solved |
 //! | `collection`, `parts` | all that is stored of a sweep, its parts included; how far these are |
 //! | `job`, `run_report` | the work of a run; what it tells of itself |
@@ -29,6 +30,7 @@ mod merge;
 mod parts;
 mod plan;
 mod plot;
+mod published;
 mod repeat;
 mod report;
 mod run;

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::wording::count;
-use super::{CliError, Exit, console};
+use super::{CliError, Exit, console, published};
 use crate::pictures::{Axis, AxisScale, Format, Kind, Picture, Request, Source, pictures};
-use crate::shown::shown;
-use crate::store::{DataSet, write_whole};
+use crate::shown::{printable, shown};
+use crate::store::write_whole;
 use crate::sweep::Sweep;
 
 #[derive(Clone, Debug, Args)]
@@ -80,20 +80,14 @@ fn range(text: &str) -> Result<(f64, f64), String> {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let data = DataSet::open(&arguments.directory)?;
-    if data.outdated {
-        console::tell(&format!(
-            "warning: cases were solved after {} was published, and are not shown; run the sweep to its end",
-            shown(&arguments.directory.join("results.h5"))
-        ));
-    }
+    let data = published::open(&arguments.directory)?;
     let substrate = match Sweep::parse("sweep", &data.sweep_text) {
         Ok(sweep) => Some(sweep.substrate),
         Err(_) => {
             console::tell(&format!(
                 "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} of the \
                  program wrote, is none for this version",
-                crate::shown::printable(&data.version)
+                printable(&data.version)
             ));
             None
         }

@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::wording::bytes;
-use super::{CliError, Exit, console};
+use super::{CliError, Exit, console, published};
 use crate::report::{BEGINNING, page};
 use crate::shown::shown;
-use crate::store::{DataSet, StoreError, write_whole};
+use crate::store::{StoreError, write_whole};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -31,13 +31,7 @@ pub struct Arguments {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let data = DataSet::open(&arguments.directory)?;
-    if data.outdated {
-        console::tell(&format!(
-            "warning: cases were solved after {} was published, and are not shown; run the sweep to its end",
-            shown(&arguments.directory.join("results.h5"))
-        ));
-    }
+    let data = published::open(&arguments.directory)?;
     let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
     must_be_ours_or_free(&file)?;
     let page = page(&data)?;

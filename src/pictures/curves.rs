@@ -129,7 +129,7 @@ fn solutions(
     named: bool,
     table: &mut Table,
 ) -> Result<Vec<Curve>, PictureError> {
-    let (statuses, values) = (source.data.statuses()?, source.column(column)?);
+    let (statuses, values) = (source.data.statuses()?, source.data.column(column)?);
     let mut curves = Vec::new();
     for (member, colour) in bundle.members.iter().zip(colours) {
         let (mut points, mut failed) = (Vec::new(), Vec::new());
@@ -201,7 +201,7 @@ fn known_points(
             .map(|(x, indices)| (x, source.parameters(indices).and_then(|case| formula(&case)).unwrap_or(f64::NAN)))
             .collect()),
         Values::Columns(names) => {
-            let columns = names.iter().map(|name| source.column(name)).collect::<Result<Vec<_>, _>>()?;
+            let columns = names.iter().map(|name| source.data.column(name)).collect::<Result<Vec<_>, _>>()?;
             let sum = |place: usize| columns.iter().map(|column| column[place]).sum();
             Ok(places.map(|(x, indices)| (x, sum(source.data.place(indices)))).collect())
         }

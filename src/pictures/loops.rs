@@ -26,7 +26,7 @@ pub(super) fn loops(source: &Source, request: &Request) -> Result<Vec<Picture>, 
         }
     }
     let cases = Cases::choose(source, request, Kind::Loops, Axis::Beta)?;
-    let friction = source.column("mu_v")?;
+    let friction = source.data.column("mu_v")?;
     let mut table = Table::new(&["kind", "f", "alpha", "beta", "x", "height", "pressure"]);
     let (mut curves, mut dry_loops) = (Vec::new(), Vec::new());
     for (i, indices) in cases.indices.iter().enumerate() {

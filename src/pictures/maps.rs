@@ -100,7 +100,7 @@ pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, P
     let mut pictures = Vec::new();
     for column in named_columns(request, &COLUMNS) {
         let quantity = Quantity::of_column(column).expect("names were checked");
-        let values = source.column(column)?;
+        let values = source.data.column(column)?;
         let label = quantity.label();
         let map = shown.map(
             source,
@@ -160,7 +160,7 @@ pub(super) fn status(source: &Source, request: &Request) -> Result<Vec<Picture>,
 
 /// The largest of the three estimates of each place; NaN where one is not known.
 pub(super) fn largest_errors(source: &Source) -> Result<Vec<f64>, PictureError> {
-    let columns = ["error_mu_v", "error_mu_h", "error_c"].map(|name| source.column(name));
+    let columns = ["error_mu_v", "error_mu_h", "error_c"].map(|name| source.data.column(name));
     let [mu_v, mu_h, c] = columns;
     let (mu_v, mu_h, c) = (mu_v?, mu_h?, c?);
     let largest = |place: usize| {

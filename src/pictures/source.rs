@@ -1,7 +1,7 @@
 //! What pictures are made of.
 
 use crate::model::{Parameters, Substrate, shortest};
-use crate::store::{DataSet, StoreError};
+use crate::store::DataSet;
 
 use super::Axis;
 
@@ -40,11 +40,6 @@ impl Source {
     pub(super) fn list(&self, axes: &[Axis], indices: [usize; 3]) -> String {
         let words: Vec<String> = axes.iter().map(|axis| self.words(*axis, indices[axis.dimension()])).collect();
         words.join(", ")
-    }
-
-    /// A column; NaN for every place if no solution has it.
-    pub(super) fn column(&self, name: &str) -> Result<Vec<f64>, StoreError> {
-        self.data.column(name)
     }
 }
 

@@ -57,7 +57,7 @@ fn surface(
     let mut table = Table::new(&["quantity", "f", "alpha", "beta", "value"]);
     let mut drawn = Vec::new();
     for (label, column, i_f) in panels {
-        let values = source.column(column)?;
+        let values = source.data.column(column)?;
         let heights: Vec<Option<f64>> =
             plane.places(source, i_f).map(|(_, place)| Some(values[place]).filter(|value| value.is_finite())).collect();
         for (indices, place) in plane.places(source, i_f) {

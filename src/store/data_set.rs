@@ -89,7 +89,10 @@ impl DataSet {
 
     fn read(path: &Path, directory: Directory, outdated: bool) -> hdf5::Result<Self> {
         let file = open(path)?;
-        let axis = |name: &str| file.dataset(name)?.read_raw::<f64>();
+        let axis = |name: &str| -> hdf5::Result<Vec<f64>> {
+            let values = file.dataset(name)?.read_raw::<f64>()?;
+            if values.is_empty() { Err(format!("its axis {name} is empty").into()) } else { Ok(values) }
+        };
         let fields: Vec<&'static str> =
             FIELDS.iter().map(|field| field.name).filter(|name| file.link_exists(name)).collect();
         Ok(Self {
@@ -128,7 +131,7 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file has no such column or cannot be read.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, StoreError> {
-        self.variable(name, |variable| variable.read_raw())
+        self.on_grid(name, |variable| variable.read_raw())
     }
 
     /// What became of each place.
@@ -136,7 +139,7 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file cannot be read or has an unknown status.
     pub fn statuses(&self) -> Result<Vec<Status>, StoreError> {
-        self.variable("status", |variable| {
+        self.on_grid("status", |variable| {
             let known = |code| {
                 Status::from_code(code)
                     .ok_or_else(|| hdf5::Error::Internal(format!("it has the unknown status {code}")))
@@ -150,7 +153,7 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file cannot be read.
     pub fn reasons(&self) -> Result<Vec<String>, StoreError> {
-        self.variable("reason", |variable| {
+        self.on_grid("reason", |variable| {
             Ok(variable.read_raw::<VarLenUnicode>()?.iter().map(|reason| reason.as_str().to_owned()).collect())
         })
     }
@@ -160,7 +163,7 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file cannot be read.
     pub fn cases(&self) -> Result<Vec<String>, StoreError> {
-        self.variable("case", |variable| {
+        self.on_grid("case", |variable| {
             Ok(variable.read_raw::<FixedAscii<16>>()?.iter().map(|case| case.as_str().to_owned()).collect())
         })
     }
@@ -170,7 +173,10 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file has no such field or cannot be read.
     pub fn field(&self, name: &str, [i_f, i_alpha, i_beta]: [usize; 3]) -> Result<Vec<f64>, StoreError> {
-        self.variable(name, |variable| Ok(variable.read_slice_1d(s![i_f, i_alpha, i_beta, ..])?.to_vec()))
+        let values: Vec<f64> =
+            self.variable(name, |variable| Ok(variable.read_slice_1d(s![i_f, i_alpha, i_beta, ..])?.to_vec()))?;
+        self.expect_length(name, values.len(), self.x.len())?;
+        Ok(values)
     }
 
     /// What each place cost; `None` if `timings.csv` is not there.
@@ -191,6 +197,25 @@ impl DataSet {
             return Err(altered("its cases are not those of results.h5".to_owned()));
         }
         Ok(Some(costs))
+    }
+
+    /// A variable with one value for each place. A file that was passed on without its log may be anyone's.
+    fn on_grid<T>(
+        &self,
+        name: &str,
+        read: impl FnOnce(&Dataset) -> hdf5::Result<Vec<T>>,
+    ) -> Result<Vec<T>, StoreError> {
+        let values = self.variable(name, read)?;
+        self.expect_length(name, values.len(), self.shape().iter().product())?;
+        Ok(values)
+    }
+
+    fn expect_length(&self, name: &str, found: usize, wanted: usize) -> Result<(), StoreError> {
+        if found == wanted {
+            return Ok(());
+        }
+        let what = format!("{name} has {found} values, its axes ask for {wanted}");
+        Err(StoreError::Altered { path: self.path.clone(), what, sweep: self.directory.sweep() })
     }
 
     fn variable<T>(&self, name: &str, read: impl FnOnce(&Dataset) -> hdf5::Result<T>) -> Result<T, StoreError> {

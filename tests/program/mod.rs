@@ -7,6 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use assert_cmd::cargo::CommandCargoExt;
+use tempfile::{TempDir, tempdir};
 
 /// The program, to be started in a directory.
 pub fn stribeck(directory: &Path) -> Command {
@@ -30,6 +31,15 @@ pub fn err(output: &Output) -> String {
 
 pub fn code(output: &Output) -> i32 {
     output.status.code().expect("the program ends by itself")
+}
+
+/// Runs a sweep, whose cases may fail, and returns its directory, in which the results are in `results/small`.
+pub fn with_results(sweep: &str) -> TempDir {
+    let directory = tempdir().expect("a temporary directory");
+    fs::write(directory.path().join("small.toml"), sweep).expect("written");
+    let run = say(directory.path(), &["run", "small.toml", "--quiet"]);
+    assert!([0, 3].contains(&code(&run)), "{}", err(&run));
+    directory
 }
 
 /// Every path below a directory, sorted.
