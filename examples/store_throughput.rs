@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 use stribeck::continuation::{Effort, Interrupt, Interrupted, Seed, Solution, SolvedCase};
 use stribeck::engine::{Engine, Finished};
 use stribeck::model::{Fields, Friction, Limits, Parameters, Quantities, RelativeErrors};
-use stribeck::store::{CaseEntry, Ending, Publication, Status, Store, StoreError, Timing};
+use stribeck::store::{CaseEntry, Ending, Point, Publication, Status, Store, StoreError, Timing};
 use stribeck::sweep::{Chain, Plan, Sweep};
 
 struct Options {
@@ -146,19 +146,24 @@ fn chains(plan: &Plan, beta: usize, length: usize) -> Vec<Chain> {
     let pieces = beta.div_ceil(length);
     let cut = |piece: usize| piece * beta / pieces;
     (0..plan.rows())
-        .flat_map(|row| (0..pieces).map(move |piece| Chain { row, beta: cut(piece)..cut(piece + 1) }))
+        .flat_map(|row| (0..pieces).map(move |piece| Chain { row, cases: cut(piece)..cut(piece + 1) }))
         .collect()
 }
 
 fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<bool, StoreError> {
-    let row = |i_f, i_alpha| (0..sweep.axes.beta.len()).map(|i_beta| plan.case_at(i_f, i_alpha, i_beta)).collect();
+    let [_, rows, length] = sweep.grid.shape();
+    let point = |place @ [i_f, i_row, along]: [usize; 3]| Point {
+        case: plan.case_at(i_f, i_row, along),
+        numbers: sweep.grid.numbers(place),
+        experiment: None,
+    };
+    let row = |row: usize| (0..length).map(|along| point([row / rows, row % rows, along])).collect();
+    let dimensions = sweep.grid.dimensions();
     let published = store.publish(&Publication {
         title: &sweep.title,
         sweep_text: &sweep.text,
-        f: &sweep.axes.f,
-        alpha: &sweep.axes.alpha,
-        beta: &sweep.axes.beta,
-        cases: &row,
+        dimensions: &dimensions,
+        row: &row,
     })?;
     Ok(published.rewritten)
 }

@@ -23,9 +23,10 @@
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
+//! | [`measured`] | measured friction from a CSV file | [`model`], [`sweep`] for units |
 //! | [`figures`] | charts: numbers in, SVG or PNG out | – |
-//! | [`pictures`] | pictures of a published data set, with their numbers | [`store`], [`model`], [`exact`] for known limits, [`figures`] |
-//! | [`report`] | one HTML page of a published data set | [`store`], [`model`] |
+//! | [`pictures`] | pictures of a published data set, with their numbers | [`store`], [`model`], [`measured`], [`exact`] for known limits, [`figures`] |
+//! | [`report`] | one HTML page of a published data set | [`store`], [`model`], [`measured`], [`pictures`] for names of axes |
 //! | [`study`] | error against run time, stability of each method | [`input`], [`sweep`], the solvers, [`engine`], [`figures`] |
 //! | [`store`] | log, shards, published files; the only place that touches HDF5 | [`model`] |
 //!
@@ -45,6 +46,7 @@ pub mod engine;
 pub mod exact;
 pub mod figures;
 pub mod input;
+pub mod measured;
 pub mod model;
 pub mod pictures;
 pub mod relaxation;

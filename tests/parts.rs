@@ -185,7 +185,7 @@ fn status_sums_over_all_parts() {
     let plan = Plan::new(&sweep);
     let cases = |part: &str| -> usize {
         let part: Part = part.parse().expect("a part");
-        plan.chains_of(Some(part)).iter().map(|&index| plan.chain(index as usize).beta.len()).sum()
+        plan.chains_of(Some(part)).iter().map(|&index| plan.chain(index as usize).cases.len()).sum()
     };
     let mut done = 0;
     for part in ["2/4", "4/4", "1/4", "3/4"] {

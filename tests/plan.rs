@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use stribeck::model::{CaseId, CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
 use stribeck::relaxation::{Acceleration, Domain};
-use stribeck::sweep::{Axes, Chain, Fingerprint, MAX_CHAIN, Method, Part, Plan, Recipe, SolverSettings, Sweep};
+use stribeck::sweep::{Axes, Chain, Fingerprint, Grid, MAX_CHAIN, Method, Part, Plan, Recipe, SolverSettings, Sweep};
 
 fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
     Sweep {
         title: "plan".into(),
-        axes: Axes { f: f.to_vec(), alpha: alpha.to_vec(), beta: beta.to_vec() },
+        grid: Axes { f: f.to_vec(), alpha: alpha.to_vec(), beta: beta.to_vec() }.into(),
         substrate: Substrate::default(),
         solver: SolverSettings::default(),
         output: Output::default(),
@@ -32,9 +32,20 @@ fn two_modes() -> Substrate {
     Substrate::new(modes).expect("valid")
 }
 
+fn axes(sweep: &Sweep) -> &Axes {
+    sweep.grid.axes().expect("a dimensionless sweep")
+}
+
+fn axes_mut(sweep: &mut Sweep) -> &mut Axes {
+    match &mut sweep.grid {
+        Grid::Dimensionless(axes) => axes,
+        Grid::Laboratory(_) => panic!("a dimensionless sweep"),
+    }
+}
+
 /// Every grid point in the order of publication.
 fn places(sweep: &Sweep) -> Vec<(usize, usize, usize)> {
-    let Axes { f, alpha, beta } = &sweep.axes;
+    let Axes { f, alpha, beta } = axes(sweep);
     let mut places = Vec::new();
     for i_f in 0..f.len() {
         for i_alpha in 0..alpha.len() {
@@ -46,7 +57,7 @@ fn places(sweep: &Sweep) -> Vec<(usize, usize, usize)> {
 
 /// What of a grid point matters to the equations: nothing but β where the substrate is relaxed elastic.
 fn problem(sweep: &Sweep, (i_f, i_alpha, i_beta): (usize, usize, usize)) -> (u64, u64, u64) {
-    let (f, alpha, beta) = (sweep.axes.f[i_f], sweep.axes.alpha[i_alpha], sweep.axes.beta[i_beta]);
+    let (f, alpha, beta) = (axes(sweep).f[i_f], axes(sweep).alpha[i_alpha], axes(sweep).beta[i_beta]);
     let (f, alpha) = if f == 0.0 || alpha.is_infinite() { (0.0, f64::INFINITY) } else { (f, alpha) };
     (f.to_bits(), alpha.to_bits(), beta.to_bits())
 }
@@ -109,13 +120,13 @@ proptest! {
         let mut rows = BTreeSet::new();
         for row in chains.chunk_by(|left, right| left.row == right.row) {
             prop_assert!(rows.insert(row[0].row), "the chains of a row are neighbours");
-            prop_assert_eq!(row[0].beta.start, 0);
-            prop_assert_eq!(row[row.len() - 1].beta.end, sweep.axes.beta.len());
-            prop_assert!(row.windows(2).all(|pair| pair[0].beta.end == pair[1].beta.start));
-            let lengths: Vec<usize> = row.iter().map(|chain| chain.beta.len()).collect();
+            prop_assert_eq!(row[0].cases.start, 0);
+            prop_assert_eq!(row[row.len() - 1].cases.end, axes(&sweep).beta.len());
+            prop_assert!(row.windows(2).all(|pair| pair[0].cases.end == pair[1].cases.start));
+            let lengths: Vec<usize> = row.iter().map(|chain| chain.cases.len()).collect();
             let (shortest, longest) = (lengths.iter().min().unwrap(), lengths.iter().max().unwrap());
             prop_assert!(*longest <= limit && longest - shortest <= 1 && *shortest > 0, "{:?}", lengths);
-            prop_assert_eq!(lengths.len(), sweep.axes.beta.len().div_ceil(limit), "no more chains than needed");
+            prop_assert_eq!(lengths.len(), axes(&sweep).beta.len().div_ceil(limit), "no more chains than needed");
         }
         prop_assert!(rows.into_iter().eq(0..plan.rows()));
         for chain in &chains {
@@ -132,7 +143,7 @@ proptest! {
         let plan = Plan::new(&sweep);
         let by_row: HashMap<(usize, usize), CaseId> = plan
             .chains()
-            .flat_map(|chain| chain.beta.clone().map(move |i_beta| (chain.row, i_beta)).zip(plan.ids(&chain)))
+            .flat_map(|chain| chain.cases.clone().map(move |i_beta| (chain.row, i_beta)).zip(plan.ids(&chain)))
             .collect();
         let mut first = HashMap::new();
         for (i_f, i_alpha, i_beta) in places(&sweep) {
@@ -157,7 +168,10 @@ proptest! {
     ) {
         let mut large = small.clone();
         for (axis, more) in
-            [(&mut large.axes.f, f), (&mut large.axes.alpha, alpha), (&mut large.axes.beta, beta)]
+            {
+                let Axes { f: own_f, alpha: own_alpha, beta: own_beta } = axes_mut(&mut large);
+                [(own_f, f), (own_alpha, alpha), (own_beta, beta)]
+            }
         {
             axis.extend(more);
             axis.sort_by(f64::total_cmp);
@@ -238,10 +252,10 @@ const OF_COLLOCATION: Changes =
 #[test]
 fn an_id_changes_with_all_that_changes_numbers() {
     let common: Changes = &[
-        &|sweep| sweep.axes.f = vec![10.0f64.next_up()],
-        &|sweep| sweep.axes.alpha = vec![1.0f64.next_up()],
-        &|sweep| sweep.axes.beta = vec![100.0f64.next_up()],
-        &|sweep| (sweep.axes.f, sweep.axes.alpha) = (vec![1.0], vec![10.0]),
+        &|sweep| axes_mut(sweep).f = vec![10.0f64.next_up()],
+        &|sweep| axes_mut(sweep).alpha = vec![1.0f64.next_up()],
+        &|sweep| axes_mut(sweep).beta = vec![100.0f64.next_up()],
+        &|sweep| *axes_mut(sweep) = Axes { f: vec![1.0], alpha: vec![10.0], ..axes(sweep).clone() },
         &|sweep| sweep.substrate = two_modes(),
         &|sweep| {
             let modes = vec![RetardationMode { share: 0.3, time: 1.0 }, RetardationMode { share: 0.7, time: 100.0 }];
@@ -343,7 +357,7 @@ fn chains_are_as_long_as_the_method_is_quick() {
     for (method, chains, longest) in [(Method::Collocation, 3, 44), (Method::Relaxation, 9, 15)] {
         let mut sweep = sweep(&[10.0], &[1.0], &beta);
         sweep.solver.method = method;
-        let lengths: Vec<usize> = Plan::new(&sweep).chains().map(|chain| chain.beta.len()).collect();
+        let lengths: Vec<usize> = Plan::new(&sweep).chains().map(|chain| chain.cases.len()).collect();
         assert_eq!((lengths.len(), lengths.iter().max()), (chains, Some(&longest)), "{method}");
     }
     assert_eq!(METHODS.map(Method::chain_limit), [MAX_CHAIN, 16]);
@@ -385,7 +399,7 @@ proptest! {
         }
         prop_assert_eq!(seen.len(), plan.chain_count());
         prop_assert!(chains.iter().max().unwrap() - chains.iter().min().unwrap() <= 1, "{:?}", chains);
-        let longest = plan.chains().map(|chain| chain.beta.len()).max().unwrap();
+        let longest = plan.chains().map(|chain| chain.cases.len()).max().unwrap();
         prop_assert!(cases.iter().max().unwrap() - cases.iter().min().unwrap() <= 2 * longest, "{:?}", cases);
         prop_assert_eq!(plan.chains_of(None), (0..plan.chain_count() as u32).collect::<Vec<_>>());
     }

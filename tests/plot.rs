@@ -122,7 +122,7 @@ fn the_numbers_of_profiles_are_those_of_the_fields() {
     let solved: Vec<_> = drawn.iter().filter(|row| row["kind"] == "solution").collect();
     assert_eq!(solved.len(), 2 * data.x.iter().filter(|x| x.abs() <= 1.0).count());
     for row in solved {
-        let beta = data.beta.iter().position(|beta| *beta == number(row, "beta")).unwrap();
+        let beta = data.dimensions[2].values.iter().position(|beta| *beta == number(row, "beta")).unwrap();
         let x = data.x.iter().position(|x| *x == number(row, "x")).unwrap();
         assert_eq!(data.field("film_thickness", [1, 1, beta]).unwrap()[x], number(row, "film_thickness"));
     }

@@ -9,8 +9,8 @@ use std::path::Path;
 use std::process::Command;
 
 use in_python::{REMEDY, check, file_of_python, python};
-use stribeck::store::{Publication, Store};
-use synthetic::{ALPHA, BETA, F, SWEEP, chains, finished, output, row};
+use stribeck::store::Store;
+use synthetic::{ALPHA, BETA, F, SWEEP, chains, finished, output, publish_as, row};
 use tempfile::tempdir;
 
 fn open_with(engine: &str) {
@@ -55,8 +55,7 @@ fn a_sweep_file_of_any_length_is_kept_in_the_results() {
     for chain in chains(&output()) {
         store.commit(&chain).unwrap();
     }
-    let publication = Publication { title: "long", sweep_text: &long, f: &F, alpha: &ALPHA, beta: &BETA, cases: &row };
-    store.publish(&publication).unwrap();
+    publish_as(&mut store, ["long", &long], [&F, &ALPHA, &BETA], &row).unwrap();
     let read = "import sys, xarray\n\
                 kept = xarray.open_dataset(sys.argv[1] + '/results.h5', engine=sys.argv[2]).attrs['sweep']\n\
                 assert kept == open(sys.argv[1] + '/sweep.toml', encoding='utf-8').read()";

@@ -1,5 +1,6 @@
 //! `stribeck report` from outside: the page holds what was published, says what it leaves out, and works in a browser.
 
+mod grids;
 mod in_python;
 mod program;
 
@@ -14,7 +15,7 @@ use program::{code, err, out, say, with_results};
 use serde_json::Value;
 use stribeck::model::{COLUMNS, CaseId, Fields, Output};
 use stribeck::report::page;
-use stribeck::store::{CaseEntry, DataSet, Publication, Status, Store, Timing};
+use stribeck::store::{CaseEntry, DataSet, Status, Store, Timing};
 use tempfile::tempdir;
 
 /// All that is awkward: no dissipation, infinite α, cases that fail, a title that looks like a page.
@@ -99,9 +100,7 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
         }
     }
     let cases = |i_f: usize, i_alpha: usize| (0..shape[2]).map(|i_beta| id(place(i_f, i_alpha, i_beta))).collect();
-    let publication =
-        Publication { title: "made up", sweep_text: "# none\n", f: &f, alpha: &alpha, beta: &beta, cases: &cases };
-    store.publish(&publication).unwrap();
+    grids::publish(&mut store, ["made up", "# none\n"], [&f, &alpha, &beta], &cases).unwrap();
     drop(store);
     DataSet::open(directory).unwrap()
 }
@@ -116,7 +115,7 @@ fn points(count: usize) -> Output {
 fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() {
     let directory = tempdir().unwrap();
     let data = made_up(directory.path(), [3, 61, 41], &points(601), 0);
-    let page = page(&data).unwrap();
+    let page = page(&data, None).unwrap();
     assert!(page.html.len() < 15_000_000, "{} bytes", page.html.len());
     let note = page.notes.iter().find(|note| note.starts_with("Fields are shown at")).expect("fields are thinned");
     let (_, rest) = note.split_once("off by at most ").expect("how far lines are off");
@@ -168,7 +167,7 @@ fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() 
 fn a_large_grid_is_thinned_to_fewer_than_15_megabytes_and_the_page_says_so() {
     let directory = tempdir().unwrap();
     let data = made_up(directory.path(), [3, 100, 300], &points(49), 10);
-    let page = page(&data).unwrap();
+    let page = page(&data, None).unwrap();
     assert!(page.html.len() < 15_000_000, "{} bytes", page.html.len());
     let said = |words: &str| assert!(page.notes.iter().any(|note| note.contains(words)), "{words}: {:?}", page.notes);
     said("Of the 3 × 100 × 300 places of the sweep");
@@ -177,7 +176,7 @@ fn a_large_grid_is_thinned_to_fewer_than_15_megabytes_and_the_page_says_so() {
     let contents = contents(&page.html);
     assert_eq!(contents["shape"], serde_json::json!([3, 100, 300]));
     let axes = contents["axes"].as_array().unwrap();
-    for (axis, values) in axes.iter().zip([&data.f, &data.alpha, &data.beta]) {
+    for (axis, values) in axes.iter().zip(data.dimensions.iter().map(|dimension| &dimension.values)) {
         let shown: Vec<f64> = axis.as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect();
         assert_eq!((shown.first(), shown.last()), (values.first(), values.last()), "both ends are there");
         assert!(shown.iter().all(|value| values.contains(value)));

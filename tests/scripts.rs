@@ -10,8 +10,8 @@ use std::process::{Command, Output};
 
 use in_python::{check, file_of_python};
 use stribeck::model::FieldSelection;
-use stribeck::store::{CaseEntry, Publication, Status, Store};
-use synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, row};
+use stribeck::store::{CaseEntry, Status, Store};
+use synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
 use tempfile::{TempDir, tempdir};
 
 /// The synthetic results.
@@ -83,9 +83,7 @@ fn a_surface_needs_two_values_of_each_axis() {
         store.commit(&chain).unwrap();
     }
     let one_row = |i_f: usize, _: usize| row(i_f, 1);
-    let publication =
-        Publication { title: "one α", sweep_text: SWEEP, f: &F, alpha: &[1.0], beta: &BETA, cases: &one_row };
-    store.publish(&publication).unwrap();
+    publish_as(&mut store, ["one α", SWEEP], [&F, &[1.0], &BETA], &one_row).unwrap();
     let message = refuses("surface", &[directory.path()], &[]);
     assert!(message.contains("alpha has 1 value") && message.contains("add values of alpha"), "{message}");
     assert!(!directory.path().join("surface.png").exists());
@@ -206,9 +204,7 @@ fn places_that_one_sweep_has_alone_are_listed() {
         store.commit(&chain).unwrap();
     }
     let some = |i_f: usize, i_alpha: usize| row(i_f, i_alpha)[1..].to_vec();
-    let publication =
-        Publication { title: "fewer β", sweep_text: "other", f: &F, alpha: &ALPHA, beta: &BETA[1..], cases: &some };
-    store.publish(&publication).unwrap();
+    publish_as(&mut store, ["fewer β", "other"], [&F, &ALPHA, &BETA[1..]], &some).unwrap();
     let file = table.path().join("all.csv");
     let run = script("compare", &[directory.path(), fewer.path()], &["--csv", file.to_str().unwrap()]);
     let said = check(&run);
@@ -223,9 +219,7 @@ fn places_that_one_sweep_has_alone_are_listed() {
         store.commit(&chain).unwrap();
     }
     let last = |i_f: usize, i_alpha: usize| row(i_f, i_alpha)[..1].to_vec();
-    let publication =
-        Publication { title: "β = 10", sweep_text: SWEEP, f: &F, alpha: &ALPHA, beta: &BETA[..1], cases: &last };
-    store.publish(&publication).unwrap();
+    publish_as(&mut store, ["β = 10", SWEEP], [&F, &ALPHA, &BETA[..1]], &last).unwrap();
     let message = refuses("compare", &[fewer.path(), disjoint.path()], &[]);
     assert!(message.contains("no place in common: no value of beta is in both"), "{message}");
 }

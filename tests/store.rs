@@ -7,9 +7,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use stribeck::model::{COLUMNS, CaseId, FieldSelection, Output};
-use stribeck::store::{DataSet, Ending, Holdings, Inspection, Publication, Status, Store, StoreError, Warning, verify};
+use stribeck::store::{DataSet, Ending, Holdings, Inspection, Status, Store, StoreError, Warning, verify};
 use synthetic::{
-    ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, published_bytes, reference, resume, row,
+    ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, publish_as, published_bytes, reference,
+    resume, row,
 };
 use tempfile::tempdir;
 
@@ -445,8 +446,8 @@ fn a_row_of_the_wrong_length_is_refused() {
     let directory = tempdir().unwrap();
     let mut store = finished(directory.path());
     let short = |i_f: usize, i_alpha: usize| row(i_f, i_alpha)[1..].to_vec();
-    let publication = Publication { title: "", sweep_text: "", f: &F, alpha: &ALPHA, beta: &BETA, cases: &short };
-    assert!(matches!(store.publish(&publication), Err(StoreError::Publication { .. })));
+    let published = publish_as(&mut store, ["", ""], [&F, &ALPHA, &BETA], &short);
+    assert!(matches!(published, Err(StoreError::Publication { .. })));
 }
 
 #[test]

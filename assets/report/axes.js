@@ -46,8 +46,8 @@ function gridAxis(values, places, title) {
   return { title: { text: title }, tickmode: "array", tickvals, ticktext, tickangle: 0 };
 }
 
-const alphaAxis = () => gridAxis(alphas, alphaPlaces, "α = a₀/(Vτ)");
-const betaAxis = () => gridAxis(betas, betaPlaces, "β = E∞* a₀⁴/(12ηVR³)");
+const alphaAxis = () => gridAxis(alphas, alphaPlaces, axisWords[1].label);
+const betaAxis = () => gridAxis(betas, betaPlaces, axisWords[2].label);
 
 const nearest = (places, wanted) =>
   places.reduce((best, place, i) => (Math.abs(place - wanted) < Math.abs(places[best] - wanted) ? i : best), 0);

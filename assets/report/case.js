@@ -4,14 +4,14 @@ const reasonIndices = integers(contents.failures.reason_of);
 // With very many different reasons not all are in the page.
 const reasonOf = (place) => contents.failures.reasons[reasonIndices[place]] ?? "the reason is in summary.csv";
 
-const withUnit = (value, name) => (Number.isNaN(value) ? digits(value) : `${digits(value, 5)} ${unitOf(name)}`);
+const withUnit = (value, name) => (Number.isNaN(value) ? digits(value) : `${digits(value, 5)} ${unitOf(name)}`.trim());
 
 function showNumbers({ place }) {
   const failed = failedAt[place] === 1;
   const total = digits(column("mu_tot")[place]);
   document.getElementById("selected").textContent = failed
     ? `${pointWords(place)}: failed, ${reasonOf(place)}`
-    : `${pointWords(place)}: converged, μₜₒₜ = ${total} a₀/R`;
+    : `${pointWords(place)}: converged, μₜₒₜ = ${total} ${unitOf("mu_tot")}`.trim();
   const rows = [...columns.keys()].map((name) => [symbols[name], withUnit(column(name)[place], name), longName(name)]);
   if (costs) {
     rows.push(["solved in", `${digits(costs.seconds[place], 3)} s`, "seconds on its thread"]);
@@ -35,9 +35,9 @@ function showNumbers({ place }) {
 
 // Id of the picture, name of the field, title of its axis, scale.
 const pictures = [
-  ["pressure", "pressure", "pressure p  (2N/(πa₀))", "linear"],
-  ["film", "film_thickness", "film thickness u  (a₀²/R)", "auto"],
-  ["displacement", "displacement", "height of the surface w  (a₀²/R)", "linear"],
+  ["pressure", "pressure", `pressure p  (${unitOf("p_max")})`, "linear"],
+  ["film", "film_thickness", `film thickness u  (${unitOf("film_min")})`, "auto"],
+  ["displacement", "displacement", `height of the surface w  (${unitOf("film_min")})`, "linear"],
 ];
 
 function drawFields({ place }) {

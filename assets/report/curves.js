@@ -6,14 +6,14 @@ function drawCurves(state) {
   const [iF, iAlpha, iBeta] = indicesOf(state.place);
   const words = scale.empty
     ? "No case has this number."
-    : [["α", alphas], ["β", betas]].filter(([, axis]) => axis.length < 2).map(([symbol]) => `${symbol} has one value in this sweep, so there is no curve along it.`).join(" ");
+    : [[alphaSymbol, alphas], [betaSymbol, betas]].filter(([symbol, axis]) => symbol && axis.length < 2).map(([symbol]) => `${symbol} has one value in this sweep, so there is no curve along it.`).join(" ");
   document.getElementById("no-curves").textContent = words;
   show("no-curves", words !== "");
-  drawCurve("curve-alpha", scale, state, alphas, alphaPlaces, alphaAxis(), betas, iBeta, iAlpha, "β", (i, other) => placeAt(iF, i, other));
-  drawCurve("curve-beta", scale, state, betas, betaPlaces, betaAxis(), alphas, iAlpha, iBeta, "α", (i, other) => placeAt(iF, other, i));
+  drawCurve("curve-alpha", scale, state, alphas, alphaPlaces, alphaAxis(), betas, iBeta, iAlpha, 2, (i, other) => placeAt(iF, i, other));
+  drawCurve("curve-beta", scale, state, betas, betaPlaces, betaAxis(), alphas, iAlpha, iBeta, 1, (i, other) => placeAt(iF, other, i));
 }
 
-function drawCurve(id, scale, state, along, places, axis, others, iOther, iChosen, symbol, placeOf) {
+function drawCurve(id, scale, state, along, places, axis, others, iOther, iChosen, otherAxis, placeOf) {
   const possible = along.length > 1 && !scale.empty;
   show(id, possible);
   if (!possible) return;
@@ -31,14 +31,28 @@ function drawCurve(id, scale, state, along, places, axis, others, iOther, iChose
     [
       ...faint.map((other) => ({ ...line(other), mode: "lines", line: { color: style("--quiet"), width: 1 }, opacity: 0.45 })),
       { ...chosen, mode: "lines+markers", line: { color: kinds()[0], width: 2.5 }, marker: { size: 5 } },
+      ...measuredPoints(state, 3 - otherAxis, scale),
       { type: "scatter", mode: "markers", x: [places[iChosen]], y: [chosen.y[iChosen]], marker: selectedMarker, hoverinfo: "skip" },
     ],
     {
       xaxis: axis,
       // What was zoomed is left as it is until another quantity is shown.
       yaxis: { title: { text: axisName(state.quantity) }, uirevision: `${state.quantity} ${state.scale}`, ...scale.ticks() },
-      annotations: [{ text: `${symbol} = ${digits(others[iOther])}; faint: other ${symbol}`, xref: "paper", yref: "paper", x: 0.02, y: 1, xanchor: "left", yanchor: "bottom", showarrow: false, font: { color: style("--quiet") } }],
+      annotations: [{ text: others.length > 1 ? `${valueWords(otherAxis, iOther)}; faint: other ${axisWords[otherAxis].symbol}` : valueWords(otherAxis, iOther), xref: "paper", yref: "paper", x: 0.02, y: 1, xanchor: "left", yanchor: "bottom", showarrow: false, font: { color: style("--quiet") } }],
       margin: { l: 60, r: 15, t: 26, b: 50 },
     },
   );
+}
+
+// Measured points of the quantity, where they say how they lie along this axis, with their standard errors.
+function measuredPoints(state, axis, scale) {
+  const { measured } = contents;
+  const along = measured?.coordinates[axisWords[axis].name];
+  if (!along || measured.column !== state.quantity) return [];
+  const y = measured.friction.map((value) => (scale.logarithmic && value <= 0 ? NaN : scale.to(value)));
+  const text = measured.friction.map((value, i) => `measured ${digits(value)}${measured.errors ? ` ± ${digits(measured.errors[i], 2)}` : ""}`);
+  const above = measured.errors?.map((error, i) => scale.to(measured.friction[i] + error) - y[i]);
+  const below = measured.errors?.map((error, i) => y[i] - scale.to(Math.max(measured.friction[i] - error, scale.logarithmic ? measured.friction[i] / 1e3 : -Infinity)));
+  const bars = above ? { error_y: { type: "data", symmetric: false, array: above, arrayminus: below, color: style("--text"), thickness: 1, width: 3 } } : {};
+  return [{ type: "scatter", mode: "markers", x: along.map(Math.log10), y, text, hovertemplate: "%{text}<extra></extra>", marker: { symbol: "diamond-open", size: 8, color: style("--text"), line: { width: 1.5 } }, ...bars }];
 }

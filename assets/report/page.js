@@ -1,6 +1,6 @@
 // The state of the page, and what changes it.
 
-const quantities = ["mu_tot", "mu_v", "mu_h", "mu_drag", "mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual", "dry_mu_v", "approx_mu_h", ...(costs ? ["seconds", "iterations"] : [])];
+const quantities = ["mu_tot", "mu_v", "mu_h", "mu_drag", "mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual", "dry_mu_v", "approx_mu_h", ...(contents.laboratory ? ["alpha", "beta"] : []), ...(costs ? ["seconds", "iterations"] : [])];
 
 // The first case shown is one that dissipates much, or the nearest that converged: the largest f, the α nearest to 1, in the
 // middle of β.
@@ -43,14 +43,15 @@ function showStrength() {
 
 function fillHead() {
   const failed = contents.failures.count;
-  const shape = axes.map((axis) => axis.length).join(" × ");
-  const whole = contents.shape.join(" × ");
+  const named = (numbers) => numbers.filter((_, axis) => axisWords[axis].symbol).join(" × ");
+  const shape = named(axes.map((axis) => axis.length));
+  const whole = named(contents.shape);
   const shapeWords = shape === whole ? shape : `${shape} of ${whole}, spread evenly`;
   document.title = contents.title;
   document.getElementById("title").textContent = contents.title;
-  document.getElementById("counts").textContent = `${plural(placeCount, "place")} of (f, α, β): ${shapeWords}, ${plural(contents.cases.length, "case")}, ${failed ? `${failed} failed` : "none failed"}`;
+  document.getElementById("counts").textContent = `${plural(placeCount, "place")} of (${axisWords.map((axis) => axis.symbol).filter(Boolean).join(", ")}): ${shapeWords}, ${plural(contents.cases.length, "case")}, ${failed ? `${failed} failed` : "none failed"}`;
   show("outdated", contents.outdated);
-  document.getElementById("version").textContent = `Published by stribeck ${contents.version}. Friction is over a₀/R, film and displacement over a₀²/R, x over a₀, pressure over 2N/(πa₀).`;
+  document.getElementById("version").textContent = `Published by stribeck ${contents.version}. ${contents.laboratory ? "Numbers are in SI units; x of the fields is over a₀." : "Friction is over a₀/R, film and displacement over a₀²/R, x over a₀, pressure over 2N/(πa₀)."}`;
   document.getElementById("notes").replaceChildren(
     ...contents.notes.map((note) => {
       const item = document.createElement("li");

@@ -34,8 +34,8 @@ function drawSurface(state) {
     {
       margin: { l: 0, r: 0, t: 0, b: 0 },
       scene: {
-        xaxis: { ...wall, ...alphaAxis(), title: { text: "α" }, range: whole(alphaPlaces) },
-        yaxis: { ...wall, ...betaAxis(), title: { text: "β" }, range: whole(betaPlaces) },
+        xaxis: { ...wall, ...alphaAxis(), title: { text: alphaSymbol }, range: whole(alphaPlaces) },
+        yaxis: { ...wall, ...betaAxis(), title: { text: betaSymbol }, range: whole(betaPlaces) },
         zaxis: { ...wall, title: { text: axisName(state.quantity) }, range: padded(range), ...scale.ticks() },
         aspectratio: { x: 1.25, y: 1, z: 0.75 },
         dragmode: "turntable",

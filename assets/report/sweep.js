@@ -1,4 +1,5 @@
-// The sweep: numbers decoded from the page, by place. A place is a point of the grid over (f, α, β), β fastest.
+// The sweep: numbers decoded from the page, by place. A place is a point of the grid over three axes, the last one fastest: f, α and β,
+// or f, quantities of the laboratory and the speed. Names here are those of the dimensionless axes.
 
 const contents = JSON.parse(document.getElementById("contents").textContent);
 
@@ -15,6 +16,8 @@ const shorts = (text) => new Uint16Array(bytes(text));
 
 const axes = contents.axes.map((axis) => axis.map((value) => (value === "inf" ? Infinity : value)));
 const [fs, alphas, betas] = axes;
+const axisWords = contents.axis_words;
+const [, alphaSymbol, betaSymbol] = axisWords.map((axis) => axis.symbol);
 const placeCount = fs.length * alphas.length * betas.length;
 
 const placeAt = (iF, iAlpha, iBeta) => (iF * alphas.length + iAlpha) * betas.length + iBeta;

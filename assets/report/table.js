@@ -2,10 +2,11 @@
 
 const PAGE = 100;
 const shownColumns = ["mu_tot", "mu_v", "mu_h", "c", "film_min", "p_max", "x_outlet"];
+const axisTitle = (axis) => [axisWords[axis].symbol, axisWords[axis].unit && `(${axisWords[axis].unit})`].filter(Boolean).join(" ");
 const tableColumns = [
   { name: "f", title: "f", of: (place) => fs[indicesOf(place)[0]] },
-  { name: "alpha", title: "α", of: (place) => alphas[indicesOf(place)[1]] },
-  { name: "beta", title: "β", of: (place) => betas[indicesOf(place)[2]] },
+  ...(alphaSymbol ? [{ name: axisWords[1].name, title: axisTitle(1), of: (place) => axisWords[1].combinations[indicesOf(place)[1]] ?? alphas[indicesOf(place)[1]] }] : []),
+  { name: axisWords[2].name, title: axisTitle(2), of: (place) => betas[indicesOf(place)[2]] },
   { name: "status", title: "status", of: (place) => (failedAt[place] ? "failed" : "converged") },
   ...shownColumns.map((name) => ({ name, title: axisName(name), of: (place) => column(name)[place] })),
   { name: "largest_error", title: "largest error", of: (place) => largestErrors[place] },
@@ -102,14 +103,16 @@ function markTableRow() {
 // The rows of the table as they are filtered and sorted, with the columns of summary.csv.
 function tableText() {
   const names = [...columns.keys()];
+  const named = [0, 1, 2].filter((axis) => axisWords[axis].name);
   const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (place) => {
-    const [iF, iAlpha, iBeta] = indicesOf(place);
-    const parameters = [fs[iF], alphas[iAlpha], betas[iBeta]].map((value) => (value === Infinity ? "inf" : String(value)));
+    const indices = indicesOf(place);
+    const parameter = (axis) => axisWords[axis].combinations[indices[axis]] ?? (axes[axis][indices[axis]] === Infinity ? "inf" : String(axes[axis][indices[axis]]));
+    const parameters = named.map((axis) => quoted(parameter(axis)));
     const reason = failedAt[place] ? reasonOf(place) : "";
     return [contents.cases[caseOf[place]], ...parameters, failedAt[place] ? "failed" : "converged", quoted(reason), ...names.map((name) => plain(column(name)[place]))].join(",");
   };
-  return ["case,f,alpha,beta,status,reason," + names.join(","), ...table.rows.map(line), ""].join("\n");
+  return [["case", ...named.map((axis) => axisWords[axis].name), "status", "reason", ...names].join(","), ...table.rows.map(line), ""].join("\n");
 }
 
 function download() {
@@ -119,6 +122,13 @@ function download() {
   link.click();
   // The browser has taken the text when the click returns; the address is let go of later, as some read it in between.
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+// As valueWords, also for a value that a thinned grid has left out.
+function failureWords(axis, value, index) {
+  if (index >= 0) return valueWords(axis, index);
+  const { symbol, unit } = axisWords[axis];
+  return `${symbol} = ${digits(value)}${unit ? ` ${unit}` : ""}`;
 }
 
 function drawFailures() {
@@ -140,7 +150,7 @@ function drawFailures() {
         const item = document.createElement("li");
         const button = document.createElement("button");
         button.type = "button";
-        button.textContent = `f = ${digits(point[0])}, α = ${digits(point[1])}, β = ${digits(point[2])}`;
+        button.textContent = point.map((value, axis) => failureWords(axis, value, indices[axis])).filter(Boolean).join(", ");
         // Of a thinned grid not every failed place is on the page.
         button.disabled = indices.includes(-1);
         button.addEventListener("click", () => select(placeAt(...indices)));

@@ -4,10 +4,10 @@ const symbols = {
   mu_v: "μᵥ", mu_h: "μₕ", mu_tot: "μₜₒₜ", mu_drag: "drag", mu_h_cavity: "μₕ, cavity", c: "c", film_min: "uₘᵢₙ",
   p_max: "pₘₐₓ", x_outlet: "xₒᵤₜ", error_mu_v: "error of μᵥ", error_mu_h: "error of μₕ", error_c: "error of c",
   load_residual: "load residual", dry_mu_v: "μᵥ, dry", approx_mu_h: "μₕ, large β",
-  largest_error: "largest estimated error", seconds: "seconds", iterations: "iterations",
+  alpha: "α", beta: "β", largest_error: "largest estimated error", seconds: "seconds", iterations: "iterations",
 };
 
-const unitWords = { "1": "", "a0": "a₀", "a0/R": "a₀/R", "a0^2/R": "a₀²/R", "2N/(pi a0)": "2N/(πa₀)" };
+const unitWords = { "1": "", "a0": "a₀", "a0/R": "a₀/R", "a0^2/R": "a₀²/R", "2N/(pi a0)": "2N/(πa₀)", m: "m", Pa: "Pa" };
 
 function unitOf(name) {
   if (name === "seconds") return "s";
@@ -52,7 +52,14 @@ function plain(value) {
 
 function pointWords(place) {
   const [iF, iAlpha, iBeta] = indicesOf(place);
-  return `f = ${digits(fs[iF])}, α = ${digits(alphas[iAlpha])}, β = ${digits(betas[iBeta])}`;
+  return [iF, iAlpha, iBeta].map((index, axis) => valueWords(axis, index)).filter(Boolean).join(", ");
+}
+
+// "β = 100", "V = 0.001 m/s"; nothing for an axis that is none.
+function valueWords(axis, index) {
+  const { symbol, unit, combinations } = axisWords[axis];
+  if (combinations.length) return combinations[index];
+  return symbol ? `${symbol} = ${digits(axes[axis][index])}${unit ? ` ${unit}` : ""}` : "";
 }
 
 // What is said when the pointer rests on a place.
@@ -61,8 +68,8 @@ function hoverWords(place) {
   const number = (name) => `${symbols[name]} ${digits(column(name)[place])}`;
   return [
     pointWords(place),
-    `${["mu_tot", "mu_v", "mu_h"].map(number).join(", ")}  a₀/R`,
-    `${number("film_min")}  a₀²/R`,
+    `${["mu_tot", "mu_v", "mu_h"].map(number).join(", ")}  ${unitOf("mu_tot")}`,
+    `${number("film_min")}  ${unitOf("film_min")}`,
     `largest estimated error ${digits(largestErrors[place], 2)}`,
   ].join("<br>");
 }

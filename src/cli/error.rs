@@ -9,6 +9,7 @@ use super::solve::ESTIMATE_POINTS;
 use crate::engine::ThreadsError;
 use crate::figures::FigureError;
 use crate::input::InputError;
+use crate::measured::MeasuredError;
 use crate::pictures::PictureError;
 use crate::shown::shown;
 use crate::store::StoreError;
@@ -20,6 +21,9 @@ pub enum CliError {
     /// A sweep or study file is not valid.
     #[error(transparent)]
     Input(#[from] InputError),
+    /// A file of measured points is not valid.
+    #[error(transparent)]
+    Measured(#[from] MeasuredError),
     /// More threads than the system gives.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -199,13 +203,17 @@ impl CliError {
     pub fn code(&self) -> u8 {
         match self {
             CliError::Input(_)
+            | CliError::Measured(_)
             | CliError::NoSuchCase { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }
             | CliError::OtherSweep { .. }
             | CliError::Picture(
-                PictureError::Unknown { .. } | PictureError::Outside { .. } | PictureError::Missing { .. },
+                PictureError::Unknown { .. }
+                | PictureError::Outside { .. }
+                | PictureError::NoAxis { .. }
+                | PictureError::Missing { .. },
             )
             | CliError::Threads(_)
             | CliError::Estimate { .. }

@@ -19,7 +19,7 @@ use crate::continuation::SolvedCase;
 use crate::model::{COLUMNS, CaseId, Parameters, shortest};
 use crate::shown::shown;
 use crate::store::{CaseEntry, Holdings, Status};
-use crate::sweep::{Method, Plan, Sweep};
+use crate::sweep::{Grid, Method, Plan, Sweep};
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
@@ -123,15 +123,32 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// The place whose values are nearest, on each axis by itself.
-fn nearest(sweep: &Sweep, [f, alpha, beta]: [f64; 3]) -> [usize; 3] {
-    let axes = &sweep.axes;
-    [(&axes.f, f), (&axes.alpha, alpha), (&axes.beta, beta)].map(|(axis, wanted)| {
-        // By the ratio, as these are magnitudes; the ends, 0 and infinity, are near to themselves alone.
-        let distance = |value: f64| if value == wanted { 0.0 } else { (value.ln() - wanted.ln()).abs() };
-        let near = |a: &usize, b: &usize| distance(axis[*a]).total_cmp(&distance(axis[*b]));
-        (0..axis.len()).min_by(near).expect("an axis has values")
-    })
+/// The place whose f, α and β are nearest by their ratios, f first, then α, then β.
+fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> [usize; 3] {
+    // These are magnitudes; the ends, 0 and infinity, are near to themselves alone.
+    let distance = |value: f64, wanted: f64| if value == wanted { 0.0 } else { (value.ln() - wanted.ln()).abs() };
+    let [strengths, rows, length] = sweep.grid.shape();
+    match &sweep.grid {
+        Grid::Dimensionless(axes) => {
+            let near = |axis: &[f64], wanted| {
+                let by_distance =
+                    |a: &usize, b: &usize| distance(axis[*a], wanted).total_cmp(&distance(axis[*b], wanted));
+                (0..axis.len()).min_by(by_distance).expect("an axis has values")
+            };
+            [near(&axes.f, wanted[0]), near(&axes.alpha, wanted[1]), near(&axes.beta, wanted[2])]
+        }
+        Grid::Laboratory(_) => {
+            // α and β change together: f comes first, then both.
+            let places = (0..strengths * rows * length)
+                .map(|place| [place / (rows * length), place / length % rows, place % length]);
+            let distances = |place: [usize; 3]| {
+                let [f, alpha, beta] = sweep.grid.numbers(place);
+                (distance(f, wanted[0]), distance(alpha, wanted[1]).hypot(distance(beta, wanted[2])))
+            };
+            let key = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
+            places.min_by(|a, b| key(&distances(*a), &distances(*b))).expect("a sweep has places")
+        }
+    }
 }
 
 fn heading(id: CaseId, entry: Option<&CaseEntry>, held: &Holdings) -> String {
@@ -200,15 +217,16 @@ fn recipe_in_words(recipe: &serde_json::Value) -> String {
 
 impl Found<'_> {
     fn place_in_words(&self) -> String {
-        let [i_f, i_alpha, i_beta] = self.place;
-        let axes = &self.sweep.axes;
-        let here = Parameters {
-            f: axes.f[i_f],
-            alpha: axes.alpha[i_alpha],
-            beta: axes.beta[i_beta],
-            ..self.parameters.clone()
-        };
-        let [f, alpha, beta] = [here.f, here.alpha, here.beta].map(shortest);
+        let [f, alpha, beta] = self.sweep.grid.numbers(self.place).map(shortest);
+        let experiment = self.sweep.grid.experiment(self.place).map_or_else(String::new, |experiment| {
+            let given = experiment.given().map(|quantity| {
+                let value = shortest(experiment.value(quantity));
+                format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1'))
+                    .trim_end()
+                    .to_owned()
+            });
+            format!("  {}\n", given.collect::<Vec<_>>().join(", "))
+        });
         let same = match self.parameters.is_relaxed_elastic() {
             true => ", solved once for all places of this beta whose substrate is elastic (f = 0 or alpha = inf)",
             false => "",
@@ -216,7 +234,7 @@ impl Found<'_> {
         let (chain, number) = self.chain();
         let betas = |case: Option<&Parameters>| case.map_or_else(String::new, |case| shortest(case.beta));
         format!(
-            "  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {number} of the {} of its chain, beta from {} to {}\n",
+            "{experiment}  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {number} of the {} of its chain, beta from {} to {}\n",
             chain.len(),
             betas(chain.first()),
             betas(chain.last()),

@@ -10,7 +10,7 @@ use super::workload::Workload;
 use crate::continuation::Interrupt;
 use crate::engine::{Engine, Finished, Progress, ProgressStyle, Report};
 use crate::model::{Output, Parameters};
-use crate::store::{Ending, Publication, Published, Store, StoreError};
+use crate::store::{Ending, Point, Publication, Published, Store, StoreError};
 use crate::sweep::{MAX_CHAIN, Part, Plan, Sweep};
 
 /// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
@@ -110,13 +110,13 @@ pub fn group_wait(part: Part) -> Duration {
 
 /// Publishes a sweep whose cases are all stored.
 pub fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
-    let row = |i_f, i_alpha| (0..sweep.axes.beta.len()).map(|i_beta| plan.case_at(i_f, i_alpha, i_beta)).collect();
-    store.publish(&Publication {
-        title: &sweep.title,
-        sweep_text: &sweep.text,
-        f: &sweep.axes.f,
-        alpha: &sweep.axes.alpha,
-        beta: &sweep.axes.beta,
-        cases: &row,
-    })
+    let [_, rows, length] = sweep.grid.shape();
+    let point = |place @ [i_f, i_row, along]: [usize; 3]| Point {
+        case: plan.case_at(i_f, i_row, along),
+        numbers: sweep.grid.numbers(place),
+        experiment: sweep.grid.experiment(place),
+    };
+    let row = |row: usize| (0..length).map(|along| point([row / rows, row % rows, along])).collect();
+    let dimensions = sweep.grid.dimensions();
+    store.publish(&Publication { title: &sweep.title, sweep_text: &sweep.text, dimensions: &dimensions, row: &row })
 }

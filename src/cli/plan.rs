@@ -14,7 +14,7 @@ use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console, threads};
 use crate::shown::shown;
 use crate::store::Store;
-use crate::sweep::{Plan, Sweep};
+use crate::sweep::{Grid, Plan, Sweep};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -53,8 +53,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     }
     let workload = Workload::survey(&sweep, &plan, None, &held);
 
-    let axes = &sweep.axes;
-    let (f, alpha, beta) = (axes.f.len(), axes.alpha.len(), axes.beta.len());
+    let dimensions = sweep.grid.dimensions();
+    let axes: Vec<String> = dimensions.iter().map(|axis| format!("{} {}", axis.values.len(), axis.name)).collect();
     let state = match () {
         () if collection.is_empty() => "no results yet",
         () if had_other_sweep(&directory, &sweep) => "last run with another sweep file",
@@ -66,9 +66,13 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     line("sweep", format!("{} ({})", sweep.title, shown(&arguments.sweep)));
     line("directory", format!("{} ({state})", shown(&directory)));
-    line("cases", format!("{} = {f} f x {alpha} alpha x {beta} beta", plan.cases()));
+    line("cases", format!("{} = {}", plan.cases(), axes.join(" x ")));
     let chains = count(plan.chain_count() as u64, "chain");
-    line("problems", format!("{} distinct, in {chains}; elastic ones are solved once for all alpha", plan.problems()));
+    let once = match sweep.grid {
+        Grid::Dimensionless(_) => "elastic ones are solved once for all alpha",
+        Grid::Laboratory(_) => "those with the same f, alpha and beta are solved once",
+    };
+    line("problems", format!("{} distinct, in {chains}; {once}", plan.problems()));
     let (reused, new, failed) = (workload.converged, workload.new, workload.failed);
     let stale = match workload.stale() {
         0 => String::new(),

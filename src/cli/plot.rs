@@ -7,7 +7,8 @@ use clap::Args;
 
 use super::wording::count;
 use super::{CliError, Exit, console, published};
-use crate::pictures::{Axis, AxisScale, Format, Kind, Picture, Request, Source, pictures};
+use crate::measured::Measured;
+use crate::pictures::{AxisScale, Format, Kind, Picture, Request, Source, pictures};
 use crate::shown::{printable, shown};
 use crate::store::write_whole;
 use crate::sweep::Sweep;
@@ -21,6 +22,7 @@ Examples:
   stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
   stribeck plot results/surface --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
   stribeck plot results/surface --what stress --alpha 0.1,0.3,1,10 --beta 1000
+  stribeck plot results/rubber --what curves --of mu_tot --along speed --measured points.csv
 
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
 nearest ones it has, which the picture names. Columns and fields are those of docs/output.md; docs/figures.md
@@ -35,9 +37,9 @@ pub struct Arguments {
     /// Columns and fields to be shown [default: a choice]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     of: Vec<String>,
-    /// Axis along which curves run [default: each that has several values]
-    #[arg(long, value_name = "AXIS", value_enum)]
-    along: Option<Axis>,
+    /// Axis along which curves run: f, alpha, beta, or one of the laboratory [default: each that has several values]
+    #[arg(long, value_name = "AXIS")]
+    along: Option<String>,
     /// Values of f
     #[arg(long, value_name = "F,…", value_delimiter = ',')]
     f: Vec<f64>,
@@ -47,6 +49,12 @@ pub struct Arguments {
     /// Values of β
     #[arg(long, value_name = "B,…", value_delimiter = ',')]
     beta: Vec<f64>,
+    /// Values of any axis, in SI units, as in load=100,200; may be given several times
+    #[arg(long, value_name = "AXIS=V,…", value_parser = at)]
+    at: Vec<(String, Vec<f64>)>,
+    /// Measured points (CSV), laid over the curves of friction
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
     /// Where profiles and stresses are shown, in a₀ [default: all of the sweep's x]
     #[arg(long, value_name = "FROM,TO", value_parser = range, allow_hyphen_values = true)]
     x: Option<(f64, f64)>,
@@ -79,6 +87,15 @@ fn range(text: &str) -> Result<(f64, f64), String> {
     }
 }
 
+/// An axis and values of it.
+fn at(text: &str) -> Result<(String, Vec<f64>), String> {
+    let values = |values: &str| values.split(',').map(|value| value.trim().parse().ok()).collect::<Option<Vec<f64>>>();
+    match text.split_once('=').map(|(axis, numbers)| (axis.trim().to_owned(), values(numbers))) {
+        Some((axis, Some(values))) if !axis.is_empty() => Ok((axis, values)),
+        _ => Err("an axis and values of it, as in speed=0.001,0.01".to_owned()),
+    }
+}
+
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let data = published::open(&arguments.directory)?;
     let substrate = match Sweep::parse("sweep", &data.sweep_text) {
@@ -92,12 +109,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             None
         }
     };
-    let source = Source { data, substrate };
+    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let source = Source::new(data, substrate, measured)?;
+    let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
+    let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
     let request = Request {
         kinds: arguments.what.clone(),
         of: arguments.of.clone(),
-        along: arguments.along,
-        values: [arguments.f.clone(), arguments.alpha.clone(), arguments.beta.clone()],
+        along: arguments.along.clone(),
+        values: named.chain(arguments.at.iter().cloned()).collect(),
         x: arguments.x,
         y: arguments.y,
         scale: arguments.scale,

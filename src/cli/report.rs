@@ -8,6 +8,7 @@ use clap::Args;
 
 use super::wording::bytes;
 use super::{CliError, Exit, console, published};
+use crate::measured::Measured;
 use crate::report::{BEGINNING, page};
 use crate::shown::shown;
 use crate::store::{StoreError, write_whole};
@@ -17,6 +18,7 @@ use crate::store::{StoreError, write_whole};
 Examples:
   stribeck report results/quick                         then open results/quick/report.html
   stribeck report results/quick -o for-a-colleague.html
+  stribeck report results/rubber --measured points.csv  with measured points in the curves of friction
 
 One file that works without a network, in any browser of 2021 or later: surfaces and maps with a slider for f, any
 case with its fields, curves, errors against seconds, failures, a table to sort and download, and the sweep file.
@@ -25,6 +27,9 @@ pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]
     directory: PathBuf,
+    /// Measured points (CSV), laid over the curves of friction
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
     /// The page [default: DIR/report.html]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -34,7 +39,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let data = published::open(&arguments.directory)?;
     let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
     must_be_ours_or_free(&file)?;
-    let page = page(&data)?;
+    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let page = page(&data, measured.as_ref())?;
     write_whole(file.clone(), page.html.as_bytes())?;
     let mut text = format!("{}: {}\n", shown(&file), bytes(page.html.len() as u64));
     for note in &page.notes {

@@ -10,7 +10,7 @@ use crate::continuation::Interrupt;
 use crate::model::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
 use crate::relaxation::{Acceleration, Domain};
 use crate::store::Status;
-use crate::sweep::{Axes, Method, Plan, SolverSettings, Sweep};
+use crate::sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
 use crate::{collocation, relaxation};
 
 /// Fewest points of a grid whose errors can be estimated.
@@ -203,7 +203,7 @@ impl Arguments {
     fn sweep(&self) -> Result<Sweep, CliError> {
         Ok(Sweep {
             title: String::new(),
-            axes: Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] },
+            grid: Grid::Dimensionless(Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] }),
             substrate: self.modes.clone().unwrap_or_default(),
             solver: self.settings()?,
             output: Output { fields: FieldSelection::default(), cavity_shear: self.cavity_shear, ..Output::default() },

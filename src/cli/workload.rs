@@ -68,7 +68,7 @@ impl Workload {
             }
             if missing != 0 {
                 workload.pending.push(index);
-                if missing.count_ones() as usize != chain.beta.len() {
+                if missing.count_ones() as usize != chain.cases.len() {
                     workload.partly.insert(index, missing);
                 }
                 workload.solved += workload.places(plan, index).len() as u64;
@@ -80,7 +80,7 @@ impl Workload {
 
     /// All of these chains.
     fn all(plan: &Plan, chains: Vec<u32>) -> Self {
-        let cases = chains.iter().map(|&index| plan.chain(index as usize).beta.len() as u64).sum();
+        let cases = chains.iter().map(|&index| plan.chain(index as usize).cases.len() as u64).sum();
         Self { pending: chains, solved: cases, new: cases, ..Self::default() }
     }
 
@@ -109,7 +109,7 @@ impl Workload {
     /// These are the missing ones and, where a method is slow to start anew, those before them, which seed them. They keep
     /// what is stored of them.
     pub fn places(&self, plan: &Plan, index: u32) -> Vec<usize> {
-        let length = plan.chain(index as usize).beta.len();
+        let length = plan.chain(index as usize).cases.len();
         let mut missing = (0..length).filter(|&place| self.is_missing(index, place));
         match plan.recipe().solver.method() {
             Method::Collocation => missing.collect(),

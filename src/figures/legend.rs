@@ -13,6 +13,8 @@ pub(super) enum Swatch {
     Line { form: Form, ink: Ink },
     /// A line, with lengths of dash and gap if it has some, and its marker if it has one.
     Stroke { pattern: Option<(f64, f64)>, form: Option<Form>, ink: Ink },
+    /// A marker as curves have them.
+    Marker { form: Form, ink: Ink },
     /// A small faint marker.
     Small { form: Form, ink: Ink },
     /// A ×.
@@ -78,6 +80,7 @@ fn draw_swatch(scene: &mut Scene, swatch: Swatch, (left, y): Point, width: f64, 
                 marker::rimmed(scene, form, middle, 0.22 * em, ink);
             }
         }
+        Swatch::Marker { form, ink } => marker::rimmed(scene, form, middle, 0.22 * em, ink),
         Swatch::Small { form, ink } => {
             marker::marker(scene, form, middle, SMALL_RADIUS * em, faded(ink, SMALL_OPACITY))
         }

@@ -58,6 +58,8 @@ pub enum Stroke {
     Dashed,
     /// · · ·, for a third kind.
     Dotted,
+    /// Markers alone, for what was measured.
+    Points,
 }
 
 /// The colour of a curve.

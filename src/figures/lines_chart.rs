@@ -106,7 +106,7 @@ fn forms(chart: &Lines) -> impl Iterator<Item = Form> {
 /// Lengths of dash and gap.
 fn pattern(stroke: Stroke) -> Option<(f64, f64)> {
     match stroke {
-        Stroke::Solid => None,
+        Stroke::Solid | Stroke::Points => None,
         Stroke::Dashed => Some((22.0, 13.0)),
         Stroke::Dotted => Some((5.0, 9.0)),
     }
@@ -158,7 +158,7 @@ fn draw_curve(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve, 
     let joined = |point: &(f64, f64)| chart.has_place(*point) && !layout.x.is_special(point.0);
     for run in curve.points.split(|point| !joined(point)) {
         let places: Vec<Point> = run.iter().map(|point| layout.at(*point)).collect();
-        for piece in clipped(&places, &plot) {
+        for piece in clipped(&places, &plot).into_iter().filter(|_| curve.stroke != Stroke::Points) {
             match pattern(curve.stroke) {
                 None => scene.path(piece, STROKE, ink),
                 Some((dash, gap)) => {
@@ -177,14 +177,15 @@ fn draw_curve(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve, 
     // A known value at 0 or ∞ is a dash there, a solution a marker.
     for point in curve.points.iter().filter(|point| chart.has_place(**point) && layout.x.is_special(point.0)) {
         let (x, y) = layout.at(*point);
-        if curve.stroke == Stroke::Solid {
+        if matches!(curve.stroke, Stroke::Solid | Stroke::Points) {
             marker::rimmed(scene, form, (x, y), MARKER, ink);
         } else {
             scene.line((x - 2.0 * MARKER, y), (x + 2.0 * MARKER, y), STROKE, ink);
         }
     }
     if curve.marked {
-        let step = if curve.points.len() > MOST_MARKERS { curve.points.len().div_ceil(MOST_MARKERS / 2) } else { 1 };
+        let thinned = curve.stroke != Stroke::Points && curve.points.len() > MOST_MARKERS;
+        let step = if thinned { curve.points.len().div_ceil(MOST_MARKERS / 2) } else { 1 };
         let shown = curve.points.iter().step_by(step).filter(|point| joined(point));
         for place in shown.map(|point| layout.at(*point)).filter(|place| plot.contains(&Area::about(*place, 0.0))) {
             marker::rimmed(scene, form, place, MARKER, ink);
@@ -200,8 +201,11 @@ fn entries(chart: &Lines) -> Vec<Entry> {
     let named = chart.curves.iter().zip(forms(chart)).filter(|(curve, _)| !curve.label.is_empty());
     let mut entries: Vec<Entry> = named
         .map(|(curve, form)| {
-            let form = curve.marked.then_some(form);
-            let swatch = Swatch::Stroke { pattern: pattern(curve.stroke), form, ink: ink(curve.colour) };
+            let (marker, ink) = (curve.marked.then_some(form), ink(curve.colour));
+            let swatch = match curve.stroke {
+                Stroke::Points => Swatch::Marker { form, ink },
+                stroke => Swatch::Stroke { pattern: pattern(stroke), form: marker, ink },
+            };
             Entry { swatch, label: curve.label.clone() }
         })
         .collect();

@@ -2,6 +2,7 @@
 
 use super::entry::{Entry, Section};
 use super::error::Fault;
+use super::units::Dimension;
 
 /// Which quantity an axis holds: decides what numbers it may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +15,19 @@ pub(crate) enum Quantity {
     InverseHersey,
     /// x of the fields: finite.
     Position,
+    /// A quantity with a unit: finite, above 0.
+    Measured(Dimension),
+    /// Poisson's ratio: from 0 to 0.5.
+    PoissonRatio,
+}
+
+/// A number, or an axis of them.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Varying {
+    /// One number.
+    Fixed(f64),
+    /// An axis: not empty, ascending.
+    Axis(Vec<f64>),
 }
 
 /// Spacing of a range.
@@ -31,8 +45,9 @@ impl Quantity {
         match self {
             Quantity::Strength => value.is_finite() && value >= 0.0,
             Quantity::SlideTime => value >= 0.0,
-            Quantity::InverseHersey => value.is_finite() && value > 0.0,
+            Quantity::InverseHersey | Quantity::Measured(_) => value.is_finite() && value > 0.0,
             Quantity::Position => value.is_finite(),
+            Quantity::PoissonRatio => (0.0..=0.5).contains(&value),
         }
     }
 
@@ -40,8 +55,9 @@ impl Quantity {
         match self {
             Quantity::Strength => "finite and at least 0",
             Quantity::SlideTime => "at least 0, or inf",
-            Quantity::InverseHersey => "finite and above 0",
+            Quantity::InverseHersey | Quantity::Measured(_) => "finite and above 0",
             Quantity::Position => "finite",
+            Quantity::PoissonRatio => "from 0 to 0.5",
         }
     }
 
@@ -53,6 +69,8 @@ impl Quantity {
             }
             Quantity::InverseHersey => "beta is positive; dry sliding is the limit of large beta: 1e4, say, is near it",
             Quantity::Position => "x is a place in units of a0, as in -3.0",
+            Quantity::Measured(_) => "write it in SI units as in 1e-3, or with its unit in quotes",
+            Quantity::PoissonRatio => "soft solids hardly change their volume: 0.5 is usual, 0.3 for a stiff polymer",
         }
     }
 
@@ -64,8 +82,12 @@ impl Quantity {
         }
     }
 
-    fn check(self, entry: &Entry<'_>) -> Result<f64, Fault> {
-        let value = entry.number()?;
+    /// Reads one value.
+    pub(crate) fn read(self, entry: &Entry<'_>) -> Result<f64, Fault> {
+        let value = match self {
+            Quantity::Measured(dimension) => dimension.read(entry)?,
+            _ => entry.number()?,
+        };
         match self.admits(value) {
             true => Ok(value),
             false => {
@@ -93,6 +115,15 @@ pub(crate) fn read(entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fa
     }
 }
 
+/// Reads a number, or an axis.
+pub(crate) fn read_varying(entry: &Entry<'_>, quantity: Quantity) -> Result<Varying, Fault> {
+    if entry.list().is_some() || entry.is_section() {
+        read(entry, quantity).map(Varying::Axis)
+    } else {
+        quantity.read(entry).map(Varying::Fixed)
+    }
+}
+
 fn read_list<'t>(
     entry: &Entry<'t>,
     items: impl ExactSizeIterator<Item = Entry<'t>>,
@@ -108,7 +139,7 @@ fn read_list<'t>(
     }
     let mut values: Vec<f64> = Vec::with_capacity(items.len());
     for item in items {
-        let value = quantity.check(&item)?;
+        let value = quantity.read(&item)?;
         match values.last() {
             Some(&last) if value == last => {
                 let what = format!("a value of `{}` may stand there only once", entry.path());
@@ -135,7 +166,7 @@ fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: Quantity) -> Res
     let choices = [("linear", Scale::Linear), ("log", Scale::Log)];
     let scale = range.get("scale").map(|scale| scale.choice(&choices)).transpose()?.unwrap_or_default();
 
-    let finite = |end: &Entry<'_>| match quantity.check(end)? {
+    let finite = |end: &Entry<'_>| match quantity.read(end)? {
         value if value.is_finite() => Ok(value),
         _ => {
             let help = "take finite end points; inf may stand at the end of a list, as in [1.0, 10.0, inf]";

@@ -168,6 +168,11 @@ impl<'t> Entry<'t> {
         self.list().ok_or_else(|| self.wrong_type("a list", help))
     }
 
+    /// True if the value is a text.
+    pub fn is_text(&self) -> bool {
+        matches!(self.value, DeValue::String(_))
+    }
+
     /// True if the value is a table.
     pub fn is_section(&self) -> bool {
         matches!(self.value, DeValue::Table(_))

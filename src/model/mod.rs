@@ -4,15 +4,19 @@ pub mod gauss;
 pub mod kernel;
 pub mod stress;
 
+mod dimension;
 mod displacement;
 mod identity;
+mod laboratory;
 mod number;
 mod outcome;
 mod output;
 mod parameters;
 
+pub use dimension::Dimension;
 pub use displacement::{DisplacementKernel, retarded_mode};
 pub use identity::{CaseId, NotACaseId};
+pub use laboratory::{Experiment, LaboratoryQuantity, Modulus, Powers, Scales, si_units};
 pub use number::shortest;
 pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
 pub use output::{CavityShear, FieldSelection, Output};

@@ -1,57 +1,137 @@
-//! The three axes of a sweep.
+//! The three axes of a sweep as pictures show them.
 
 use crate::store::DataSet;
 
-/// An axis of a sweep, in the order of the data set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+/// An axis of a sweep, in the order of the indices of a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Strength of retardation.
     F,
-    /// Slide time over retardation time.
-    Alpha,
-    /// Inverse Hersey number.
-    Beta,
+    /// α, or the quantities of the laboratory between f and the speed, taken together.
+    Middle,
+    /// Along rows: β, or the speed.
+    Inner,
+}
+
+/// What an axis of a data set is called, and its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisWords {
+    /// Name in files and options; empty for an axis that is none.
+    pub name: String,
+    /// Symbol in pictures.
+    pub symbol: String,
+    /// Symbol and definition or unit, beside an axis of a picture.
+    pub label: String,
+    /// Unit behind a value; empty for pure numbers.
+    pub unit: String,
+    /// The values; where several quantities are taken together, their numbers from 1.
+    pub values: Vec<f64>,
+    /// What each value stands for, where several quantities are taken together.
+    pub combinations: Vec<String>,
 }
 
 impl Axis {
-    /// All, in the order of the dimensions.
-    pub const ALL: [Self; 3] = [Self::F, Self::Alpha, Self::Beta];
+    /// All, in the order of the indices.
+    pub const ALL: [Self; 3] = [Self::F, Self::Middle, Self::Inner];
 
-    /// Its dimension.
+    /// Its place among the indices.
     pub fn dimension(self) -> usize {
         self as usize
-    }
-
-    /// Name in files and options.
-    pub fn name(self) -> &'static str {
-        ["f", "alpha", "beta"][self as usize]
-    }
-
-    /// Symbol in pictures.
-    pub fn symbol(self) -> &'static str {
-        ["f", "α", "β"][self as usize]
-    }
-
-    /// Symbol and definition, beside an axis of a picture.
-    pub fn label(self) -> &'static str {
-        ["f = E₀/E∞ − 1", "α = a₀/(Vτ)", "β = E∞* a₀⁴/(12ηVR³)"][self as usize]
-    }
-
-    /// Its values in a data set.
-    pub fn values(self, data: &DataSet) -> &[f64] {
-        match self {
-            Axis::F => &data.f,
-            Axis::Alpha => &data.alpha,
-            Axis::Beta => &data.beta,
-        }
     }
 
     /// The two others.
     pub fn others(self) -> [Self; 2] {
         match self {
-            Axis::F => [Axis::Alpha, Axis::Beta],
-            Axis::Alpha => [Axis::F, Axis::Beta],
-            Axis::Beta => [Axis::F, Axis::Alpha],
+            Axis::F => [Axis::Middle, Axis::Inner],
+            Axis::Middle => [Axis::F, Axis::Inner],
+            Axis::Inner => [Axis::F, Axis::Middle],
+        }
+    }
+}
+
+impl AxisWords {
+    /// The axes of a data set.
+    pub fn of(data: &DataSet) -> [Self; 3] {
+        let (last, before) = data.dimensions.split_last().expect("a data set has at least two dimensions");
+        let middle = match &before[1..] {
+            [] => Self { values: vec![0.0], ..Self::none() },
+            [one] => Self::named(&one.name, &one.units, &one.values),
+            several => Self::together(several.iter().map(|it| Self::named(&it.name, &it.units, &it.values)).collect()),
+        };
+        [Self::named("f", "1", &before[0].values), middle, Self::named(&last.name, &last.units, &last.values)]
+    }
+
+    fn none() -> Self {
+        let empty = String::new;
+        Self {
+            name: empty(),
+            symbol: empty(),
+            label: empty(),
+            unit: empty(),
+            values: Vec::new(),
+            combinations: Vec::new(),
+        }
+    }
+
+    fn named(name: &str, units: &str, values: &[f64]) -> Self {
+        let (symbol, words) = match name {
+            "f" => ("f", "f = E₀/E∞ − 1"),
+            "alpha" => ("α", "α = a₀/(Vτ)"),
+            "beta" => ("β", "β = E∞* a₀⁴/(12ηVR³)"),
+            "radius" => ("R", "radius R"),
+            "load" => ("N", "load N"),
+            "relaxed_modulus" => ("E∞", "relaxed modulus E∞"),
+            "instantaneous_modulus" => ("E₀", "instantaneous modulus E₀"),
+            "poisson_ratio" => ("ν", "Poisson's ratio ν"),
+            "viscosity" => ("η", "viscosity η"),
+            "retardation_time" => ("τ", "retardation time τ"),
+            "speed" => ("V", "speed V"),
+            other => (other, other),
+        };
+        let unit = if units == "1" { String::new() } else { units.to_owned() };
+        let label = if unit.is_empty() { words.to_owned() } else { format!("{words}  ({unit})") };
+        Self {
+            name: name.to_owned(),
+            symbol: symbol.to_owned(),
+            label,
+            unit,
+            values: values.to_vec(),
+            combinations: vec![],
+        }
+    }
+
+    /// Several axes as one, the last fastest.
+    fn together(axes: Vec<Self>) -> Self {
+        let mut combinations = vec![String::new()];
+        for axis in &axes {
+            let longer = |begun: &String| {
+                let comma = if begun.is_empty() { "" } else { ", " };
+                (0..axis.values.len()).map(|i| format!("{begun}{comma}{}", axis.words(i))).collect::<Vec<_>>()
+            };
+            combinations = combinations.iter().flat_map(longer).collect();
+        }
+        let symbols: Vec<String> = axes.iter().map(|axis| axis.symbol.clone()).collect();
+        Self {
+            name: "combination".to_owned(),
+            symbol: format!("({})", symbols.join(", ")),
+            label: format!("combination of {}", symbols.join(", ")),
+            values: (1..=combinations.len()).map(|number| number as f64).collect(),
+            combinations,
+            ..Self::none()
+        }
+    }
+
+    /// "β = 100", "V = 0.001 m/s"; empty for an axis that is none.
+    pub fn words(&self, index: usize) -> String {
+        if self.name.is_empty() {
+            return String::new();
+        }
+        match self.combinations.get(index) {
+            Some(combination) => combination.clone(),
+            None => {
+                let value = super::source::rounded(self.values[index]);
+                format!("{} = {value} {}", self.symbol, self.unit).trim_end().to_owned()
+            }
         }
     }
 }

@@ -41,16 +41,19 @@ impl Bundle {
 pub(super) fn bundles(source: &Source, request: &Request, selection: &Selection, along: Axis) -> Vec<Bundle> {
     // The axis with more values makes the family, β rather than f or α.
     let mut others = along.others();
-    others.sort_by_key(|axis| (selection.on(*axis).len(), *axis == Axis::Beta));
+    others.sort_by_key(|axis| (selection.on(*axis).len(), *axis == Axis::Inner));
     let [third, family] = others;
     // At f = 0 nothing depends on α.
     let varies = |axis: Axis, index: &usize| {
-        along != Axis::Alpha || axis != Axis::F || source.data.f[*index] > 0.0 || selection.on(Axis::F).len() == 1
+        along != Axis::Middle
+            || axis != Axis::F
+            || source.value(Axis::F, *index) > 0.0
+            || selection.on(Axis::F).len() == 1
     };
     let on = |axis: Axis, most: usize| {
         let all: Vec<usize> = selection.on(axis).iter().copied().filter(|index| varies(axis, index)).collect();
         match most {
-            _ if !request.values[axis.dimension()].is_empty() => all,
+            _ if selection.is_asked(axis) => all,
             1 => vec![middle(source, axis, &all)],
             _ => spread(&all, most),
         }
@@ -67,7 +70,11 @@ pub(super) fn bundles(source: &Source, request: &Request, selection: &Selection,
             start[family.dimension()] = members[0];
             let several = [(third, thirds.len()), (family, groups.len())].into_iter().filter(|(_, count)| *count > 1);
             let part = |(axis, _): (Axis, usize)| {
-                format!("-{}-{}", axis.name(), rounded(source.value(axis, start[axis.dimension()])).replace('∞', "inf"))
+                format!(
+                    "-{}-{}",
+                    source.axis(axis).name,
+                    rounded(source.value(axis, start[axis.dimension()])).replace('∞', "inf")
+                )
             };
             let mut fixed = vec![third];
             if members.len() == 1 {

@@ -30,8 +30,8 @@ impl Cases {
         kind: Kind,
         preferred: Axis,
     ) -> Result<Self, PictureError> {
-        let selection = Selection::of(&source.data, &request.values)?;
-        let asked = |axis: Axis| request.values[axis.dimension()].len() > 1;
+        let selection = Selection::of(source, request)?;
+        let asked = |axis: Axis| selection.is_asked(axis) && selection.on(axis).len() > 1;
         let several: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| asked(*axis)).collect();
         let family = match several[..] {
             [] if selection.on(preferred).len() > 1 => preferred,
@@ -56,10 +56,9 @@ impl Cases {
             members.filter(|indices| statuses[source.data.place(*indices)] == Status::Converged).collect();
         if solved.is_empty() {
             let fixed: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| *axis != family).collect();
-            return Err(kind.missing(format!(
-                "no case converged at {}; choose others with --f, --alpha, --beta",
-                source.list(&fixed, start)
-            )));
+            return Err(
+                kind.missing(format!("no case converged at {}; choose others with --at", source.list(&fixed, start)))
+            );
         }
         let all: Vec<usize> = (0..solved.len()).collect();
         let kept = if asked(family) { all } else { spread(&all, MOST_CASES) };
@@ -88,7 +87,10 @@ pub(super) fn middle(source: &Source, axis: Axis, indices: &[usize]) -> usize {
     };
     match axis {
         Axis::F => indices[indices.len() - 1],
-        Axis::Alpha => *indices.iter().min_by(|one, other| off_one(one).total_cmp(&off_one(other))).expect("not empty"),
-        Axis::Beta => indices[indices.len() / 2],
+        Axis::Middle if source.data.laboratory => indices[indices.len() / 2],
+        Axis::Middle => {
+            *indices.iter().min_by(|one, other| off_one(one).total_cmp(&off_one(other))).expect("not empty")
+        }
+        Axis::Inner => indices[indices.len() / 2],
     }
 }

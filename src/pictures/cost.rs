@@ -16,15 +16,15 @@ pub(super) fn cost(source: &Source, request: &Request) -> Result<Vec<Picture>, P
     let Some(costs) = source.data.costs()? else {
         return Err(Kind::Cost.missing("the directory has no timings.csv; run the sweep again, which publishes it"));
     };
-    let selection = Selection::of(&source.data, &request.values)?;
+    let selection = Selection::of(source, request)?;
     let (statuses, errors) = (source.data.statuses()?, largest_errors(source)?);
-    let mut table = Table::new(&["case", "status", "f", "alpha", "beta", "seconds", "error"]);
+    let mut table = Table::new(&[&["case", "status"], &source.coordinate_names()[..], &["seconds", "error"]].concat());
     let mut seen = HashSet::new();
     let mut lines = Vec::new();
     for i_f in selection.on(Axis::F) {
         let mut cases = Vec::new();
-        for i_alpha in selection.on(Axis::Alpha) {
-            for i_beta in selection.on(Axis::Beta) {
+        for i_alpha in selection.on(Axis::Middle) {
+            for i_beta in selection.on(Axis::Inner) {
                 let indices = [*i_f, *i_alpha, *i_beta];
                 let place = source.data.place(indices);
                 let cost = &costs[place];
@@ -36,8 +36,8 @@ pub(super) fn cost(source: &Source, request: &Request) -> Result<Vec<Picture>, P
                     Status::Converged if errors[place].is_nan() => Outcome::Unknown,
                     Status::Converged => Outcome::Error(errors[place]),
                 };
-                let [f, alpha, beta] = source.point(indices);
-                table.row(&[&cost.case, statuses[place].name()], &[f, alpha, beta, cost.seconds, errors[place]]);
+                let numbers = [&source.coordinates(indices)[..], &[cost.seconds, errors[place]]].concat();
+                table.row(&[&cost.case, statuses[place].name()], &numbers);
                 // A clock may not tell the shortest cases from nothing.
                 cases.push((cost.seconds.max(1e-9), outcome));
             }

@@ -3,6 +3,7 @@
 use super::bundle::{Bundle, bundles};
 use super::family::{beside, colour};
 use super::known::{self, Known, Values};
+use super::overlay::overlay;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
 use super::request::{Kind, Request, Selection};
@@ -40,11 +41,12 @@ pub(super) fn named_columns<'a>(request: &'a Request, otherwise: &[&'a str]) -> 
 }
 
 fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) -> Result<Vec<Picture>, PictureError> {
-    let selection = Selection::of(&source.data, &request.values)?;
+    let selection = Selection::of(source, request)?;
     let long = |axis: &Axis| selection.on(*axis).len() > 1;
-    let axes: Vec<Axis> = match request.along {
+    let axes: Vec<Axis> = match request.along(source)? {
         Some(axis) if !long(&axis) => {
-            return Err(kind.missing(format!("{} has one value here, and a curve needs two", axis.name())));
+            let name = &source.axis(axis).name;
+            return Err(kind.missing(format!("{name} has one value here, and a curve needs two")));
         }
         Some(axis) => vec![axis],
         None => Axis::ALL.into_iter().filter(long).collect(),
@@ -63,8 +65,8 @@ fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) ->
                 )));
             }
             let name = match kind {
-                Kind::Errors => format!("errors-along-{}", along.name()),
-                _ => format!("{}-along-{}", names.join("-"), along.name()),
+                Kind::Errors => format!("errors-along-{}", source.axis(along).name),
+                _ => format!("{}-along-{}", names.join("-"), source.axis(along).name),
             };
             for bundle in bundles(source, request, &selection, along) {
                 let name = format!("{name}{}", bundle.suffix);
@@ -82,21 +84,22 @@ fn draw(
     names: &[&str],
     name: String,
 ) -> Result<Option<Picture>, PictureError> {
-    let mut table = Table::new(&["quantity", "kind", "f", "alpha", "beta", "value"]);
-    let (mut solved, mut known_curves) = (Vec::new(), Vec::new());
+    let mut table = Table::new(&[&["quantity", "kind"], &source.coordinate_names()[..], &["value"]].concat());
+    let (mut solved, mut known_curves, mut measured) = (Vec::new(), Vec::new(), Vec::new());
     for (i_name, column) in names.iter().enumerate() {
         let colours: Vec<Colour> = (0..bundle.members.len())
             .map(|member| if names.len() > 1 { Colour::Kind(i_name) } else { colour(member, bundle.members.len()) })
             .collect();
         solved.extend(solutions(source, bundle, column, &colours, names.len() > 1, &mut table)?);
+        measured.extend(overlay(source, bundle, column, &colours));
         let known = if request.bare { &[] } else { known::of_column(column) };
         for known in known {
             let mut members = Vec::new();
             for (member, colour) in bundle.members.iter().zip(&colours) {
-                let points = known_points(source, known, bundle, *member)?;
+                let points = known_points(source, known, column, bundle, *member)?;
                 for (point, (_, value)) in bundle.points.iter().zip(&points) {
-                    let [f, alpha, beta] = source.point(bundle.at(*member, *point));
-                    table.row(&[column, known.label], &[f, alpha, beta, *value]);
+                    let coordinates = source.coordinates(bundle.at(*member, *point));
+                    table.row(&[column, known.label], &[&coordinates[..], &[*value]].concat());
                 }
                 members.push((*colour, points));
             }
@@ -108,14 +111,15 @@ fn draw(
         return Ok(None);
     }
     let logarithmic = request.scale.is_logarithmic(solved.iter().flat_map(|curve| &curve.points).map(|point| point.1));
-    let range = request.y.or_else(|| vertical_range(&solved, &known_curves, logarithmic));
-    let x_label = bundle.along.label().to_owned();
+    let wanted: Vec<Curve> = solved.iter().chain(&measured).cloned().collect();
+    let range = request.y.or_else(|| vertical_range(&wanted, &known_curves, logarithmic));
+    let x_label = source.axis(bundle.along).label.clone();
     let chart = Lines {
         title: source.data.title.clone(),
         subtitle: source.list(&bundle.fixed, bundle.start),
         x: LineAxis { label: x_label, logarithmic: is_logarithmic(source, bundle), range: None },
-        y: LineAxis { label: Quantity::common_label(names), logarithmic, range },
-        curves: solved.into_iter().chain(known_curves).collect(),
+        y: LineAxis { label: Quantity::common_label(names, source.data.laboratory), logarithmic, range },
+        curves: solved.into_iter().chain(known_curves).chain(measured).collect(),
     };
     Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
 }
@@ -140,8 +144,7 @@ fn solutions(
             if statuses[place] == Status::Failed {
                 failed.push(x);
             }
-            let [f, alpha, beta] = source.point(indices);
-            table.row(&[column, "solution"], &[f, alpha, beta, values[place]]);
+            table.row(&[column, "solution"], &[&source.coordinates(indices)[..], &[values[place]]].concat());
         }
         let label = if named {
             Quantity::of_column(column).expect("names were checked").words.to_owned()
@@ -192,14 +195,20 @@ fn is_logarithmic(source: &Source, bundle: &Bundle) -> bool {
 fn known_points(
     source: &Source,
     known: &Known,
+    column: &str,
     bundle: &Bundle,
     member: usize,
 ) -> Result<Vec<(f64, f64)>, PictureError> {
     let places = bundle.points.iter().map(|point| (source.value(bundle.along, *point), bundle.at(member, *point)));
     match known.values {
-        Values::Formula(formula) => Ok(places
-            .map(|(x, indices)| (x, source.parameters(indices).and_then(|case| formula(&case)).unwrap_or(f64::NAN)))
-            .collect()),
+        Values::Formula(formula) => {
+            let units = Quantity::of_column(column).expect("names were checked").units;
+            let value = |indices| {
+                let value = source.parameters(indices).and_then(|case| formula(&case));
+                value.map_or(f64::NAN, |value| value * source.factor(units, indices))
+            };
+            Ok(places.map(|(x, indices)| (x, value(indices))).collect())
+        }
         Values::Columns(names) => {
             let columns = names.iter().map(|name| source.data.column(name)).collect::<Result<Vec<_>, _>>()?;
             let sum = |place: usize| columns.iter().map(|column| column[place]).sum();

@@ -22,12 +22,20 @@ pub enum PictureError {
         allowed: String,
     },
     /// A value that lies outside its axis.
-    #[error("--{axis} {value}: the sweep has {axis} {there}; give a value in this range, the nearest one is taken")]
+    #[error("{axis} = {value}: the sweep has {axis} {there}; give a value in this range, the nearest one is taken")]
     Outside {
         /// The axis.
-        axis: &'static str,
+        axis: String,
         /// What was asked for.
         value: f64,
+        /// What there is.
+        there: String,
+    },
+    /// An axis that the data set has not.
+    #[error("{}: this data set has the axes {there}; name one of them", printable(option))]
+    NoAxis {
+        /// The option with the name.
+        option: String,
         /// What there is.
         there: String,
     },

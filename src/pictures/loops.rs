@@ -25,16 +25,16 @@ pub(super) fn loops(source: &Source, request: &Request) -> Result<Vec<Picture>, 
                 .missing(format!("the sweep has no field {field}; add it to fields below [output] and run it again")));
         }
     }
-    let cases = Cases::choose(source, request, Kind::Loops, Axis::Beta)?;
+    let cases = Cases::choose(source, request, Kind::Loops, Axis::Inner)?;
     let friction = source.data.column("mu_v")?;
-    let mut table = Table::new(&["kind", "f", "alpha", "beta", "x", "height", "pressure"]);
+    let mut table = Table::new(&[&["kind"], &source.coordinate_names()[..], &["x", "height", "pressure"]].concat());
     let (mut curves, mut dry_loops) = (Vec::new(), Vec::new());
     for (i, indices) in cases.indices.iter().enumerate() {
-        let pressure = source.data.field("pressure", *indices)?;
-        let film = source.data.field("film_thickness", *indices)?;
+        let pressure = source.dimensionless_field("pressure", *indices)?;
+        let film = source.dimensionless_field("film_thickness", *indices)?;
         let x = &source.data.x;
         let heights: Vec<f64> = x.iter().zip(&film).map(|(x, u)| height(*x, *u)).collect();
-        let [f, alpha, beta] = source.point(*indices);
+        let coordinates = source.coordinates(*indices);
         // Without pressure nothing happens: the loop from a point before the outlet to where the pressure is below a thousandth.
         let peak = pressure.iter().copied().fold(0.0, f64::max);
         let loaded = |i: &usize| pressure[*i] > 1e-3 * peak;
@@ -42,22 +42,25 @@ pub(super) fn loops(source: &Source, request: &Request) -> Result<Vec<Picture>, 
         let last = (0..x.len()).rfind(loaded).map_or(x.len() - 1, |i| (i + 1).min(x.len() - 1));
         let points: Vec<(f64, f64)> = (first..=last).map(|i| (heights[i], pressure[i])).collect();
         for i in first..=last {
-            table.row(&["solution"], &[f, alpha, beta, x[i], heights[i], pressure[i]]);
+            table.row(&["solution"], &[&coordinates[..], &[x[i], heights[i], pressure[i]]].concat());
         }
         let colour = colour(i, cases.indices.len());
         let label = format!(
             "{}: area {}, μᵥ {}",
             cases.label(source, *indices),
             rounded(area(&heights, &pressure)),
-            rounded(friction[source.data.place(*indices)]),
+            rounded(friction[source.data.place(*indices)] / source.factor("a0/R", *indices)),
         );
         curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, marked: false });
         if let Some(case) = source.parameters(*indices).filter(|_| !request.bare)
             && let Some(contact) = DryContact::of(&case)
         {
             let (at, pressure) = dry_pressure(&contact);
+            // β is the last coordinate, and ∞ in dry sliding.
+            let mut dry_coordinates = coordinates.clone();
+            *dry_coordinates.last_mut().expect("there are coordinates") = f64::INFINITY;
             for (x, p) in at.iter().zip(&pressure) {
-                table.row(&["dry limit"], &[f, alpha, f64::INFINITY, *x, height(*x, 0.0), *p]);
+                table.row(&["dry limit"], &[&dry_coordinates[..], &[*x, height(*x, 0.0), *p]].concat());
             }
             dry_loops.push((colour, at.iter().zip(pressure).map(|(x, p)| (height(*x, 0.0), p)).collect()));
         }

@@ -24,20 +24,18 @@ struct Shown {
 
 impl Shown {
     fn of(source: &Source, request: &Request, kind: Kind) -> Result<Self, PictureError> {
-        let selection = Selection::of(&source.data, &request.values)?;
-        for axis in [Axis::Alpha, Axis::Beta] {
+        let selection = Selection::of(source, request)?;
+        for axis in [Axis::Middle, Axis::Inner] {
             if selection.on(axis).len() < 2 {
-                return Err(
-                    kind.missing(format!("{} has one value here, and a map needs two; try --what curves", axis.name()))
-                );
+                return Err(kind.missing(no_plane(source, axis, "map")));
             }
         }
         let strengths = selection.on(Axis::F);
-        let asked = !request.values[Axis::F.dimension()].is_empty();
+        let asked = selection.is_asked(Axis::F);
         Ok(Self {
             strengths: if asked { strengths.to_vec() } else { spread(strengths, MOST_PANELS) },
-            alphas: selection.on(Axis::Alpha).to_vec(),
-            betas: selection.on(Axis::Beta).to_vec(),
+            alphas: selection.on(Axis::Middle).to_vec(),
+            betas: selection.on(Axis::Inner).to_vec(),
         })
     }
 
@@ -66,12 +64,12 @@ impl Shown {
         Map {
             title: source.data.title.clone(),
             subtitle: name.to_owned(),
-            x_label: Axis::Alpha.label().to_owned(),
-            y_label: Axis::Beta.label().to_owned(),
+            x_label: source.axis(Axis::Middle).label.clone(),
+            y_label: source.axis(Axis::Inner).label.clone(),
             columns: self.strengths.iter().map(|i_f| source.words(Axis::F, *i_f)).collect(),
             rows: vec![String::new()],
-            x: self.alphas.iter().map(|i| source.data.alpha[*i]).collect(),
-            y: self.betas.iter().map(|i| source.data.beta[*i]).collect(),
+            x: self.alphas.iter().map(|i| source.value(Axis::Middle, *i)).collect(),
+            y: self.betas.iter().map(|i| source.value(Axis::Inner, *i)).collect(),
             panels,
             scale: ColourScale { label: label.to_owned(), logarithmic, range: None },
             contours,
@@ -79,13 +77,13 @@ impl Shown {
     }
 
     fn table(&self, source: &Source, column: &str, text: impl Fn(usize) -> (String, f64)) -> Table {
-        let mut table = Table::new(&["status", "f", "alpha", "beta", column]);
+        let mut table = Table::new(&[&["status"], &source.coordinate_names()[..], &[column]].concat());
         for i_f in &self.strengths {
             for i_alpha in &self.alphas {
                 for i_beta in &self.betas {
                     let indices = [*i_f, *i_alpha, *i_beta];
-                    let ([f, alpha, beta], (status, value)) = (source.point(indices), text(source.data.place(indices)));
-                    table.row(&[&status], &[f, alpha, beta, value]);
+                    let (status, value) = text(source.data.place(indices));
+                    table.row(&[&status], &[&source.coordinates(indices)[..], &[value]].concat());
                 }
             }
         }
@@ -101,7 +99,7 @@ pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, P
     for column in named_columns(request, &COLUMNS) {
         let quantity = Quantity::of_column(column).expect("names were checked");
         let values = source.data.column(column)?;
-        let label = quantity.label();
+        let label = quantity.label(source.data.laboratory);
         let map = shown.map(
             source,
             (quantity.words, &label),
@@ -156,6 +154,14 @@ pub(super) fn status(source: &Source, request: &Request) -> Result<Vec<Picture>,
         (text, if statuses[place] == Status::Failed { 1.0 } else { 0.0 })
     });
     Ok(vec![Picture { name: "map-status".to_owned(), chart: Chart::Map(map), table }])
+}
+
+/// Why there is no plane to draw on.
+pub(super) fn no_plane(source: &Source, axis: Axis, what: &str) -> String {
+    match source.axis(axis).name.as_str() {
+        "" => format!("the speed alone varies here, and a {what} needs two axes; try --what curves"),
+        name => format!("{name} has one value here, and a {what} needs two; try --what curves"),
+    }
 }
 
 /// The largest of the three estimates of each place; NaN where one is not known.

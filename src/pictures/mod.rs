@@ -5,6 +5,7 @@
 //! | `request` | [`Request`]: what is wanted, and of which part of the sweep |
 //! | `curves`, `profiles`, `loops`, `surfaces`, `maps`, `stress`, `cost` | the kinds of pictures |
 //! | `known`, `family` | limits and approximations beside solutions; curves that belong together |
+//! | `overlay` | measured points over curves |
 //! | `bundle`, `cases`, `plane` | which curves stand together; which cases have their fields shown; where surfaces are |
 //! | `axis`, `quantity` | what axes and columns are called in pictures |
 //! | `source` | the data set |
@@ -22,6 +23,7 @@ mod family;
 mod known;
 mod loops;
 mod maps;
+mod overlay;
 mod picture;
 mod plane;
 mod profiles;
@@ -32,7 +34,7 @@ mod stress;
 mod surfaces;
 mod table;
 
-pub use axis::Axis;
+pub use axis::{Axis, AxisWords};
 pub use error::PictureError;
 pub use picture::{Chart, Format, Picture};
 pub use quantity::Quantity;

@@ -1,5 +1,6 @@
 //! The plane of α and β of a sweep, as far as it has a place on logarithmic axes.
 
+use super::maps::no_plane;
 use super::request::{Kind, Selection};
 use super::source::{Source, rounded};
 use super::{Axis, PictureError};
@@ -15,18 +16,20 @@ pub(super) struct Plane {
 impl Plane {
     /// The values chosen that are positive and finite, two or more on each axis.
     pub(super) fn of(source: &Source, selection: &Selection, kind: Kind) -> Result<Self, PictureError> {
-        let (alphas, special): (Vec<usize>, Vec<usize>) = selection.on(Axis::Alpha).iter().partition(|i_alpha| {
-            let alpha = source.data.alpha[**i_alpha];
+        let (alphas, special): (Vec<usize>, Vec<usize>) = selection.on(Axis::Middle).iter().partition(|i_alpha| {
+            let alpha = source.value(Axis::Middle, **i_alpha);
             alpha > 0.0 && alpha.is_finite()
         });
-        let betas = selection.on(Axis::Beta).to_vec();
-        for (axis, indices) in [(Axis::Alpha, &alphas), (Axis::Beta, &betas)] {
+        let betas = selection.on(Axis::Inner).to_vec();
+        for (axis, indices) in [(Axis::Middle, &alphas), (Axis::Inner, &betas)] {
             if indices.len() < 2 {
-                return Err(kind.missing(format!(
-                    "{} has {} value here with a place on a logarithmic axis, and a surface needs two; try --what curves",
-                    axis.name(),
-                    indices.len()
-                )));
+                return Err(kind.missing(match indices.len() {
+                    1 => no_plane(source, axis, "surface"),
+                    _ => format!(
+                        "{} has no value here with a place on a logarithmic axis, and a surface needs two; try --what curves",
+                        source.axis(axis).name
+                    ),
+                }));
             }
         }
         Ok(Self { alphas, betas, special })
@@ -34,12 +37,12 @@ impl Plane {
 
     /// Values of α.
     pub(super) fn alphas(&self, source: &Source) -> Vec<f64> {
-        self.alphas.iter().map(|i| source.data.alpha[*i]).collect()
+        self.alphas.iter().map(|i| source.value(Axis::Middle, *i)).collect()
     }
 
     /// Values of β.
     pub(super) fn betas(&self, source: &Source) -> Vec<f64> {
-        self.betas.iter().map(|i| source.data.beta[*i]).collect()
+        self.betas.iter().map(|i| source.value(Axis::Inner, *i)).collect()
     }
 
     /// Indices and place of every point, α fastest.
@@ -58,7 +61,7 @@ impl Plane {
 
     /// What is not shown, in words; empty if all is.
     pub(super) fn left_out(&self, source: &Source) -> String {
-        let values: Vec<String> = self.special.iter().map(|i| rounded(source.data.alpha[*i])).collect();
+        let values: Vec<String> = self.special.iter().map(|i| rounded(source.value(Axis::Middle, *i))).collect();
         if values.is_empty() { String::new() } else { format!("not shown: α = {}", values.join(", ")) }
     }
 }

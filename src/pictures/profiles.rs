@@ -21,7 +21,7 @@ pub(super) fn profiles(source: &Source, request: &Request) -> Result<Vec<Picture
     }
     let named: Vec<&str> = there.iter().copied().filter(|name| request.of.iter().any(|of| of == name)).collect();
     let names = if named.is_empty() { there.clone() } else { named };
-    let cases = Cases::choose(source, request, Kind::Profiles, Axis::Alpha)?;
+    let cases = Cases::choose(source, request, Kind::Profiles, Axis::Middle)?;
     names.into_iter().map(|name| profile(source, request, &cases, name)).collect()
 }
 
@@ -29,15 +29,15 @@ fn profile(source: &Source, request: &Request, cases: &Cases, name: &'static str
     let quantity = Quantity::of_field(name).expect("a data set has known fields only");
     let inside = shown(source, request, Kind::Profiles)?;
     let (from, to) = (source.data.x[inside[0]], source.data.x[inside[inside.len() - 1]]);
-    let mut table = Table::new(&["kind", "f", "alpha", "beta", "x", name]);
+    let mut table = Table::new(&[&["kind"], &source.coordinate_names()[..], &["x", name]].concat());
     let (mut curves, mut known_label, mut members) = (Vec::new(), "", Vec::new());
     for (i, indices) in cases.indices.iter().enumerate() {
         let field = source.data.field(name, *indices)?;
-        let [f, alpha, beta] = source.point(*indices);
+        let coordinates = source.coordinates(*indices);
         let points: Vec<(f64, f64)> = inside.iter().map(|i| (source.data.x[*i], field[*i])).collect();
         let mut rows = |kind: &str, points: &[(f64, f64)]| {
             for (x, value) in points {
-                table.row(&[kind], &[f, alpha, beta, *x, *value]);
+                table.row(&[kind], &[&coordinates[..], &[*x, *value]].concat());
             }
         };
         rows("solution", &points);
@@ -46,6 +46,8 @@ fn profile(source: &Source, request: &Request, cases: &Cases, name: &'static str
             && let Some((label, mut known)) = known::of_field(name, &case)
         {
             known.retain(|(x, _)| (from..=to).contains(x));
+            let factor = source.factor(quantity.units, *indices);
+            known.iter_mut().for_each(|(_, value)| *value *= factor);
             rows(label, &known);
             known_label = label;
             members.push((colour, known));
@@ -60,7 +62,7 @@ fn profile(source: &Source, request: &Request, cases: &Cases, name: &'static str
         title: source.data.title.clone(),
         subtitle: cases.subtitle(source),
         x: LineAxis { label: X_LABEL.to_owned(), logarithmic: false, range: Some((from, to)) },
-        y: LineAxis { label: quantity.label(), logarithmic, range: request.y },
+        y: LineAxis { label: quantity.label(source.data.laboratory), logarithmic, range: request.y },
         curves,
     };
     Ok(Picture { name: format!("profile-{name}{}", suffix(source, request, cases)), chart: Chart::Lines(chart), table })
@@ -86,11 +88,11 @@ pub(super) fn shown(source: &Source, request: &Request, kind: Kind) -> Result<Ve
 
 /// Tells pictures of cases apart that were chosen by hand.
 pub(super) fn suffix(source: &Source, request: &Request, cases: &Cases) -> String {
-    let by_hand = |axis: &Axis| cases.fixed.contains(axis) && !request.values[axis.dimension()].is_empty();
+    let by_hand = |axis: &Axis| cases.fixed.contains(axis) && request.asks(source, *axis);
     let fixed = Axis::ALL.into_iter().filter(by_hand);
     let part = |axis: Axis| {
         let value = source.value(axis, cases.indices[0][axis.dimension()]);
-        format!("-{}-{}", axis.name(), super::source::rounded(value).replace('∞', "inf"))
+        format!("-{}-{}", source.axis(axis).name, super::source::rounded(value).replace('∞', "inf"))
     };
     fixed.map(part).collect()
 }

@@ -1,6 +1,6 @@
 //! What a column of the data set is called in a picture.
 
-use crate::model::COLUMNS;
+use crate::model::{COLUMNS, si_units};
 
 /// A column or a field as pictures show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,18 +9,19 @@ pub struct Quantity {
     pub column: &'static str,
     /// In words, with its symbol.
     pub words: &'static str,
-    /// Its unit; empty for pure numbers.
-    pub unit: &'static str,
+    /// Its unit in dimensionless results, as [`COLUMNS`] has it.
+    pub units: &'static str,
 }
 
-const fn quantity(column: &'static str, words: &'static str, unit: &'static str) -> Quantity {
-    Quantity { column, words, unit }
+const fn quantity(column: &'static str, words: &'static str, units: &'static str) -> Quantity {
+    Quantity { column, words, units }
 }
 
-const FRICTION: &str = "a₀/R";
-const LENGTH: &str = "a₀";
-const HEIGHT: &str = "a₀²/R";
-const PRESSURE: &str = "2N/(πa₀)";
+const FRICTION: &str = "a0/R";
+const LENGTH: &str = "a0";
+const HEIGHT: &str = "a0^2/R";
+const PRESSURE: &str = "2N/(pi a0)";
+const NUMBER: &str = "1";
 
 /// Every column, in the order of [`COLUMNS`].
 const QUANTITIES: [Quantity; COLUMNS.len()] = [
@@ -33,10 +34,10 @@ const QUANTITIES: [Quantity; COLUMNS.len()] = [
     quantity("film_min", "smallest film thickness uₘᵢₙ", HEIGHT),
     quantity("p_max", "largest pressure pₘₐₓ", PRESSURE),
     quantity("x_outlet", "outlet xₒᵤₜ", LENGTH),
-    quantity("error_mu_v", "estimated relative error of μᵥ", ""),
-    quantity("error_mu_h", "estimated relative error of μₕ", ""),
-    quantity("error_c", "estimated relative error of c", ""),
-    quantity("load_residual", "residual of the load, |load/(π/2) − 1|", ""),
+    quantity("error_mu_v", "estimated relative error of μᵥ", NUMBER),
+    quantity("error_mu_h", "estimated relative error of μₕ", NUMBER),
+    quantity("error_c", "estimated relative error of c", NUMBER),
+    quantity("load_residual", "residual of the load, |load/(π/2) − 1|", NUMBER),
     quantity("dry_mu_v", "dry friction", FRICTION),
     quantity("approx_mu_h", "large-β approximation of μₕ", FRICTION),
     quantity("x_p_max", "place of the largest pressure", LENGTH),
@@ -70,26 +71,35 @@ impl Quantity {
 
     /// Two of these columns that cannot share an axis.
     pub fn of_different_units<'a>(columns: &[&'a str]) -> Option<(&'a str, &'a str)> {
-        let unit = |column: &str| Self::of_column(column).map(|quantity| quantity.unit);
+        let unit = |column: &str| Self::of_column(column).map(|quantity| quantity.units);
         columns.iter().find(|other| unit(other) != unit(columns[0])).map(|other| (columns[0], *other))
     }
 
     /// What an axis that these columns share is called.
-    pub fn common_label(columns: &[&str]) -> String {
+    pub fn common_label(columns: &[&str], si: bool) -> String {
         let first = Self::of_column(columns[0]).expect("names were checked");
-        match (columns, first.unit) {
-            ([_], _) => first.label(),
-            (_, FRICTION) => format!("friction coefficient ({FRICTION})"),
-            (_, HEIGHT) => format!("height ({HEIGHT})"),
-            (_, LENGTH) => format!("position x ({LENGTH})"),
-            (_, PRESSURE) => format!("pressure ({PRESSURE})"),
-            _ => "relative error".to_owned(),
-        }
+        let words = match (columns, first.units) {
+            ([_], _) => return first.label(si),
+            (_, FRICTION) => "friction coefficient",
+            (_, HEIGHT) => "height",
+            (_, LENGTH) => "position x",
+            (_, PRESSURE) => "pressure",
+            _ => "relative error",
+        };
+        Self { words, ..first }.label(si)
     }
 
-    /// Words and unit, for an axis.
-    pub fn label(&self) -> String {
-        if self.unit.is_empty() { self.words.to_owned() } else { format!("{}  ({})", self.words, self.unit) }
+    /// Words and unit, for an axis; in SI data sets the SI unit.
+    pub fn label(&self, si: bool) -> String {
+        let unit = if si { si_units(self.units) } else { self.units };
+        let unit = match unit {
+            FRICTION => "a₀/R",
+            LENGTH => "a₀",
+            HEIGHT => "a₀²/R",
+            PRESSURE => "2N/(πa₀)",
+            other => other,
+        };
+        if unit == NUMBER { self.words.to_owned() } else { format!("{}  ({unit})", self.words) }
     }
 }
 
@@ -100,5 +110,6 @@ mod tests {
     #[test]
     fn every_column_is_a_quantity() {
         assert!(Quantity::columns().eq(COLUMNS.iter().map(|column| column.name)));
+        assert!(QUANTITIES.iter().zip(&COLUMNS).all(|(quantity, column)| quantity.units == column.units));
     }
 }

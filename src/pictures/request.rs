@@ -1,8 +1,8 @@
 //! What pictures are wanted.
 
+use super::source::Source;
 use super::{Axis, PictureError};
 use crate::model::shortest;
-use crate::store::DataSet;
 
 /// A kind of picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -84,10 +84,10 @@ pub struct Request {
     pub kinds: Vec<Kind>,
     /// Names of columns and fields; a sensible choice if empty.
     pub of: Vec<String>,
-    /// The axis of curves; each that has several values if none.
-    pub along: Option<Axis>,
-    /// Values wanted on the axes f, α and β; a sensible choice if empty.
-    pub values: [Vec<f64>; 3],
+    /// Name of the axis of curves; each that has several values if none.
+    pub along: Option<String>,
+    /// Values wanted of dimensions, by their names; of others a sensible choice.
+    pub values: Vec<(String, Vec<f64>)>,
     /// Where profiles and stresses are shown.
     pub x: Option<(f64, f64)>,
     /// Ends of the vertical axis of curves, profiles and loops.
@@ -100,45 +100,92 @@ pub struct Request {
     pub bare: bool,
 }
 
-/// Indices chosen on the axes f, α and β, ascending.
+impl Request {
+    /// The axis of curves, if one is asked for.
+    pub(super) fn along(&self, source: &Source) -> Result<Option<Axis>, PictureError> {
+        let Some(name) = &self.along else { return Ok(None) };
+        let found = Axis::ALL.into_iter().find(|axis| source.axis(*axis).name == *name);
+        found.map(Some).ok_or_else(|| no_axis(source, format!("--along {name}")))
+    }
+
+    /// True if values of an axis are asked for.
+    pub(super) fn asks(&self, source: &Source, axis: Axis) -> bool {
+        let names = source.dimension_names(axis);
+        self.values.iter().any(|(wanted, _)| names.iter().any(|name| name == wanted))
+    }
+}
+
+/// What was asked for by the name of an axis that is not there.
+fn no_axis(source: &Source, option: String) -> PictureError {
+    let mut there: Vec<&str> = source.data.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
+    if there.len() > 3 {
+        there.push("combination");
+    }
+    PictureError::NoAxis { option, there: there.join(", ") }
+}
+
+/// Indices chosen on the three axes, ascending.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Selection(pub [Vec<usize>; 3]);
+pub struct Selection {
+    indices: [Vec<usize>; 3],
+    asked: [bool; 3],
+}
 
 impl Selection {
     /// The values asked for, the nearest ones there are; all of an axis if none is asked for.
     ///
     /// # Errors
-    /// [`PictureError::Outside`] for a value beyond the ends of its axis.
-    pub fn of(data: &DataSet, wanted: &[Vec<f64>; 3]) -> Result<Self, PictureError> {
-        let mut chosen = [const { Vec::new() }; 3];
-        for axis in Axis::ALL {
-            let (values, wanted) = (axis.values(data), &wanted[axis.dimension()]);
-            let mut indices = if wanted.is_empty() {
-                (0..values.len()).collect()
-            } else {
-                wanted.iter().map(|value| nearest(axis, values, *value)).collect::<Result<Vec<usize>, _>>()?
+    /// [`PictureError::Outside`] for a value beyond the ends of its axis, [`PictureError::NoAxis`] for an axis that is not there.
+    pub fn of(source: &Source, request: &Request) -> Result<Self, PictureError> {
+        let dimensions = &source.data.dimensions;
+        let known = |name: &String| dimensions.iter().any(|dimension| dimension.name == *name);
+        if let Some((name, _)) = request.values.iter().find(|(name, _)| !known(name)) {
+            return Err(no_axis(source, format!("--at {name}=…")));
+        }
+        let mut chosen = Vec::new();
+        for dimension in dimensions {
+            let wanted = request.values.iter().find(|(name, _)| *name == dimension.name).map(|(_, wanted)| wanted);
+            let nearest = |value: &f64| nearest(&dimension.name, &dimension.values, *value);
+            let mut indices = match wanted {
+                None => (0..dimension.values.len()).collect(),
+                Some(wanted) => wanted.iter().map(nearest).collect::<Result<Vec<usize>, _>>()?,
             };
             indices.sort_unstable();
             indices.dedup();
-            chosen[axis.dimension()] = indices;
+            chosen.push(indices);
         }
-        Ok(Self(chosen))
+        let (inner, strengths) = (chosen.pop().expect("there are two dimensions"), chosen.remove(0));
+        // What stands between is one axis, the last dimension fastest.
+        let mut middle = vec![0];
+        for (indices, dimension) in chosen.iter().zip(&dimensions[1..]) {
+            let longer = |begun: &usize| {
+                let begun = *begun;
+                indices.iter().map(move |index| begun * dimension.values.len() + index)
+            };
+            middle = middle.iter().flat_map(longer).collect();
+        }
+        Ok(Self { indices: [strengths, middle, inner], asked: Axis::ALL.map(|axis| request.asks(source, axis)) })
+    }
+
+    /// True if values of the axis were asked for.
+    pub fn is_asked(&self, axis: Axis) -> bool {
+        self.asked[axis.dimension()]
     }
 
     /// The indices of an axis.
     pub fn on(&self, axis: Axis) -> &[usize] {
-        &self.0[axis.dimension()]
+        &self.indices[axis.dimension()]
     }
 }
 
 /// Index of the value nearest to the one wanted, by ratio where that makes sense.
-fn nearest(axis: Axis, values: &[f64], wanted: f64) -> Result<usize, PictureError> {
+fn nearest(axis: &str, values: &[f64], wanted: f64) -> Result<usize, PictureError> {
     let (first, last) = (values[0], values[values.len() - 1]);
     // What was written with a few digits means the end itself.
     if !(wanted >= first * (1.0 - 1e-3) && wanted <= last * (1.0 + 1e-3)) {
         let there =
             if values.len() == 1 { shortest(first) } else { format!("from {} to {}", shortest(first), shortest(last)) };
-        return Err(PictureError::Outside { axis: axis.name(), value: wanted, there });
+        return Err(PictureError::Outside { axis: axis.to_owned(), value: wanted, there });
     }
     let distance = |value: f64| {
         if value == wanted {
@@ -181,7 +228,7 @@ mod tests {
         fn the_nearest_value_is_found(values in prop::collection::btree_set(1u32..1000, 1..30), wanted in 1.0..1000.0f64) {
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
             let inside = wanted >= 0.999 * values[0] && wanted <= 1.001 * values[values.len() - 1];
-            match nearest(Axis::Beta, &values, wanted) {
+            match nearest("beta", &values, wanted) {
                 Ok(found) => prop_assert!(
                     inside && values.iter().all(|v| (values[found] / wanted).ln().abs() <= (v / wanted).ln().abs())
                 ),
@@ -194,9 +241,9 @@ mod tests {
     fn zero_and_infinity_are_values_of_their_own() {
         let values = [0.0, 0.5, 20.0, f64::INFINITY];
         for (wanted, index) in [(0.0, 0), (0.1, 1), (19.0, 2), (1e6, 2), (f64::INFINITY, 3)] {
-            assert_eq!(nearest(Axis::Alpha, &values, wanted).unwrap(), index, "{wanted}");
+            assert_eq!(nearest("alpha", &values, wanted).unwrap(), index, "{wanted}");
         }
-        assert!(nearest(Axis::Alpha, &values, f64::NAN).is_err());
+        assert!(nearest("alpha", &values, f64::NAN).is_err());
     }
 
     #[test]

@@ -28,8 +28,8 @@ pub(super) fn stress(source: &Source, request: &Request) -> Result<Vec<Picture>,
                 .missing(format!("the sweep has no field {field}; add it to fields below [output] and run it again")));
         }
     }
-    let mut cases = Cases::choose(source, request, Kind::Stress, Axis::Alpha)?;
-    let asked = !request.values[cases.family.dimension()].is_empty();
+    let mut cases = Cases::choose(source, request, Kind::Stress, Axis::Middle)?;
+    let asked = request.asks(source, cases.family);
     if cases.indices.len() > MOST_PANELS {
         if asked {
             return Err(
@@ -48,11 +48,12 @@ pub(super) fn stress(source: &Source, request: &Request) -> Result<Vec<Picture>,
     // Dense below the surface, where stresses change most.
     let depth: Vec<f64> = (0..DOWN).map(|i| deepest * (i as f64 / (DOWN - 1) as f64).powf(1.5)).collect();
 
-    let mut table = Table::new(&["f", "alpha", "beta", "x", "depth", "surface", "cylinder", "stress"]);
+    let mut table =
+        Table::new(&[&source.coordinate_names()[..], &["x", "depth", "surface", "cylinder", "stress"]].concat());
     let (mut panels, mut highest) = (Vec::new(), 0.0_f64);
     for indices in &cases.indices {
         let [pressure, film, displacement] =
-            ["pressure", "film_thickness", "displacement"].map(|name| source.data.field(name, *indices));
+            ["pressure", "film_thickness", "displacement"].map(|name| source.dimensionless_field(name, *indices));
         let (pressure, film, displacement) = (pressure?, film?, displacement?);
         let on = |field: &[f64]| -> Vec<f64> { x.iter().map(|at| interpolated(&source.data.x, field, *at)).collect() };
         // The surface is level with its inlet end: displacements have a constant that means nothing.
@@ -61,10 +62,11 @@ pub(super) fn stress(source: &Source, request: &Request) -> Result<Vec<Picture>,
         let cylinder: Vec<f64> = surface.iter().zip(on(&film)).map(|(w, u)| w + u).collect();
         let values: Vec<f64> =
             depth.iter().flat_map(|y| x.iter().map(|at| normal_stress(&source.data.x, &pressure, *at, *y))).collect();
-        let [f, alpha, beta] = source.point(*indices);
+        let coordinates = source.coordinates(*indices);
         for (i, value) in values.iter().enumerate() {
             let (column, row) = (i % ACROSS, i / ACROSS);
-            table.row(&[], &[f, alpha, beta, x[column], depth[row], surface[column], cylinder[column], *value]);
+            let numbers = [x[column], depth[row], surface[column], cylinder[column], *value];
+            table.row(&[], &[&coordinates[..], &numbers].concat());
         }
         highest = surface.iter().copied().fold(highest, f64::max);
         panels.push(SectionPanel {

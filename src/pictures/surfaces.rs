@@ -19,12 +19,12 @@ const MOST_PANELS: usize = 3;
 ///
 /// One surface alone of μᵥ has its dry limit beside it, one of μₕ its large-β approximation.
 pub(super) fn surfaces(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let selection = Selection::of(&source.data, &request.values)?;
+    let selection = Selection::of(source, request)?;
     let plane = Plane::of(source, &selection, Kind::Surfaces)?;
     let retarded: Vec<usize> = selection.on(Axis::F).to_vec();
-    let asked = !request.values[Axis::F.dimension()].is_empty();
+    let asked = selection.is_asked(Axis::F);
     // At f = 0 a surface is a cylinder over α: shown if asked for, or if there is nothing else.
-    let varied: Vec<usize> = retarded.iter().copied().filter(|i_f| source.data.f[*i_f] > 0.0).collect();
+    let varied: Vec<usize> = retarded.iter().copied().filter(|i_f| source.value(Axis::F, *i_f) > 0.0).collect();
     let strengths = if asked || varied.is_empty() { retarded } else { spread(&varied, MOST_PANELS) };
     if strengths.len() > MOST_PANELS {
         return Err(Kind::Surfaces
@@ -54,15 +54,14 @@ fn surface(
         };
         panels.extend(limit.map(|(label, column)| (label.to_owned(), column, *i_f)));
     }
-    let mut table = Table::new(&["quantity", "f", "alpha", "beta", "value"]);
+    let mut table = Table::new(&[&["quantity"], &source.coordinate_names()[..], &["value"]].concat());
     let mut drawn = Vec::new();
     for (label, column, i_f) in panels {
         let values = source.data.column(column)?;
         let heights: Vec<Option<f64>> =
             plane.places(source, i_f).map(|(_, place)| Some(values[place]).filter(|value| value.is_finite())).collect();
         for (indices, place) in plane.places(source, i_f) {
-            let [f, alpha, beta] = source.point(indices);
-            table.row(&[column], &[f, alpha, beta, values[place]]);
+            table.row(&[column], &[&source.coordinates(indices)[..], &[values[place]]].concat());
         }
         if heights.iter().any(Option::is_some) {
             drawn.push(ReliefPanel { label, heights, curves: vec![] });
@@ -76,9 +75,9 @@ fn surface(
     let chart = Relief {
         title: source.data.title.clone(),
         subtitle: plane.left_out(source),
-        x_label: "α".to_owned(),
-        y_label: "β".to_owned(),
-        z_label: quantity.label(),
+        x_label: short_label(source, Axis::Middle),
+        y_label: short_label(source, Axis::Inner),
+        z_label: quantity.label(source.data.laboratory),
         x: plane.alphas(source),
         y: plane.betas(source),
         logarithmic,
@@ -86,4 +85,10 @@ fn surface(
         panels: drawn,
     };
     Ok(Some(Picture { name: format!("surface-{column}"), chart: Chart::Relief(chart), table }))
+}
+
+/// Symbol and unit of an axis.
+fn short_label(source: &Source, axis: Axis) -> String {
+    let words = source.axis(axis);
+    if words.unit.is_empty() { words.symbol.clone() } else { format!("{} ({})", words.symbol, words.unit) }
 }

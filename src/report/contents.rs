@@ -8,7 +8,9 @@ use super::encoding::{floats, integers};
 use super::failures::FailurePart;
 use super::fields::{CasePlace, FieldsPart, fields};
 use super::thinning::Grid;
-use crate::model::COLUMNS;
+use crate::measured::Measured;
+use crate::model::{COLUMNS, si_units};
+use crate::pictures::AxisWords;
 use crate::store::{Cost, DataSet, StoreError};
 
 /// All that the page shows. Lists of numbers are base64 (`encoding`).
@@ -17,10 +19,16 @@ pub(super) struct Contents {
     title: String,
     version: String,
     outdated: bool,
-    /// Numbers of values of f, α and β in the data set.
+    /// Numbers of values on the three axes of the data set.
     shape: [usize; 3],
-    /// Values of f, α and β shown; ∞ is the word `inf`, which JSON has no number for.
+    /// Values shown on the three axes; ∞ is the word `inf`, which JSON has no number for.
     axes: [Vec<AxisValue>; 3],
+    /// What the axes are called.
+    axis_words: [AxisPart; 3],
+    /// True if numbers are in SI units.
+    laboratory: bool,
+    /// Measured points.
+    measured: Option<MeasuredPart>,
     /// For each place shown the index of its case.
     case_of: String,
     /// Ids of the cases shown.
@@ -42,6 +50,27 @@ pub(super) struct Contents {
 pub(super) enum AxisValue {
     Number(f64),
     Word(&'static str),
+}
+
+/// What an axis is called.
+#[derive(Debug, Serialize)]
+struct AxisPart {
+    name: String,
+    symbol: String,
+    label: String,
+    unit: String,
+    /// What each value shown stands for, where several quantities are taken together.
+    combinations: Vec<String>,
+}
+
+/// Measured points of a quantity.
+#[derive(Debug, Serialize)]
+struct MeasuredPart {
+    column: &'static str,
+    friction: Vec<f64>,
+    errors: Option<Vec<f64>>,
+    /// Values of each coordinate by its name.
+    coordinates: BTreeMap<&'static str, Vec<f64>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -96,15 +125,16 @@ impl Contents {
     ///
     /// # Errors
     /// [`StoreError`] if the data set cannot be read.
-    pub(super) fn of(data: &DataSet) -> Result<Self, StoreError> {
+    pub(super) fn of(data: &DataSet, measured: Option<&Measured>) -> Result<Self, StoreError> {
         let mut notes =
             vec!["Numbers are shown to at most seven digits; summary.csv and results.h5 have all.".to_owned()];
-        let grid = Grid::of(data);
+        let (grid, axis_words) = (Grid::of(data), AxisWords::of(data));
         if grid.is_thinned(data) {
             let words = |shape: [usize; 3]| format!("{} × {} × {}", shape[0], shape[1], shape[2]);
             notes.push(format!(
-                "Of the {} places of the sweep (f × α × β) {} are shown, spread evenly with both ends of each axis.",
+                "Of the {} places of the sweep ({}) {} are shown, spread evenly with both ends of each axis.",
                 words(data.shape()),
+                axis_words.iter().map(|axis| axis.symbol.as_str()).collect::<Vec<_>>().join(" × "),
                 words(std::array::from_fn(|axis| grid.0[axis].len()))
             ));
         }
@@ -120,19 +150,19 @@ impl Contents {
             }
             case_of.push(i32::try_from(index).expect("a page has fewer cases than 2³¹"));
         }
-        let columns = COLUMNS
-            .iter()
-            .filter(|column| column.in_summary)
-            .map(|column| {
-                let values = data.column(column.name)?;
-                Ok(ColumnPart {
-                    name: column.name,
-                    long_name: column.long_name,
-                    units: column.units,
-                    values: floats(places.iter().map(|place| values[*place])),
-                })
-            })
+        let part = |name, long_name, units: &'static str| {
+            let values = data.column(name)?;
+            let units = if data.laboratory { si_units(units) } else { units };
+            Ok(ColumnPart { name, long_name, units, values: floats(places.iter().map(|place| values[*place])) })
+        };
+        let summary = COLUMNS.iter().filter(|column| column.in_summary);
+        let mut columns = summary
+            .map(|column| part(column.name, column.long_name, column.units))
             .collect::<Result<Vec<_>, StoreError>>()?;
+        if data.laboratory {
+            columns.push(part("alpha", "slide time over a contact length / retardation time", "1")?);
+            columns.push(part("beta", "inverse Hersey number", "1")?);
+        }
         let costs = data.costs()?.map(|costs| CostPart::of(&costs, &places));
         if costs.is_none() {
             notes.push("There is no timings.csv, so nothing is known of what cases cost.".to_owned());
@@ -142,13 +172,15 @@ impl Contents {
             notes.push("The sweep has no fields: `fields` below [output] of the sweep file asks for them.".to_owned());
         }
         let failures = FailurePart::of(data, &places, &statuses, &reasons, &mut notes);
-        let axis = |values: &[f64], kept: &[usize]| kept.iter().map(|i| values[*i].into()).collect();
+        let axis = |axis: usize| grid.0[axis].iter().map(|i| axis_words[axis].values[*i].into()).collect();
         Ok(Self {
             title: data.title.clone(),
             version: data.version.clone(),
             outdated: data.outdated,
             shape: data.shape(),
-            axes: [axis(&data.f, &grid.0[0]), axis(&data.alpha, &grid.0[1]), axis(&data.beta, &grid.0[2])],
+            axes: [axis(0), axis(1), axis(2)],
+            laboratory: data.laboratory,
+            measured: measured.map(MeasuredPart::of),
             case_of: integers(case_of),
             cases: words.words,
             status: integers(places.iter().map(|place| i32::from(statuses[*place].code()))),
@@ -157,7 +189,24 @@ impl Contents {
             fields,
             failures,
             notes,
+            axis_words: std::array::from_fn(|axis| {
+                let AxisWords { name, symbol, label, unit, combinations, .. } = &axis_words[axis];
+                let combinations = grid.0[axis].iter().filter_map(|i| combinations.get(*i).cloned()).collect();
+                let [name, symbol, label, unit] = [name, symbol, label, unit].map(Clone::clone);
+                AxisPart { name, symbol, label, unit, combinations }
+            }),
         })
+    }
+}
+
+impl MeasuredPart {
+    fn of(measured: &Measured) -> Self {
+        Self {
+            column: measured.column,
+            friction: measured.friction.clone(),
+            errors: measured.errors.clone(),
+            coordinates: measured.coordinates.iter().cloned().collect(),
+        }
     }
 }
 

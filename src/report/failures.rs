@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::contents::{AxisValue, Words};
 use super::encoding::integers;
+use crate::pictures::AxisWords;
 use crate::store::{DataSet, Status, kind_of_reason};
 
 /// Most failed places that are listed.
@@ -17,7 +18,7 @@ pub(super) struct FailurePart {
     /// How many there are.
     count: usize,
     kinds: Vec<Kind>,
-    /// f, α, β and the index of the kind, as far as they are listed.
+    /// Values on the three axes and the index of the kind, as far as they are listed.
     listed: Vec<(AxisValue, AxisValue, AxisValue, usize)>,
     /// Different reasons of the places shown on the grid.
     reasons: Vec<String>,
@@ -44,7 +45,7 @@ impl FailurePart {
         reasons: &[String],
         notes: &mut Vec<String>,
     ) -> Self {
-        let [_, alphas, betas] = data.shape();
+        let ([_, alphas, betas], axes) = (data.shape(), AxisWords::of(data));
         let failed = (0..statuses.len()).filter(|place| statuses[*place] == Status::Failed);
         let (mut words, mut kinds, mut listed) = (Words::default(), Vec::<Kind>::new(), Vec::new());
         let mut count = 0;
@@ -60,7 +61,9 @@ impl FailurePart {
             }
             if count < MOST_LISTED {
                 let (i_f, i_alpha, i_beta) = (place / (alphas * betas), place / betas % alphas, place % betas);
-                listed.push((data.f[i_f].into(), data.alpha[i_alpha].into(), data.beta[i_beta].into(), index));
+                let [f, alpha, beta] =
+                    [(0, i_f), (1, i_alpha), (2, i_beta)].map(|(axis, i)| axes[axis].values[i].into());
+                listed.push((f, alpha, beta, index));
             }
             count += 1;
         }

@@ -21,6 +21,7 @@ mod thinning;
 use contents::Contents;
 use encoding::{html, json};
 
+use crate::measured::Measured;
 use crate::store::{DataSet, StoreError};
 
 /// How a page begins. A file that does not is none of ours, and is not replaced.
@@ -50,12 +51,12 @@ pub struct Page {
     pub notes: Vec<String>,
 }
 
-/// The page of a data set. The same data set gives the same bytes.
+/// The page of a data set, with measured points beside it if there are some. The same data give the same bytes.
 ///
 /// # Errors
 /// [`StoreError`] if the data set cannot be read.
-pub fn page(data: &DataSet) -> Result<Page, StoreError> {
-    let contents = Contents::of(data)?;
+pub fn page(data: &DataSet, measured: Option<&Measured>) -> Result<Page, StoreError> {
+    let contents = Contents::of(data, measured)?;
     let frame = include_str!("../../assets/report/page.html");
     let script = format!("<script>\n\"use strict\";\n(() => {{\n{}}})();\n</script>", SCRIPTS.join("\n"));
     let parts = [

@@ -3,19 +3,22 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use hdf5::Dataset;
 use hdf5::types::{FixedAscii, VarLenUnicode};
-use ndarray::s;
+use hdf5::{Dataset, Hyperslab, SliceOrIndex};
 
 use super::contents::FIELDS;
 use super::directory::{Directory, PUBLISHED};
 use super::hdf5_file::{get_text, open};
 use super::holdings::{Inspection, LogContent, fault, read_claims};
+use super::results::DIMENSIONS;
 use super::{Status, StoreError};
+use crate::model::Dimension;
 
 /// A published data set. Numbers are read when they are asked for, so that memory does not depend on the size of the fields.
 ///
-/// A *place* is a point of the grid over (f, α, β); places are counted in the order of the plan, β fastest.
+/// A *place* is a point of the grid. Its indices are that of f, that of a row with this f, and that along the row: α and β in a
+/// dimensionless data set; over quantities of the laboratory those between f and the speed, taken together, and the speed.
+/// Places are counted in the order of the plan, the last index fastest.
 #[derive(Debug)]
 pub struct DataSet {
     path: PathBuf,
@@ -29,12 +32,10 @@ pub struct DataSet {
     pub version: String,
     /// True if cases were stored after the file was published.
     pub outdated: bool,
-    /// Values of f, ascending.
-    pub f: Vec<f64>,
-    /// Values of α, ascending; the last may be +∞.
-    pub alpha: Vec<f64>,
-    /// Values of β, ascending.
-    pub beta: Vec<f64>,
+    /// The dimensions but x, in their order: f, α and β, or f, quantities of the laboratory and the speed.
+    pub dimensions: Vec<Dimension>,
+    /// True if numbers are in SI units and quantities of the laboratory given.
+    pub laboratory: bool,
     /// Where the fields are given, ascending, over a₀; empty if there are none.
     pub x: Vec<f64>,
     /// Names of the fields that are there.
@@ -93,6 +94,17 @@ impl DataSet {
             let values = file.dataset(name)?.read_raw::<f64>()?;
             if values.is_empty() { Err(format!("its axis {name} is empty").into()) } else { Ok(values) }
         };
+        let laboratory = file.attr_names()?.iter().any(|name| name == DIMENSIONS);
+        let names = if laboratory { get_text(&file, DIMENSIONS)? } else { "f alpha beta".to_owned() };
+        let dimension = |name: &str| -> hdf5::Result<Dimension> {
+            let (values, variable) = (axis(name)?, file.dataset(name)?);
+            let [units, long_name] = [get_text(&variable, "units")?, get_text(&variable, "long_name")?];
+            Ok(Dimension { name: name.to_owned(), units, long_name, values })
+        };
+        let dimensions: Vec<Dimension> = names.split_whitespace().map(dimension).collect::<hdf5::Result<_>>()?;
+        if dimensions.len() < 2 {
+            return Err(format!("its dimensions are {names}, and there are at least two").into());
+        }
         let fields: Vec<&'static str> =
             FIELDS.iter().map(|field| field.name).filter(|name| file.link_exists(name)).collect();
         Ok(Self {
@@ -100,9 +112,8 @@ impl DataSet {
             sweep_text: get_text(&file, "sweep")?,
             version: get_text(&file, "stribeck_version")?,
             outdated,
-            f: axis("f")?,
-            alpha: axis("alpha")?,
-            beta: axis("beta")?,
+            dimensions,
+            laboratory,
             x: if fields.is_empty() { Vec::new() } else { axis("x")? },
             fields,
             path: path.to_owned(),
@@ -116,14 +127,51 @@ impl DataSet {
         self.directory.root()
     }
 
-    /// Numbers of values of f, α and β.
+    /// Values of f, rows with each f, places along a row.
     pub fn shape(&self) -> [usize; 3] {
-        [self.f.len(), self.alpha.len(), self.beta.len()]
+        let (last, before) = self.dimensions.split_last().expect("there are at least two dimensions");
+        [before[0].values.len(), before[1..].iter().map(|it| it.values.len()).product(), last.values.len()]
     }
 
-    /// The place with these indices on the axes f, α and β.
-    pub fn place(&self, [i_f, i_alpha, i_beta]: [usize; 3]) -> usize {
-        (i_f * self.alpha.len() + i_alpha) * self.beta.len() + i_beta
+    /// The place with these indices.
+    pub fn place(&self, [i_f, i_row, along]: [usize; 3]) -> usize {
+        let [_, rows, length] = self.shape();
+        (i_f * rows + i_row) * length + along
+    }
+
+    /// The indices of a place on all dimensions.
+    pub fn indices(&self, [i_f, i_row, along]: [usize; 3]) -> Vec<usize> {
+        let between = &self.dimensions[1..self.dimensions.len() - 1];
+        let mut rest = i_row;
+        let mut indices = vec![along];
+        for dimension in between.iter().rev() {
+            indices.push(rest % dimension.values.len());
+            rest /= dimension.values.len();
+        }
+        indices.push(i_f);
+        indices.reverse();
+        indices
+    }
+
+    /// f, α and β of every place, in SI data sets as they follow from the quantities there.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read.
+    pub fn numbers(&self) -> Result<Vec<[f64; 3]>, StoreError> {
+        let [strengths, rows, length] = self.shape();
+        let f = &self.dimensions[0].values;
+        if self.laboratory {
+            let (alpha, beta) = (self.column("alpha")?, self.column("beta")?);
+            return Ok((0..alpha.len()).map(|place| [f[place / (rows * length)], alpha[place], beta[place]]).collect());
+        }
+        let (alpha, beta) = (&self.dimensions[1].values, &self.dimensions[2].values);
+        let mut numbers = Vec::with_capacity(strengths * rows * length);
+        for f in f {
+            for alpha in alpha {
+                numbers.extend(beta.iter().map(|beta| [*f, *alpha, *beta]));
+            }
+        }
+        Ok(numbers)
     }
 
     /// The values of a column, one for each place; NaN where there is none.
@@ -168,13 +216,16 @@ impl DataSet {
         })
     }
 
-    /// A field on [`DataSet::x`] at the indices of f, α and β; NaN where the case failed.
+    /// A field on [`DataSet::x`] at the indices of a place; NaN where the case failed.
     ///
     /// # Errors
     /// [`StoreError`] if the file has no such field or cannot be read.
-    pub fn field(&self, name: &str, [i_f, i_alpha, i_beta]: [usize; 3]) -> Result<Vec<f64>, StoreError> {
+    pub fn field(&self, name: &str, indices: [usize; 3]) -> Result<Vec<f64>, StoreError> {
+        let all = SliceOrIndex::SliceCount { start: 0, step: 1, count: self.x.len(), block: 1 };
+        let indices = self.indices(indices).into_iter().map(SliceOrIndex::Index);
+        let selection: Vec<SliceOrIndex> = indices.chain([all]).collect();
         let values: Vec<f64> =
-            self.variable(name, |variable| Ok(variable.read_slice_1d(s![i_f, i_alpha, i_beta, ..])?.to_vec()))?;
+            self.variable(name, |variable| Ok(variable.read_slice_1d(Hyperslab::from(selection))?.to_vec()))?;
         self.expect_length(name, values.len(), self.x.len())?;
         Ok(values)
     }

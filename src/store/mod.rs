@@ -51,7 +51,7 @@ pub use error::StoreError;
 pub use history::{Beginning, History, Start};
 pub use holdings::{Counts, Holdings, Inspection, Origin};
 pub use joining::{Agreement, Joined};
-pub use publication::{Publication, Published};
+pub use publication::{Point, Publication, Published};
 pub use reason::kind_of_reason;
 pub use record::Ending;
 pub use verify::{Problem, VerifyReport, verify};

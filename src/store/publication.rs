@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::contents::places;
+use super::contents::{FIELDS, places};
 use super::directory::{PUBLISHED, Staged};
 use super::holdings::{Inspection, LastPublished, fault};
 use super::open_shards::OpenShards;
@@ -11,25 +11,59 @@ use super::record::{FileRecord, Record};
 use super::results::Results;
 use super::tables::{Summary, Timings};
 use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
-use crate::model::{COLUMNS, CaseId, Limits};
+use crate::model::{COLUMNS, CaseId, Dimension, Experiment, Limits};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
 const PLACES_AT_ONCE: usize = 4096;
 
-/// What is published: a grid over (f, α, β), and which case stands at each place of it.
+/// What is published: a grid, and which case stands at each place of it.
 pub struct Publication<'a> {
     /// Title of the sweep.
     pub title: &'a str,
     /// The sweep file.
     pub sweep_text: &'a str,
-    /// Values of f, ascending.
-    pub f: &'a [f64],
-    /// Values of α, ascending; the last may be +∞.
-    pub alpha: &'a [f64],
-    /// Values of β, ascending.
-    pub beta: &'a [f64],
-    /// The cases of the row at a place in `f` and one in `alpha`: one for each β. A case may stand at many places.
-    pub cases: &'a dyn Fn(usize, usize) -> Vec<CaseId>,
+    /// The dimensions of the grid, at least two, the one along the rows last.
+    pub dimensions: &'a [Dimension],
+    /// The places of a row, one for each value of the last dimension. Rows are counted with the last dimension before it
+    /// fastest. A case may stand at many places.
+    pub row: &'a dyn Fn(usize) -> Vec<Point>,
+}
+
+/// A place of the grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The case.
+    pub case: CaseId,
+    /// Its f, α and β, as they belong to the place.
+    pub numbers: [f64; 3],
+    /// The experiment, if quantities of the laboratory are given: results are in SI units then. At all places or at none.
+    pub experiment: Option<Experiment>,
+}
+
+impl Publication<'_> {
+    /// Numbers of values along the dimensions.
+    pub(super) fn shape(&self) -> Vec<usize> {
+        self.dimensions.iter().map(|dimension| dimension.values.len()).collect()
+    }
+
+    /// Number of rows.
+    fn rows(&self) -> usize {
+        let shape = self.shape();
+        shape[..shape.len() - 1].iter().product()
+    }
+
+    /// The places of a row, which must be as many as the last dimension has values.
+    fn places(&self, row: usize) -> Result<Vec<Point>, StoreError> {
+        let points = (self.row)(row);
+        match self.dimensions.last() {
+            Some(last) if points.len() != last.values.len() => {
+                let what =
+                    format!("row {row} has {} cases for {} values of {}", points.len(), last.values.len(), last.name);
+                Err(StoreError::Publication { what })
+            }
+            _ => Ok(points),
+        }
+    }
 }
 
 /// What was published.
@@ -45,9 +79,9 @@ pub struct Published {
     pub failed: u64,
 }
 
-/// One place of the grid.
+/// What stands at a place of the grid.
 pub(super) struct Place {
-    pub case: CaseId,
+    pub point: Point,
     pub status: Status,
     pub reason: String,
     pub values: [f64; COLUMNS.len()],
@@ -117,15 +151,16 @@ fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, Sto
     let contents = Contents::of(&store.output);
     hasher.update(contents.fields.names().join(" ").as_bytes()).update(&contents.x.to_le_bytes());
     hasher.update(&[u8::from(contents.limits)]);
-    for axis in [publication.f, publication.alpha, publication.beta] {
-        hasher.update(&(axis.len() as u64).to_le_bytes());
-        for value in axis {
+    for dimension in publication.dimensions {
+        hasher.update(&(dimension.name.len() as u64).to_le_bytes()).update(dimension.name.as_bytes());
+        hasher.update(&(dimension.values.len() as u64).to_le_bytes());
+        for value in &dimension.values {
             hasher.update(&value.to_bits().to_le_bytes());
         }
     }
     let (mut converged, mut failed, mut missing) = (0, 0, 0);
-    for (i_f, i_alpha) in rows(publication) {
-        for id in row_cases(publication, i_f, i_alpha)? {
+    for row in 0..publication.rows() {
+        for Point { case: id, .. } in publication.places(row)? {
             let Some(slot) = store.index.complete(id) else {
                 missing += 1;
                 continue;
@@ -143,29 +178,16 @@ fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, Sto
     Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed })
 }
 
-/// The rows of the grid in plan order: f, then α.
-fn rows(publication: &Publication<'_>) -> impl Iterator<Item = (usize, usize)> {
-    let alphas = publication.alpha.len();
-    (0..publication.f.len()).flat_map(move |i_f| (0..alphas).map(move |i_alpha| (i_f, i_alpha)))
-}
-
-fn row_cases(publication: &Publication<'_>, i_f: usize, i_alpha: usize) -> Result<Vec<CaseId>, StoreError> {
-    let ids = (publication.cases)(i_f, i_alpha);
-    if ids.len() != publication.beta.len() {
-        let what =
-            format!("row ({i_f}, {i_alpha}) has {} cases for {} values of beta", ids.len(), publication.beta.len());
-        return Err(StoreError::Publication { what });
-    }
-    Ok(ids)
-}
-
 fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
     let mut files = Files::create(store, publication, staged)?;
-    let alphas = publication.alpha.len();
-    let rows_at_once = (PLACES_AT_ONCE / publication.beta.len()).max(1);
-    for i_f in 0..publication.f.len() {
-        for first in (0..alphas).step_by(rows_at_once) {
-            files.rows(i_f, first..alphas.min(first + rows_at_once))?;
+    let shape = publication.shape();
+    let &[.., neighbours, length] = &shape[..] else {
+        return Err(StoreError::Publication { what: "results have at least two dimensions".to_owned() });
+    };
+    let rows_at_once = (PLACES_AT_ONCE / length).max(1);
+    for block in 0..publication.rows() / neighbours {
+        for first in (0..neighbours).step_by(rows_at_once) {
+            files.rows(block, first..neighbours.min(first + rows_at_once))?;
         }
     }
     files.finish()
@@ -189,44 +211,56 @@ impl<'a> Files<'a> {
         [results, summary, timings]: &'a [Staged; 3],
     ) -> Result<Self, StoreError> {
         let results_path = results.path();
+        let first = publication.places(0)?[0].experiment;
         Ok(Self {
             store,
             publication,
             open: OpenShards::new(store),
-            results: Results::create(results_path, publication, &store.output)
+            results: Results::create(results_path, publication, first.as_ref(), &store.output)
                 .map_err(StoreError::hdf5(results_path, "write"))?,
             results_path,
-            summary: Summary::create(summary.path())?,
+            summary: Summary::create(summary.path(), first.as_ref())?,
             timings: Timings::create(timings.path())?,
         })
     }
 
-    /// Writes neighbouring rows.
-    fn rows(&mut self, i_f: usize, alphas: Range<usize>) -> Result<(), StoreError> {
-        let mut places = Vec::with_capacity(alphas.len() * self.publication.beta.len());
-        for i_alpha in alphas.clone() {
-            for (i_beta, id) in row_cases(self.publication, i_f, i_alpha)?.into_iter().enumerate() {
-                places.push(self.place([i_f, i_alpha, i_beta], id)?);
+    /// Writes neighbouring rows: those of a range of the last dimension but one.
+    fn rows(&mut self, block: usize, range: Range<usize>) -> Result<(), StoreError> {
+        let shape = self.publication.shape();
+        let (neighbours, length) = (shape[shape.len() - 2], shape[shape.len() - 1]);
+        let mut places = Vec::with_capacity(range.len() * length);
+        for row in range.clone() {
+            let row = block * neighbours + row;
+            for (column, point) in self.publication.places(row)?.into_iter().enumerate() {
+                places.push(self.place(row * length + column, point)?);
             }
         }
-        self.results.rows(i_f, alphas, &places).map_err(StoreError::hdf5(self.results_path, "write"))
+        self.results.rows(block, range, &places).map_err(StoreError::hdf5(self.results_path, "write"))
     }
 
     /// Writes what is written place by place: tables and fields. Returns the rest.
-    fn place(&mut self, at: [usize; 3], id: CaseId) -> Result<Place, StoreError> {
-        let Publication { f, alpha, beta, .. } = self.publication;
-        let parameters = [f[at[0]], alpha[at[1]], beta[at[2]]];
+    fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
+        let scales = point.experiment.map(|experiment| experiment.scales());
         let output = &self.store.output;
-        let slot = self.store.index.complete(id).expect("the survey found every case");
-        let (shard, case) = self.open.case(id, slot)?;
+        let slot = self.store.index.complete(point.case).expect("the survey found every case");
+        let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let values = asked(reader.values(case), output.limits);
-        let place = Place { case: id, status, reason, values };
-        self.summary.row(&place, parameters)?;
-        self.timings.row(&place, parameters, &shard.cases[case])?;
+        let mut values = asked(reader.values(case), output.limits);
+        if let Some(scales) = &scales {
+            for (value, column) in values.iter_mut().zip(&COLUMNS) {
+                *value *= scales.factor(column.units);
+            }
+        }
+        let place = Place { point, status, reason, values };
+        self.summary.row(&place)?;
+        self.timings.row(&place, &shard.cases[case])?;
         for field in places(output.fields) {
-            if let Some(values) = reader.field(field, case)? {
+            if let Some(mut values) = reader.field(field, case)? {
+                if let Some(scales) = &scales {
+                    let factor = scales.factor(FIELDS[field].units);
+                    values.iter_mut().for_each(|value| *value *= factor);
+                }
                 let written = self.results.field(field, at, &values);
                 written.map_err(StoreError::hdf5(self.results_path, "write"))?;
             }

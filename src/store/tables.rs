@@ -6,9 +6,9 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use super::StoreError;
-use super::publication::Place;
+use super::publication::{Place, Point};
 use super::record::CaseRecord;
-use crate::model::{COLUMNS, CaseId};
+use crate::model::{COLUMNS, Experiment, LaboratoryQuantity, Scales};
 
 /// A table under a temporary name.
 struct Table {
@@ -19,7 +19,7 @@ struct Table {
 }
 
 impl Table {
-    fn create(path: &Path, header: &[&str]) -> Result<Self, StoreError> {
+    fn create(path: &Path, header: impl IntoIterator<Item = &'static str>) -> Result<Self, StoreError> {
         let file = File::create(path).map_err(StoreError::file(path, "create"))?;
         let writer = csv::Writer::from_writer(BufWriter::new(file));
         let mut table = Self { writer, path: path.to_owned(), text: String::new() };
@@ -37,9 +37,13 @@ impl Table {
     }
 
     /// A case and its parameters, as each row begins.
-    fn begin_row(&mut self, case: CaseId, parameters: [f64; 3]) -> Result<(), StoreError> {
-        self.field(case)?;
-        parameters.into_iter().try_for_each(|parameter| self.field(Number(parameter)))
+    fn begin_row(&mut self, point: &Point) -> Result<(), StoreError> {
+        self.field(point.case)?;
+        self.numbers(point.numbers)
+    }
+
+    fn numbers(&mut self, numbers: impl IntoIterator<Item = f64>) -> Result<(), StoreError> {
+        numbers.into_iter().try_for_each(|number| self.field(Number(number)))
     }
 
     fn end_row(&mut self) -> Result<(), StoreError> {
@@ -63,19 +67,27 @@ fn failure(path: &Path, error: csv::Error) -> StoreError {
 pub(super) struct Summary(Table);
 
 impl Summary {
-    pub(super) fn create(path: &Path) -> Result<Self, StoreError> {
+    /// With the quantities and scales of an experiment, if there is one.
+    pub(super) fn create(path: &Path, experiment: Option<&Experiment>) -> Result<Self, StoreError> {
+        let quantities = experiment.into_iter().flat_map(Experiment::given).map(LaboratoryQuantity::name);
         let columns = COLUMNS.iter().filter(|column| column.in_summary).map(|column| column.name);
-        let header: Vec<&str> = ["case", "f", "alpha", "beta", "status", "reason"].into_iter().chain(columns).collect();
-        Table::create(path, &header).map(Self)
+        let scales = experiment.into_iter().flat_map(|_| Scales::VARIABLES).map(|(name, ..)| name);
+        let header = ["case", "f", "alpha", "beta"].into_iter().chain(quantities).chain(["status", "reason"]);
+        Table::create(path, header.chain(columns).chain(scales)).map(Self)
     }
 
-    pub(super) fn row(&mut self, place: &Place, parameters: [f64; 3]) -> Result<(), StoreError> {
-        let table = &mut self.0;
-        table.begin_row(place.case, parameters)?;
+    pub(super) fn row(&mut self, place: &Place) -> Result<(), StoreError> {
+        let (table, experiment) = (&mut self.0, place.point.experiment.as_ref());
+        table.begin_row(&place.point)?;
+        if let Some(experiment) = experiment {
+            table.numbers(experiment.given().map(|quantity| experiment.value(quantity)))?;
+        }
         table.field(place.status.name())?;
         table.field(&place.reason)?;
-        for (_, &value) in COLUMNS.iter().zip(&place.values).filter(|(column, _)| column.in_summary) {
-            table.field(Number(value))?;
+        let values = COLUMNS.iter().zip(place.values).filter(|(column, _)| column.in_summary);
+        table.numbers(values.map(|(_, value)| value))?;
+        if let Some(experiment) = experiment {
+            table.numbers(experiment.scales().values())?;
         }
         table.end_row()
     }
@@ -91,12 +103,12 @@ pub(super) struct Timings(Table);
 impl Timings {
     pub(super) fn create(path: &Path) -> Result<Self, StoreError> {
         let header = ["case", "f", "alpha", "beta", "seconds", "iterations", "factorisations", "seed", "status"];
-        Table::create(path, &header).map(Self)
+        Table::create(path, header).map(Self)
     }
 
-    pub(super) fn row(&mut self, place: &Place, parameters: [f64; 3], case: &CaseRecord) -> Result<(), StoreError> {
+    pub(super) fn row(&mut self, place: &Place, case: &CaseRecord) -> Result<(), StoreError> {
         let table = &mut self.0;
-        table.begin_row(place.case, parameters)?;
+        table.begin_row(&place.point)?;
         table.field(Number(case.seconds))?;
         table.field(case.iterations)?;
         table.field(case.factorisations)?;

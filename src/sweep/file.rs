@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use super::grid::Grid;
+use super::laboratory::{self, MaterialDefaults};
 use super::specification::{Axes, Sweep};
 use super::{output, solver};
 use crate::input::{self, Entry, Fault, InputError, Quantity, Section, read_axis};
@@ -15,9 +17,10 @@ const KIND: input::Kind = "sweep file";
 const MOST_CASES: u128 = 1_000_000_000;
 
 /// The tables of a sweep file and their keys; the first one is the top level.
-const SECTIONS: [(&str, &[&str]); 6] = [
-    ("", &["title", "axes", "substrate", "solver", "output"]),
+const SECTIONS: [(&str, &[&str]); 7] = [
+    ("", &["title", "axes", "laboratory", "substrate", "solver", "output"]),
     ("axes", &["f", "alpha", "beta"]),
+    ("laboratory", &laboratory::KEYS),
     ("substrate", &["modes"]),
     ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
     ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
@@ -48,14 +51,14 @@ impl Sweep {
 fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
     let document = input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
-    let axes = read_axes(&root.require("axes", AXES_EXAMPLE)?)?;
+    let grid = read_grid(&root, &MaterialDefaults::default())?;
     Ok(Sweep {
         title: root
             .get("title")
             .map(|title| read_title(&title))
             .transpose()?
             .unwrap_or_else(|| printable(name).into_owned()),
-        axes,
+        grid,
         substrate: root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?.unwrap_or_default(),
         solver: root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default(),
         output: root.get("output").map(|entry| output::read(&entry)).transpose()?.unwrap_or_default(),
@@ -89,6 +92,26 @@ pub(crate) fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
         let what = "`title` must be one line of 1 to 500 characters";
         Err(entry.fault(what, "not one such line", "shorten the title, or leave it out: the file's name is used then"))
     }
+}
+
+/// Reads `[axes]`, or `[laboratory]` with f in either.
+fn read_grid(root: &Section<'_>, material: &MaterialDefaults) -> Result<Grid, Fault> {
+    let Some(laboratory) = root.get("laboratory") else {
+        return read_axes(&root.require("axes", AXES_EXAMPLE)?).map(Grid::Dimensionless);
+    };
+    let axis_of_f = match root.get("axes") {
+        None => None,
+        Some(entry) => {
+            let axes = section(&entry)?;
+            if let Some(other) = ["alpha", "beta"].into_iter().find_map(|key| axes.get(key)) {
+                let what = format!("`{}` may not stand beside [laboratory], which it follows from", other.path());
+                let help = "remove it; an axis of [laboratory], the speed for instance, takes its place";
+                return Err(other.fault(what, "follows from [laboratory]", help));
+            }
+            axes.get("f").map(|entry| read_axis(&entry, Quantity::Strength)).transpose()?
+        }
+    };
+    laboratory::read(&laboratory, axis_of_f, material).map(Grid::Laboratory)
 }
 
 /// Reads `[axes]`.

@@ -9,14 +9,19 @@
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
 //! | `file` | the sweep file as a whole, its keys, `[axes]` and `[substrate]` |
-//! | `solver`, `output` | the sections of these names |
+//! | `laboratory`, `solver`, `output` | the sections of these names |
+//! | `grid` | [`Grid`]: the places of a sweep |
 //! | `recipe` | what cases are solved with: [`Recipe`] |
 //! | `fingerprint` | what makes two cases the same: [`Fingerprint`] |
 //! | `plan` | [`Plan`], [`Chain`] |
+//! | `listing` | rows and chains where places have problems in common |
 //! | `part` | [`Part`]: whole chains for one of several machines |
 
 mod file;
 mod fingerprint;
+mod grid;
+mod laboratory;
+mod listing;
 mod output;
 mod part;
 mod plan;
@@ -26,6 +31,9 @@ mod specification;
 
 pub(crate) use file::{read_axes, read_substrate, read_title};
 pub use fingerprint::Fingerprint;
+pub use grid::Grid;
+pub(crate) use laboratory::unit_factor;
+pub use laboratory::{Given, LaboratoryAxes};
 pub use part::{NotAPart, Part};
 pub use plan::{Chain, MAX_CHAIN, Plan};
 pub use recipe::{Recipe, SolverRecipe};

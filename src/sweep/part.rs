@@ -111,6 +111,6 @@ impl Plan {
         let first = self.first_case(chain);
         let of_one = if first.retardation().is_empty() { ELASTIC } else { 1.0 };
         let decades = (first.beta / THICK).log10().clamp(0.0, 20.0);
-        of_one * (chain.beta.len() as f64 + DECADE * decades)
+        of_one * (chain.cases.len() as f64 + DECADE * decades)
     }
 }

@@ -3,37 +3,52 @@
 use std::ops::Range;
 
 use super::fingerprint::{Fingerprint, canonical};
+use super::grid::Grid;
+use super::listing::Listing;
 use super::recipe::Recipe;
-use super::specification::{Axes, Sweep};
+use super::specification::{Axes, Method, Sweep};
 use crate::model::{CaseId, Parameters, Substrate};
 
 /// Most cases in one chain, whatever the method.
 pub const MAX_CHAIN: usize = 64;
 
-/// Neighbouring cases of one row, solved in ascending β, each seeding the next: the unit of work.
+/// Neighbouring cases of one row, each seeding the next: the unit of work.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Chain {
     /// The row, below [`Plan::rows`].
     pub row: usize,
-    /// Places on the β axis.
-    pub beta: Range<usize>,
+    /// Which cases of the row, in ascending β. Along the speed that is descending.
+    pub cases: Range<usize>,
 }
 
 /// What there is to solve for a sweep, and in what pieces.
 ///
-/// A *row* is one (f, α) with all its β. All grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share
-/// row 0, which is solved once; the other rows follow in the order f, then α. A row is cut into as few *chains* as the
+/// A *row* is all cases along β, or along the speed, with the same other numbers. A row is cut into as few *chains* as the
 /// method's [`chain_limit`](super::Method::chain_limit) lets, with lengths that differ by at most one; short chains
-/// mean that an interruption loses little. Everything is index arithmetic: a plan is as large as its axes.
+/// mean that an interruption loses little.
 ///
-/// Grid points are published in the order f, then α, then β.
+/// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is solved
+/// once; the other rows follow in the order f, then α. Everything is index arithmetic: such a plan is as large as its axes.
+/// Over quantities of the laboratory different places can have the same α, β and f: each problem is solved at the first place
+/// that has it, and rows are listed.
+///
+/// Grid points are published in the order f, then α, then β, or f, then the quantities in their order, the speed last.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    axes: Axes,
+    grid: Grid,
     substrate: Substrate,
     recipe: Recipe,
     fingerprint: Fingerprint,
-    chains_per_row: usize,
+    layout: Layout,
+}
+
+/// How the cases of a plan are numbered.
+#[derive(Clone, Debug)]
+enum Layout {
+    /// By arithmetic.
+    Product { axes: Axes, chains_per_row: usize },
+    /// By lists of rows and chains.
+    Listed(Listing),
 }
 
 impl Plan {
@@ -41,13 +56,19 @@ impl Plan {
     pub fn new(sweep: &Sweep) -> Self {
         let limit = sweep.solver.method.chain_limit().min(MAX_CHAIN);
         let recipe = Recipe::new(&sweep.solver, sweep.output.cavity_shear);
-        Self {
-            axes: sweep.axes.clone(),
-            substrate: sweep.substrate.clone(),
-            recipe,
-            fingerprint: Fingerprint::new(&recipe),
-            chains_per_row: sweep.axes.beta.len().div_ceil(limit),
-        }
+        let fingerprint = Fingerprint::new(&recipe);
+        let layout = match &sweep.grid {
+            Grid::Dimensionless(axes) => {
+                Layout::Product { axes: axes.clone(), chains_per_row: axes.beta.len().div_ceil(limit) }
+            }
+            Grid::Laboratory(_) => {
+                // What chains of the relaxation method share belongs to one α.
+                let limit = |f: f64| if f > 0.0 && sweep.solver.method == Method::Relaxation { 1 } else { limit };
+                let id = |place| fingerprint.id(&canonical(&sweep.grid.parameters(place, &sweep.substrate)));
+                Layout::Listed(Listing::new(sweep.grid.shape(), id, |i_f| limit(sweep.grid.numbers([i_f, 0, 0])[0])))
+            }
+        };
+        Self { grid: sweep.grid.clone(), substrate: sweep.substrate.clone(), recipe, fingerprint, layout }
     }
 
     /// What its cases are solved with.
@@ -57,18 +78,23 @@ impl Plan {
 
     /// Number of grid points: rows of the summary.
     pub fn cases(&self) -> usize {
-        self.axes.cases()
+        self.grid.cases()
     }
 
     /// Number of distinct problems: what is solved.
     pub fn problems(&self) -> usize {
-        self.rows() * self.axes.beta.len()
+        match &self.layout {
+            Layout::Product { axes, .. } => rows(axes) * axes.beta.len(),
+            Layout::Listed(listing) => listing.problems(),
+        }
     }
 
     /// Number of rows.
     pub fn rows(&self) -> usize {
-        let retarding_f = self.axes.f.len() - self.elastic_f();
-        self.elastic_rows() + retarding_f * self.retarding_alpha()
+        match &self.layout {
+            Layout::Product { axes, .. } => rows(axes),
+            Layout::Listed(listing) => listing.rows(),
+        }
     }
 
     /// The first grid place (i_f, i_alpha) of a row in the order of publication.
@@ -77,16 +103,23 @@ impl Plan {
     /// If there is no such row.
     pub fn place_of_row(&self, row: usize) -> (usize, usize) {
         assert!(row < self.rows(), "row {row} is not in the sweep");
-        match row.checked_sub(self.elastic_rows()) {
-            Some(row) => (self.elastic_f() + row / self.retarding_alpha(), row % self.retarding_alpha()),
-            None if self.elastic_f() > 0 => (0, 0),
-            None => (0, self.retarding_alpha()),
+        let axes = match &self.layout {
+            Layout::Product { axes, .. } => axes,
+            Layout::Listed(listing) => return listing.place_of_row(row),
+        };
+        match row.checked_sub(elastic_rows(axes)) {
+            Some(row) => (elastic_f(axes) + row / retarding_alpha(axes), row % retarding_alpha(axes)),
+            None if elastic_f(axes) > 0 => (0, 0),
+            None => (0, retarding_alpha(axes)),
         }
     }
 
     /// Number of chains.
     pub fn chain_count(&self) -> usize {
-        self.rows() * self.chains_per_row
+        match &self.layout {
+            Layout::Product { axes, chains_per_row } => rows(axes) * chains_per_row,
+            Layout::Listed(listing) => listing.chains().len(),
+        }
     }
 
     /// The chain at a place in [`Plan::chains`].
@@ -95,9 +128,14 @@ impl Plan {
     /// If `index` is not below [`Plan::chain_count`].
     pub fn chain(&self, index: usize) -> Chain {
         assert!(index < self.chain_count(), "chain {index} is not in the sweep");
-        let (row, piece) = (index / self.chains_per_row, index % self.chains_per_row);
-        let cut = |piece: usize| piece * self.axes.beta.len() / self.chains_per_row;
-        Chain { row, beta: cut(piece)..cut(piece + 1) }
+        match &self.layout {
+            Layout::Product { axes, chains_per_row } => {
+                let (row, piece) = (index / chains_per_row, index % chains_per_row);
+                let cut = |piece: usize| piece * axes.beta.len() / chains_per_row;
+                Chain { row, cases: cut(piece)..cut(piece + 1) }
+            }
+            Layout::Listed(listing) => listing.chains()[index].clone(),
+        }
     }
 
     /// All chains, row by row in ascending β. They are made as they are asked for: a billion cases have too many to list.
@@ -105,16 +143,29 @@ impl Plan {
         (0..self.chain_count()).map(|index| self.chain(index))
     }
 
+    /// The grid places of the cases of a chain, in the order in which they are solved.
+    pub fn places(&self, chain: &Chain) -> impl Iterator<Item = [usize; 3]> + '_ {
+        let (row, (i_f, i_row)) = (chain.row, self.place_of_row(chain.row));
+        chain.cases.clone().map(move |case| [i_f, i_row, self.along(row, case)])
+    }
+
+    /// Where the case of a row is along it.
+    fn along(&self, row: usize, case: usize) -> usize {
+        match &self.layout {
+            Layout::Product { .. } => case,
+            Layout::Listed(listing) => listing.along(row, case),
+        }
+    }
+
     /// The cases of a chain, in the order in which they are solved.
     pub fn parameters(&self, chain: &Chain) -> Vec<Parameters> {
-        let (i_f, i_alpha) = self.place_of_row(chain.row);
-        chain.beta.clone().map(|i_beta| self.parameters_at(i_f, i_alpha, i_beta)).collect()
+        self.places(chain).map(|[i_f, i_alpha, i_beta]| self.parameters_at(i_f, i_alpha, i_beta)).collect()
     }
 
     /// The first case of a chain.
     pub(super) fn first_case(&self, chain: &Chain) -> Parameters {
         let (i_f, i_alpha) = self.place_of_row(chain.row);
-        self.parameters_at(i_f, i_alpha, chain.beta.start)
+        self.parameters_at(i_f, i_alpha, self.along(chain.row, chain.cases.start))
     }
 
     /// Their ids, in the same order.
@@ -133,8 +184,7 @@ impl Plan {
     /// # Panics
     /// If a place is not on its axis.
     pub fn parameters_at(&self, i_f: usize, i_alpha: usize, i_beta: usize) -> Parameters {
-        let (f, alpha, beta) = (self.axes.f[i_f], self.axes.alpha[i_alpha], self.axes.beta[i_beta]);
-        canonical(&Parameters { alpha, beta, f, substrate: self.substrate.clone() })
+        canonical(&self.grid.parameters([i_f, i_alpha, i_beta], &self.substrate))
     }
 
     /// The id of the case at a grid point.
@@ -148,25 +198,28 @@ impl Plan {
     /// The first grid place (i_f, i_alpha, i_beta) of a case in the order of publication, if it is in the sweep. Goes
     /// through the problems one by one.
     pub fn find(&self, id: CaseId) -> Option<(usize, usize, usize)> {
-        let places = (0..self.rows()).flat_map(|row| {
-            let (i_f, i_alpha) = self.place_of_row(row);
-            (0..self.axes.beta.len()).map(move |i_beta| (i_f, i_alpha, i_beta))
-        });
-        places.into_iter().find(|&(i_f, i_alpha, i_beta)| self.case_at(i_f, i_alpha, i_beta) == id)
+        let places = self.chains().flat_map(|chain| self.places(&chain).collect::<Vec<_>>());
+        let found = places.into_iter().find(|&[i_f, i_alpha, i_beta]| self.case_at(i_f, i_alpha, i_beta) == id);
+        found.map(|[i_f, i_alpha, i_beta]| (i_f, i_alpha, i_beta))
     }
+}
 
-    /// Values of f without retardation: f = 0, which an ascending axis can only have first.
-    fn elastic_f(&self) -> usize {
-        usize::from(self.axes.f.first() == Some(&0.0))
-    }
+/// Values of f without retardation: f = 0, which an ascending axis can only have first.
+fn elastic_f(axes: &Axes) -> usize {
+    usize::from(axes.f.first() == Some(&0.0))
+}
 
-    /// Values of α with retardation: all but α = ∞, which an ascending axis can only have last.
-    fn retarding_alpha(&self) -> usize {
-        self.axes.alpha.len() - usize::from(self.axes.alpha.last() == Some(&f64::INFINITY))
-    }
+/// Values of α with retardation: all but α = ∞, which an ascending axis can only have last.
+fn retarding_alpha(axes: &Axes) -> usize {
+    axes.alpha.len() - usize::from(axes.alpha.last() == Some(&f64::INFINITY))
+}
 
-    /// 1 if the sweep has relaxed elastic cases, else 0.
-    fn elastic_rows(&self) -> usize {
-        usize::from(self.elastic_f() > 0 || self.retarding_alpha() < self.axes.alpha.len())
-    }
+/// 1 if the sweep has relaxed elastic cases, else 0.
+fn elastic_rows(axes: &Axes) -> usize {
+    usize::from(elastic_f(axes) > 0 || retarding_alpha(axes) < axes.alpha.len())
+}
+
+/// Number of rows.
+fn rows(axes: &Axes) -> usize {
+    elastic_rows(axes) + (axes.f.len() - elastic_f(axes)) * retarding_alpha(axes)
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::grid::Grid;
 use crate::model::{Output, Substrate};
 use crate::{collocation, relaxation};
 
@@ -14,7 +15,7 @@ pub struct Sweep {
     /// Title of the published results; the name if the file gives none.
     pub title: String,
     /// The values whose product is the sweep.
-    pub axes: Axes,
+    pub grid: Grid,
     /// The retardation spectrum of the substrate.
     pub substrate: Substrate,
     /// How the cases are solved.
@@ -27,7 +28,7 @@ pub struct Sweep {
     pub name: String,
 }
 
-/// The axes of a sweep: each strictly ascending and not empty.
+/// The axes of a dimensionless sweep: each strictly ascending and not empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
     /// Strengths of retardation, finite and at least 0.

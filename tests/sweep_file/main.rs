@@ -24,7 +24,7 @@ fn what_is_left_out_has_its_default() {
     let sweep = Sweep::parse("small", AXES).expect("a sweep needs its axes only");
     let expected = Sweep {
         title: "small".into(),
-        axes: Axes { f: vec![100.0], alpha: vec![1.0], beta: vec![10.0] },
+        grid: Axes { f: vec![100.0], alpha: vec![1.0], beta: vec![10.0] }.into(),
         substrate: Substrate::default(),
         solver: SolverSettings { method: Method::Collocation, tolerance: 1e-5, ..SolverSettings::default() },
         output: Output::default(),
@@ -84,7 +84,7 @@ cavity_shear = "streamers"
     };
     let expected = Sweep {
         title: "Everything".into(),
-        axes,
+        grid: axes.into(),
         substrate: Substrate::new(modes).expect("valid"),
         solver: SolverSettings { method: Method::Relaxation, tolerance: 1e-3, relaxation, time_limit: 90.0 },
         output,
@@ -122,7 +122,7 @@ fn the_ends_of_the_range_of_tolerances_are_allowed() {
 fn minus_zero_is_zero() {
     for text in [with_f("[-0.0, 1.0]"), with_f("[-0, 1.0]"), with_f("{ from = -0.0, to = 1.0, points = 2 }")] {
         let sweep = Sweep::parse("zero", &text).expect("valid");
-        assert!(sweep.axes.f[0].is_sign_positive(), "{text}");
+        assert!(sweep.grid.axes().expect("dimensionless").f[0].is_sign_positive(), "{text}");
     }
 }
 
@@ -135,7 +135,8 @@ fn the_default_x_written_out_is_the_default_x() {
 #[test]
 fn log_ranges_hit_whole_decades() {
     let text = with_beta("{ from = 1e-6, to = 1e6, points = 121, scale = \"log\" }");
-    let beta = Sweep::parse("decades", &text).expect("valid").axes.beta;
+    let decades = Sweep::parse("decades", &text).expect("valid");
+    let beta = &decades.grid.axes().expect("dimensionless").beta;
     let decades = ["1e-6", "1e-5", "1e-4", "1e-3", "1e-2", "1e-1", "1e0", "1e1", "1e2", "1e3", "1e4", "1e5", "1e6"];
     for (i, decade) in decades.iter().enumerate() {
         assert_eq!(beta[10 * i], decade.parse::<f64>().expect("a number"));
@@ -193,7 +194,7 @@ fn a_file_gives_name_and_text_and_is_named_in_errors() {
 #[test]
 fn windows_lines_and_byte_order_marks_are_taken() {
     let text = format!("\u{feff}{}", AXES.replace('\n', "\r\n"));
-    assert_eq!(Sweep::parse("windows", &text).expect("valid").axes.beta, [10.0]);
+    assert_eq!(Sweep::parse("windows", &text).expect("valid").grid.axes().expect("dimensionless").beta, [10.0]);
     let error = Sweep::parse("windows", &(text + "[output]\r\nlimits = 1\r\n")).expect_err("wrong type");
     assert!(error.to_string().starts_with("windows.toml:6:10: "), "{error}");
 }

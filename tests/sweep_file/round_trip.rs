@@ -74,7 +74,8 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
     (title, ascending(at_least_zero()), alpha, beta, substrate(), solver(), output()).prop_map(
         |(title, f, alpha, beta, substrate, solver, output)| {
             let axes = Axes { f, alpha, beta };
-            let mut sweep = Sweep { title, axes, substrate, solver, output, text: String::new(), name: "made".into() };
+            let mut sweep =
+                Sweep { title, grid: axes.into(), substrate, solver, output, text: String::new(), name: "made".into() };
             sweep.text = written(&sweep);
             sweep
         },
@@ -83,7 +84,8 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
 
 /// A sweep in TOML, apart from the program's own way of reading it.
 fn written(sweep: &Sweep) -> String {
-    let Sweep { title, axes, substrate, solver, output, .. } = sweep;
+    let Sweep { title, grid, substrate, solver, output, .. } = sweep;
+    let axes = grid.axes().expect("a dimensionless sweep");
     let title = title.replace('\\', "\\\\").replace('"', "\\\"");
     let modes: Vec<String> = substrate
         .modes()
@@ -156,7 +158,7 @@ proptest! {
         let (to, scale) = (from * ratio, if log { "log" } else { "linear" });
         let read = |points: usize| {
             let range = format!("{{ from = {from:?}, to = {to:?}, points = {points}, scale = \"{scale}\" }}");
-            Sweep::parse("range", &with_beta(&range)).expect("valid").axes.beta
+            Sweep::parse("range", &with_beta(&range)).expect("valid").grid.axes().expect("dimensionless").beta.clone()
         };
         let values = read(points);
         prop_assert_eq!(values.len(), points);

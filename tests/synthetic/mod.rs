@@ -2,10 +2,15 @@
 
 #![allow(dead_code)]
 
+#[path = "../grids/mod.rs"]
+mod grids;
+
+pub use grids::publish as publish_as;
+
 use std::path::Path;
 
 use stribeck::model::{COLUMNS, CaseId, FieldSelection, Fields, Output};
-use stribeck::store::{CaseEntry, Publication, Published, Status, Store, StoreError, Timing};
+use stribeck::store::{CaseEntry, Published, Status, Store, StoreError, Timing};
 
 pub const F: [f64; 2] = [0.0, 100.0];
 pub const ALPHA: [f64; 4] = [0.1, 1.0, 10.0, f64::INFINITY];
@@ -82,15 +87,7 @@ pub fn open(directory: &Path) -> Store {
 }
 
 pub fn publish(store: &mut Store) -> Result<Published, StoreError> {
-    let publication = Publication {
-        title: "synthetic, β from 10",
-        sweep_text: SWEEP,
-        f: &F,
-        alpha: &ALPHA,
-        beta: &BETA,
-        cases: &row,
-    };
-    store.publish(&publication)
+    publish_as(store, ["synthetic, β from 10", SWEEP], [&F, &ALPHA, &BETA], &row)
 }
 
 /// The bytes of the two files that must be the same for every run.
