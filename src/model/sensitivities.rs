@@ -1,6 +1,5 @@
 //! How friction changes with the parameters of a case.
 
-use super::Friction;
 use super::outcome::{Column, column};
 
 /// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order (T40).
@@ -43,16 +42,12 @@ impl Sensitivities {
         std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic[i])
     }
 
-    /// d ln μ/d ln θ of μ_v, μ_h and μ_tot, one row each; NaN where μ = 0.
-    pub fn logarithmic(&self, friction: &Friction) -> [[f64; 3]; 3] {
+    /// d ln μ/d ln θ of μ_v, μ_h and μ_tot = μ_v + μ_h, one row each; NaN where μ = 0.
+    pub fn logarithmic(&self, mu_v: f64, mu_h: f64) -> [[f64; 3]; 3] {
         let relative = |derivatives: [f64; 3], mu: f64| {
             derivatives.map(|derivative| if mu == 0.0 { f64::NAN } else { derivative / mu })
         };
-        [
-            relative(self.viscoelastic, friction.viscoelastic),
-            relative(self.hydrodynamic, friction.hydrodynamic()),
-            relative(self.total(), friction.total()),
-        ]
+        [relative(self.viscoelastic, mu_v), relative(self.hydrodynamic, mu_h), relative(self.total(), mu_v + mu_h)]
     }
 }
 
@@ -74,9 +69,8 @@ mod tests {
 
     #[test]
     fn there_is_no_relative_change_of_nothing() {
-        let friction = Friction { viscoelastic: 0.0, hydrodynamic_film: 1.0, hydrodynamic_cavity: 1.0, drag: 2.0 };
         let sensitivities = Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [2.0, 4.0, 0.0] };
-        let [of_v, of_h, of_total] = sensitivities.logarithmic(&friction);
+        let [of_v, of_h, of_total] = sensitivities.logarithmic(0.0, 2.0);
         assert!(of_v.iter().all(|value| value.is_nan()));
         assert_eq!((of_h, of_total), ([1.0, 2.0, 0.0], [1.0, 2.0, 0.0]));
     }
