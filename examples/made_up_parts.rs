@@ -56,6 +56,7 @@ fn made_up(plan: &Plan, case: &Parameters) -> CaseEntry {
         reason: String::new(),
         values: std::array::from_fn::<f64, { COLUMNS.len() }, _>(|column| (seed + column as f64).sin()),
         fields: Fields::default(),
+        sensitivities: None,
         timing: Timing {
             seconds: 1e-4 * (1.0 + seed.cos().abs()),
             iterations: 3,

@@ -113,7 +113,7 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
     };
     let errors = RelativeErrors { mu_v: film * 1e-6, mu_h: film * 2e-6, c: film * 3e-6 };
     SolvedCase {
-        outcome: Ok(Solution { quantities, errors, fields: Fields::default() }),
+        outcome: Ok(Solution { quantities, errors, fields: Fields::default(), sensitivities: None }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
         cut: None,
@@ -137,6 +137,7 @@ fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
         reason: String::new(),
         values: solution.quantities.row(&solution.errors, &case.limits),
         fields: solution.fields,
+        sensitivities: solution.sensitivities,
         timing: Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit: None },
     }
 }

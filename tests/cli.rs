@@ -10,7 +10,7 @@ use std::process::Stdio;
 use program::{code, err, out, paths, say, stribeck};
 use stribeck::collocation::{self, CollocationSolver};
 use stribeck::continuation::{CaseSolver, Interrupt, solve_chain};
-use stribeck::model::{COLUMNS, Parameters};
+use stribeck::model::{COLUMNS, Output, Parameters, Sensitivities};
 use stribeck::relaxation::{RelaxationSolver, Settings};
 use tempfile::{TempDir, tempdir};
 
@@ -186,6 +186,7 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
         (case("--alpha 1 --beta 10 --modes 0.5:1,0.4:2"), "add up to 1, not 0.9"),
         (case("--alpha 1 --beta 10 --modes 1:nan"), "finite number above 0"),
         (case("--alpha 1 --beta 10 --cavity-shear half"), "full, streamers or none"),
+        (case("--alpha 1 --beta 10 --method relaxation --sensitivities"), "has no derivatives of friction"),
         (case("--alpha 1 --beta 10 --time-limit 0"), "above 0, or inf"),
         (vec!["solve", "--alpha", "1", "--beta", "10", "--f", "inf"], "at least 0; 0 is an elastic"),
         (vec!["solve", "--alpha", "1", "--beta", "10"], "--f <F>"),
@@ -510,6 +511,28 @@ fn one_case_is_what_the_library_solves() {
         let (exact, coarse) = (value(&by_collocation, name), value(&by_relaxation, name));
         let allowed = 3.0 * (value(&by_relaxation, error) + value(&by_collocation, error));
         assert!((coarse / exact - 1.0).abs() < allowed, "{name}: {coarse} and {exact}, {allowed:.1e}");
+    }
+}
+
+#[test]
+fn sensitivities_are_shown_where_they_are_asked_for() {
+    let case = "--alpha 1 --beta 300 --f 100";
+    let object = solved_json(&format!("{case} --sensitivities"));
+    let plain = solved_json(case);
+    let output = Output { sensitivities: true, ..Output::default() };
+    let solver = CollocationSolver::new(collocation::Settings::default());
+    let solved = solve_chain(&solver, &[Parameters::new(1.0, 300.0, 100.0)], &output, &Interrupt::new());
+    let solution = solved.expect("not interrupted").remove(0).outcome.expect("solved");
+    let known = solution.sensitivities.expect("asked for");
+    for (column, value) in Sensitivities::COLUMNS.iter().zip(known.row()) {
+        assert_eq!(object[column.name].as_f64(), Some(value), "{}", column.name);
+        assert!(plain.get(column.name).is_none());
+    }
+    let directory = tempdir().expect("a temporary directory");
+    let arguments = format!("solve {case} --sensitivities");
+    let table = out(&say(directory.path(), &arguments.split_whitespace().collect::<Vec<_>>()));
+    for value in known.viscoelastic.into_iter().chain(known.hydrodynamic).chain(known.total()) {
+        assert!(table.contains(&format!("{value:.6e}")), "{table}");
     }
 }
 

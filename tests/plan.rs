@@ -289,6 +289,7 @@ fn an_id_stays_whatever_is_kept_of_the_case() {
         other.output.fields = FieldSelection::default();
         other.output.x = vec![0.0].into();
         other.output.limits = false;
+        other.output.sensitivities = true;
         let (base_plan, other_plan) = (Plan::new(&base), Plan::new(&other));
         for (i_f, i_alpha, i_beta) in places(&base) {
             assert_eq!(base_plan.case_at(i_f, i_alpha, i_beta), other_plan.case_at(i_f, i_alpha, i_beta));

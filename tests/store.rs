@@ -6,7 +6,7 @@ mod synthetic;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stribeck::model::{COLUMNS, CaseId, FieldSelection, Output};
+use stribeck::model::{COLUMNS, CaseId, FieldSelection, Fields, Output, Sensitivities};
 use stribeck::store::{DataSet, Ending, Holdings, Inspection, Status, Store, StoreError, Warning, verify};
 use synthetic::{
     ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, publish_as, published_bytes, reference,
@@ -301,9 +301,35 @@ fn only_shards_with_all_that_is_asked_for_count() {
     assert!(held(&modest).is_some());
     assert!(held(&Output { limits: true, ..modest.clone() }).is_none());
     assert!(held(&Output { limits: false, ..output() }).is_none());
+    let more = Output { sensitivities: true, ..modest.clone() };
+    assert!(held(&more).is_none());
+    Store::open(directory.path(), SWEEP, &more).unwrap().commit(&[entry(0.0, 1.0, 10.0, &more)]).unwrap();
+    assert!(held(&more).is_some() && held(&modest).is_some(), "what has more is reused");
     // Once all is there, the fuller shard counts.
     open(directory.path()).commit(&[entry(0.0, 1.0, 10.0, &output())]).unwrap();
     assert!(held(&output()).is_some() && held(&modest).is_some());
+}
+
+#[test]
+fn sensitivities_come_back_and_change_no_published_byte_of_a_sweep_without_them() {
+    let directory = tempdir().unwrap();
+    let more = Output { sensitivities: true, ..output() };
+    let mut store = Store::open(directory.path(), SWEEP, &more).unwrap();
+    let mut bare = entry(100.0, 1.0, 10.0, &more);
+    bare.sensitivities = None;
+    assert!(matches!(store.commit(&[bare]), Err(StoreError::Entry { .. })), "a converged case must have them");
+    for chain in chains(&more) {
+        store.commit(&chain).unwrap();
+    }
+    drop(store);
+    let mut store = open(directory.path());
+    for expected in chains(&more).into_iter().flatten() {
+        let held = store.entry(expected.id).unwrap().unwrap();
+        assert_eq!(held.sensitivities, expected.sensitivities);
+        assert_eq!(held.sensitivities.is_some(), expected.outcome == Status::Converged);
+    }
+    publish(&mut store).unwrap();
+    assert!(published_bytes(directory.path()) == reference());
 }
 
 #[test]
@@ -336,6 +362,10 @@ fn a_refused_chain_leaves_no_trace() {
         vec![refused(&|bad| bad.fields.pressure = None)],
         vec![refused(&|bad| bad.fields.pressure.as_mut().unwrap().truncate(40))],
         vec![refused(&|bad| bad.outcome = Status::Failed)],
+        vec![refused(&|bad| {
+            bad.sensitivities = Some(Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.0; 3] });
+            (bad.outcome, bad.fields) = (Status::Failed, Fields::default());
+        })],
     ];
     for chain in &chains {
         assert!(matches!(store.commit(chain), Err(StoreError::Entry { .. })), "{chain:?}");

@@ -17,19 +17,19 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
         Some(Cut::Panic) | None => None,
     };
     let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
-    let (outcome, reason, values, fields) = match case.outcome {
+    let (outcome, reason, values, fields, sensitivities) = match case.outcome {
         Ok(solution) => {
             let values = solution.quantities.row(&solution.errors, &case.limits);
-            (Status::Converged, String::new(), values, solution.fields)
+            (Status::Converged, String::new(), values, solution.fields, solution.sensitivities)
         }
         Err(Failure { mut reason, .. }) => {
             if case.cut == Some(Cut::Panic) {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
-            (Status::Failed, reason, case.limits.failed_row(), Fields::default())
+            (Status::Failed, reason, case.limits.failed_row(), Fields::default(), None)
         }
     };
-    CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, timing }
+    CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, sensitivities, timing }
 }
 
 /// The cases of a chain whose thread panicked outside of its solver, which fails by itself if it does.

@@ -42,6 +42,9 @@ pub enum CliError {
         /// The option.
         option: &'static str,
     },
+    /// Derivatives of friction from a method that has none.
+    #[error("the relaxation method has no derivatives of friction; leave out --sensitivities, or --method relaxation")]
+    Sensitivities,
     /// A tolerance that the method cannot keep.
     #[error("with --method {method}, --tolerance is {meaning}; give a number from {least:e} to {most:e}, not {given}")]
     Tolerance {
@@ -218,6 +221,7 @@ impl CliError {
             | CliError::Threads(_)
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
+            | CliError::Sensitivities
             | CliError::Tolerance { .. } => 2,
             CliError::Store(_)
             | CliError::Incomplete { .. }

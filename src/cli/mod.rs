@@ -35,6 +35,7 @@ mod repeat;
 mod report;
 mod run;
 mod run_report;
+mod sensitivities;
 mod shell;
 mod slurm;
 mod slurm_script;

@@ -5,9 +5,10 @@ use std::fmt::Write;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
+use super::sensitivities;
 use super::wording::{count, duration};
 use crate::continuation::{Path, PathPoint};
-use crate::model::{COLUMNS, Limits, Parameters};
+use crate::model::{COLUMNS, Limits, Parameters, Sensitivities};
 use crate::store::{CaseEntry, Status};
 use crate::sweep::{Method, SolverSettings};
 
@@ -61,6 +62,10 @@ fn quantities(entry: &CaseEntry) -> String {
         row(column.name, &value, &error, &limit, column.units, column.long_name);
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
+    if let Some(known) = &entry.sensitivities {
+        let [mu_v, mu_h] = ["mu_v", "mu_h"].map(|name| value(entry, name).unwrap_or(f64::NAN));
+        text += &format!("\n{}", sensitivities::table(known, mu_v, mu_h));
+    }
     text
 }
 
@@ -132,7 +137,7 @@ impl SolvedProblem<'_> {
         text
     }
 
-    /// One object: the columns of the summary, then seed, effort and path.
+    /// One object: the columns of the summary, sensitivities if there are any, then seed, effort and path.
     pub fn json(&self) -> String {
         let (Parameters { f, alpha, beta, .. }, entry) = (self.asked, self.entry);
         let reason = if entry.reason.is_empty() { Value::Null } else { Value::from(entry.reason.as_str()) };
@@ -146,6 +151,10 @@ impl SolvedProblem<'_> {
         ];
         let columns = COLUMNS.iter().zip(entry.values).filter(|(column, _)| column.in_summary);
         pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+        if let Some(known) = &entry.sensitivities {
+            let columns = Sensitivities::COLUMNS.iter().zip(known.row());
+            pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+        }
         pairs.push(("seed", Value::from(entry.timing.seed.as_str())));
         let point = |point: &PathPoint| {
             let &PathPoint { alpha, beta, f, iterations, accepted } = point;

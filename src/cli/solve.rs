@@ -27,7 +27,8 @@ Examples:
 
 Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
 summary.csv and seed, path, iterations, factorisations, unknowns, seconds; path has the points that were solved on the
-way to the case; a number that is not known is null, an infinite alpha is \"inf\".
+way to the case; a number that is not known is null, an infinite alpha is \"inf\". With --sensitivities there are also
+dmu_v_dln_alpha and the like.
 Exit code 3: the case failed.")]
 pub struct Arguments {
     /// Slide time over retardation time, at least 0, or inf
@@ -64,6 +65,9 @@ pub struct Arguments {
     /// What fills the gap behind the film: full, streamers or none
     #[arg(long, default_value_t, value_parser = cavity_shear)]
     cavity_shear: CavityShear,
+    /// Derivatives of friction with respect to ln(alpha), ln(beta) and ln(f) too; with collocation
+    #[arg(long)]
+    sensitivities: bool,
     /// Seconds after which the case is given up, or inf [default: 3600]
     #[arg(long, value_name = "S", value_parser = time_limit)]
     time_limit: Option<f64>,
@@ -173,6 +177,9 @@ impl Arguments {
                 Ok(SolverSettings { method: self.method, tolerance, time_limit, ..defaults })
             }
             Method::Relaxation => {
+                if self.sensitivities {
+                    return Err(CliError::Sensitivities);
+                }
                 let points = self.points.unwrap_or(defaults.relaxation.points);
                 let (least, most) = relaxation::Settings::TOLERANCE.into_inner();
                 let tolerance = self.tolerance.unwrap_or(defaults.relaxation.tolerance);
@@ -206,7 +213,12 @@ impl Arguments {
             grid: Grid::Dimensionless(Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] }),
             substrate: self.modes.clone().unwrap_or_default(),
             solver: self.settings()?,
-            output: Output { fields: FieldSelection::default(), cavity_shear: self.cavity_shear, ..Output::default() },
+            output: Output {
+                fields: FieldSelection::default(),
+                cavity_shear: self.cavity_shear,
+                sensitivities: self.sensitivities,
+                ..Output::default()
+            },
             text: String::new(),
             name: String::new(),
         })

@@ -1,5 +1,6 @@
 //! The displacement (T9) on a mesh, for one substrate.
 
+use std::cell::OnceCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -9,6 +10,7 @@ use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::{ReferencePanel, dot};
 use super::retardation::RetardationFilter;
+use super::retardation_rates::FilterRates;
 use super::stages::{Stages, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
@@ -25,8 +27,11 @@ pub struct Displacement {
     /// Buffer.
     retarded_outlet: Vec<f64>,
     /// f_j/(1+f) of each mode, with its filter.
-    filters: Vec<(f64, RetardationFilter)>,
-    elastic_weight: f64,
+    pub(super) filters: Vec<(f64, RetardationFilter)>,
+    /// How they change with α, once that is asked for.
+    pub(super) filter_rates: OnceCell<Vec<FilterRates>>,
+    /// Weight of e in w.
+    pub(super) elastic_weight: f64,
 }
 
 /// What follows from the displacement of one solution.
@@ -46,6 +51,7 @@ impl Displacement {
             outlet: Vec::new(),
             retarded_outlet: Vec::new(),
             filters: Vec::new(),
+            filter_rates: OnceCell::new(),
             elastic_weight: 1.0,
         }
     }
@@ -58,9 +64,10 @@ impl Displacement {
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, relative, outlet, retarded_outlet, filters, elastic_weight } = self;
+        let Self { discretisation, relative, outlet, retarded_outlet, filters, filter_rates, elastic_weight } = self;
         *elastic_weight = kernel.singular_weight();
         filters.clear();
+        filter_rates.take();
         relative.copy_scaled(&discretisation.elastic, discretisation.film(), *elastic_weight);
         outlet.clear();
         outlet.extend(discretisation.elastic_at_outlet.iter().map(|e| *elastic_weight * e));

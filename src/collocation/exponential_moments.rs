@@ -31,8 +31,32 @@ pub fn exponential_moments(kappa: f64, t: f64, moments: &mut [f64]) {
         }
         return;
     }
+    by_quadrature(kappa, t, |_| 1.0, moments);
+}
+
+/// κ times the derivative of the [`exponential_moments`] with respect to κ (T41), into `rates`, from the moments.
+pub fn exponential_moment_rates(kappa: f64, t: f64, moments: &[f64], rates: &mut [f64]) {
+    let reach = kappa * (1.0 - t);
+    if kappa <= STIFF {
+        return by_quadrature(kappa, t, |passed| 1.0 - passed, rates);
+    }
+    rates[0] = reach * (-reach).exp();
+    let mut two_below = rates[0];
+    if moments.len() > 1 {
+        rates[1] = rates[0] + (rates[0] - moments[0]) / kappa;
+    }
+    for k in 1..moments.len() - 1 {
+        let next = two_below + (2 * k + 1) as f64 / kappa * (rates[k] - moments[k]);
+        two_below = rates[k];
+        rates[k + 1] = next;
+    }
+}
+
+/// ∫_t^1 κ e^{−κ(s − t)} q(κ(s − t)) P_k(s) ds for a polynomial q, into `moments`.
+fn by_quadrature(kappa: f64, t: f64, q: impl Fn(f64) -> f64, moments: &mut [f64]) {
     moments.fill(0.0);
-    let pieces = (reach / SMOOTH).ceil().max(1.0);
+    let count = moments.len();
+    let pieces = (kappa * (1.0 - t) / SMOOTH).ceil().max(1.0);
     let length = (1.0 - t) / pieces;
     let mut polynomial = [0.0; MOST_MOMENTS];
     for piece in 0..pieces as usize {
@@ -40,7 +64,8 @@ pub fn exponential_moments(kappa: f64, t: f64, moments: &mut [f64]) {
         for (part, weight) in gauss::unit_interval() {
             let s = from + part * length;
             legendre(s, &mut polynomial[..count]);
-            let factor = weight * length * kappa * (-kappa * (s - t)).exp();
+            let passed = kappa * (s - t);
+            let factor = weight * length * kappa * (-passed).exp() * q(passed);
             for (moment, value) in moments.iter_mut().zip(&polynomial) {
                 *moment += factor * value;
             }
@@ -71,6 +96,28 @@ mod tests {
                     let at = |i: i32| t + f64::from(i) * step;
                     let exact: f64 = (0..pieces).map(|i| gauss::integrate(at(i), at(i + 1), integrand)).sum();
                     assert!((moment - exact).abs() < 2e-14, "κ {kappa}, t {t}, k {k}: {moment:e} {exact:e}");
+                }
+            }
+        }
+    }
+
+    /// Rates against differences of fourth order, soft and stiff.
+    #[test]
+    fn moment_rates_are_derivatives() {
+        for kappa in [1e-8, 0.3, 5.0, 11.0, 13.0, 40.0, 1e3] {
+            for t in [-1.0, -0.5, 0.2, 0.93, 1.0] {
+                let at = |ln: f64| {
+                    let mut moments = [0.0; 12];
+                    exponential_moments(kappa * ln.exp(), t, &mut moments);
+                    moments
+                };
+                let (moments, mut rates) = (at(0.0), [0.0; 12]);
+                exponential_moment_rates(kappa, t, &moments, &mut rates);
+                let step = 2e-3;
+                let [near, far] = [step, 2.0 * step].map(|h| (at(h), at(-h)));
+                for (k, rate) in rates.iter().enumerate() {
+                    let difference = (8.0 * (near.0[k] - near.1[k]) - (far.0[k] - far.1[k])) / (12.0 * step);
+                    assert!((rate - difference).abs() < 1e-9, "κ {kappa}, t {t}, k {k}: {rate:e} {difference:e}");
                 }
             }
         }

@@ -31,7 +31,8 @@ impl Factorisation {
         if n > self.capacity {
             let factor = factor::lu_in_place_scratch::<usize, f64>(n, n, Par::Seq, Default::default());
             let solve = solve::solve_in_place_scratch::<usize, f64>(n, 1, Par::Seq);
-            self.scratch = MemBuffer::new(factor.or(solve));
+            let transposed = solve::solve_transpose_in_place_scratch::<usize, f64>(n, 1, Par::Seq);
+            self.scratch = MemBuffer::new(factor.or(solve).or(transposed));
             self.capacity = n;
         }
         self.forward.resize(n, 0);
@@ -49,5 +50,15 @@ impl Factorisation {
         let right_side = MatMut::from_column_major_slice_mut(right_side, n, 1);
         let stack = MemStack::new(&mut self.scratch);
         solve::solve_in_place(factors, factors, permutation, right_side, Par::Seq, stack);
+    }
+
+    /// Solves with the transpose of the factors, in place.
+    pub fn solve_transposed(&mut self, right_side: &mut [f64]) {
+        let n = self.matrix.rows();
+        let factors = MatRef::from_column_major_slice(self.matrix.values(), n, n);
+        let permutation = PermRef::new_checked(&self.forward, &self.inverse, n);
+        let right_side = MatMut::from_column_major_slice_mut(right_side, n, 1);
+        let stack = MemStack::new(&mut self.scratch);
+        solve::solve_transpose_in_place(factors, factors, permutation, right_side, Par::Seq, stack);
     }
 }

@@ -49,9 +49,9 @@ pub(super) fn tension_failure(tension: f64) -> Halt {
     Halt::Failed(Failure::new(reason))
 }
 
-/// The solution with its fields.
+/// The solution with its fields and sensitivities.
 pub(super) fn complete(
-    workspace: &Workspace,
+    workspace: &mut Workspace,
     beta: f64,
     state: &State,
     estimate: Estimate,
@@ -59,9 +59,12 @@ pub(super) fn complete(
     work: &mut Work,
 ) -> Solution {
     work.effort.unknowns = unknowns(workspace.coarse.displacement());
-    let fields = fields(workspace.coarse.displacement(), beta, state, output);
+    let (corrector, displacement) = workspace.coarse.parts();
+    let fields = fields(displacement, beta, state, output);
+    let mut derivatives = || corrector.sensitivities(displacement, beta, state, output.cavity_shear, &mut work.effort);
+    let sensitivities = output.sensitivities.then(&mut derivatives);
     let Estimate { quantities, errors, .. } = estimate;
-    Solution { quantities, errors, fields }
+    Solution { quantities, errors, fields, sensitivities }
 }
 
 /// What stands between a solution and its acceptance.

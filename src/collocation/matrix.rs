@@ -90,6 +90,25 @@ impl Matrix {
         }
     }
 
+    /// Adds the product of the transpose of the rows from `from` on with a vector.
+    pub fn add_transposed(&self, from: usize, vector: &[f64], sum: &mut [f64]) {
+        // four sums at a time, which do not wait for one another
+        const TOGETHER: usize = 4;
+        for (block, sums) in sum.chunks_mut(TOGETHER).enumerate() {
+            let column = |k: usize| &self.column(block * TOGETHER + k.min(sums.len() - 1))[from..from + vector.len()];
+            let columns = [column(0), column(1), column(2), column(3)];
+            let mut products = [0.0; TOGETHER];
+            for (i, value) in vector.iter().enumerate() {
+                for (product, column) in products.iter_mut().zip(&columns) {
+                    *product += value * column[i];
+                }
+            }
+            for (sum, product) in sums.iter_mut().zip(products) {
+                *sum += product;
+            }
+        }
+    }
+
     /// The rows `from..from + product.len()` of the product with a vector.
     pub fn multiply_rows(&self, from: usize, vector: &[f64], product: &mut [f64]) {
         product.fill(0.0);

@@ -17,9 +17,13 @@
 //! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
 //! | `adaptation.rs`, `estimate.rs`, `judgement.rs` | where panels are wanted, how large the error is, whether that is good enough |
 //! | `quantities.rs`, `fields.rs` | what comes out |
+//! | `sensitivity.rs`, `adjoint.rs` | how friction changes with α, β and f, by one transposed system for each friction |
+//! | `friction_partials.rs`, `inlet_partials.rs` | what friction takes of each unknown |
+//! | `substrate_rates.rs`, `retardation_rates.rs`, `retardation_transpose.rs` | how w changes with α and f; the filter backwards |
 //! | `workspace.rs`, `solver.rs`, `fixed_panels.rs`, `settings.rs`, `state.rs`, `stages.rs` | how it is run, and where the time goes |
 
 mod adaptation;
+mod adjoint;
 mod discretisation;
 mod displacement;
 mod estimate;
@@ -27,7 +31,9 @@ mod exponential_moments;
 mod factorisation;
 mod fields;
 mod fixed_panels;
+mod friction_partials;
 mod inlet;
+mod inlet_partials;
 mod judgement;
 mod legendre;
 mod log_moments;
@@ -37,11 +43,15 @@ mod newton;
 mod quantities;
 mod reference;
 mod retardation;
+mod retardation_rates;
+mod retardation_transpose;
 mod scaling;
+mod sensitivity;
 mod settings;
 mod solver;
 mod stages;
 mod state;
+mod substrate_rates;
 mod system;
 mod thick_film;
 mod transfer;

@@ -3,11 +3,12 @@
 use super::displacement::Displacement;
 use super::factorisation::Factorisation;
 use super::matrix::Matrix;
+use super::sensitivity::sensitivities;
 use super::stages::{Stages, timed};
 use super::state::State;
 use super::system::System;
 use crate::continuation::{Effort, Halt, Work};
-use crate::model::Failure;
+use crate::model::{CavityShear, Failure, Sensitivities};
 
 /// Iterations after which the corrector is given up.
 const MOST_ITERATIONS: u64 = 40;
@@ -108,6 +109,22 @@ impl Corrector {
         self.linearise(displacement, beta, state);
         self.system.matrix(displacement, beta, state, &mut self.factorisation.matrix);
         &self.factorisation.matrix
+    }
+
+    /// How friction of a solution changes with its parameters.
+    pub fn sensitivities(
+        &mut self,
+        displacement: &Displacement,
+        beta: f64,
+        state: &State,
+        cavity_shear: CavityShear,
+        effort: &mut Effort,
+    ) -> Sensitivities {
+        let Self { system, factorisation, stages } = self;
+        effort.factorisations += 1;
+        timed(&mut stages.sensitivities, || {
+            sensitivities(system, factorisation, displacement, beta, state, cavity_shear)
+        })
     }
 
     /// One step about a linearised state, not yet gone.

@@ -64,7 +64,7 @@ pub fn inlet(displacement: &Displacement, beta: f64, state: &State) -> Inlet {
 }
 
 /// p at the Gauss points of the film.
-fn at_points(displacement: &Displacement, nodes: &[f64]) -> Vec<f64> {
+pub fn at_points(displacement: &Displacement, nodes: &[f64]) -> Vec<f64> {
     let discretisation = &displacement.discretisation;
     let reference = &discretisation.reference;
     let (degree, size) = (reference.degree, reference.degree + 1);

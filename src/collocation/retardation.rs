@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::discretisation::Discretisation;
-use super::exponential_moments::exponential_moments;
+use super::exponential_moments::{exponential_moment_rates, exponential_moments};
 use super::log_moments::MOST_MOMENTS;
 use super::matrix::Matrix;
 use super::mesh::locate;
@@ -17,9 +17,9 @@ use crate::model::retarded_mode;
 /// the next. The ends make e continuous, without which v − e would be poor where α is large.
 pub struct RetardationFilter {
     alpha: f64,
-    panels: Vec<PanelFilter>,
+    pub(super) panels: Vec<PanelFilter>,
     /// v(Y) − e(0) from p at the nodes.
-    ahead: Vec<f64>,
+    pub(super) ahead: Vec<f64>,
 }
 
 /// κ from which on α(v − e) is not formed as the difference that it is: its rounding error, about κ, would be above that of
@@ -28,17 +28,17 @@ const STIFF_SLOPE: f64 = 50.0;
 
 /// What a panel makes of e, and of what it is handed at its right end: at each Gauss point, and in the last place at its left
 /// end.
-struct PanelFilter {
+pub(super) struct PanelFilter {
     /// Weights of what is handed on, d + 1.
-    decay: Vec<f64>,
+    pub decay: Vec<f64>,
     /// For v.
-    displacement: Weights,
+    pub displacement: Weights,
     /// For v′ = α(v − e), where the panel is stiff; it obeys the same filter with e′ in place of e.
-    slope: Option<Weights>,
+    pub slope: Option<Weights>,
 }
 
 /// Weights of the values of e on a panel in those of something else at d + 1 places.
-struct Weights {
+pub(super) struct Weights {
     /// Of e at the Gauss points, (d + 1) × d row by row.
     points: Vec<f64>,
     /// Of e at the left and the right end, d + 1.
@@ -47,9 +47,17 @@ struct Weights {
 
 impl Weights {
     /// What the place with this index has from e.
-    fn apply(&self, place: usize, e: &[f64], ends: [f64; 2]) -> f64 {
+    pub fn apply(&self, place: usize, e: &[f64], ends: [f64; 2]) -> f64 {
         let [left, right] = self.ends[place];
         dot(&self.points[place * e.len()..(place + 1) * e.len()], e) + left * ends[0] + right * ends[1]
+    }
+
+    /// Adds to the weights of e a factor times what this place takes of it: the transpose of [`Weights::apply`].
+    pub fn add_transposed(&self, place: usize, factor: f64, e: &mut [f64], ends: &mut [f64; 2]) {
+        let row = &self.points[place * e.len()..(place + 1) * e.len()];
+        for (sum, weight) in e.iter_mut().zip(row).chain(ends.iter_mut().zip(&self.ends[place])) {
+            *sum += factor * weight;
+        }
     }
 
     /// The weights of e that give the same for a factor times e′.
@@ -71,28 +79,53 @@ impl Weights {
 
 impl PanelFilter {
     fn new(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
-        let (degree, kappa) = (reference.degree, alpha * half);
+        let kappa = alpha * half;
+        let decay = |t: f64| (-kappa * (1.0 - t)).exp();
+        Self::of(reference, kappa, half, decay, |t, moments| exponential_moments(kappa, t, moments))
+    }
+
+    /// α times its derivative with respect to α.
+    pub fn rates(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
+        let kappa = alpha * half;
+        let decay = |t: f64| -kappa * (1.0 - t) * (-kappa * (1.0 - t)).exp();
+        Self::of(reference, kappa, half, decay, |t, rates| {
+            let mut moments = [0.0; MOST_MOMENTS];
+            exponential_moments(kappa, t, &mut moments[..rates.len()]);
+            exponential_moment_rates(kappa, t, &moments[..rates.len()], rates);
+        })
+    }
+
+    /// One of what is left at t of what is handed on, and of the moments there.
+    fn of(
+        reference: &ReferencePanel,
+        kappa: f64,
+        half: f64,
+        decay_at: impl Fn(f64) -> f64,
+        moments_at: impl Fn(f64, &mut [f64]),
+    ) -> Self {
+        let degree = reference.degree;
         let mut displacement =
             Weights { points: vec![0.0; (degree + 1) * degree], ends: Vec::with_capacity(degree + 1) };
         let mut decay = Vec::with_capacity(degree + 1);
+        let mut moments = [0.0; MOST_MOMENTS];
         let rows = displacement.points.chunks_exact_mut(degree);
         for (t, weights) in reference.points.iter().copied().chain([-1.0]).zip(rows) {
-            decay.push((-kappa * (1.0 - t)).exp());
-            displacement.ends.push(response(reference, kappa, t, weights));
+            decay.push(decay_at(t));
+            moments_at(t, &mut moments[..degree + 2]);
+            displacement.ends.push(response(reference, &moments, weights));
         }
         let slope = (kappa > STIFF_SLOPE).then(|| displacement.of_derivative(reference, half.recip()));
         Self { decay, displacement, slope }
     }
 }
 
-/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds: of its values at the Gauss points, and at both ends.
+/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds: of its values at the Gauss points, and at both ends; from the d + 2 moments
+/// at t.
 ///
 /// The polynomial through all of them is the one through the Gauss points, and P_d(s)(a + bs), which vanishes there, for what
 /// is missing at the ends.
-fn response(reference: &ReferencePanel, kappa: f64, t: f64, weights: &mut [f64]) -> [f64; 2] {
+fn response(reference: &ReferencePanel, moments: &[f64], weights: &mut [f64]) -> [f64; 2] {
     let degree = reference.degree;
-    let mut moments = [0.0; MOST_MOMENTS];
-    exponential_moments(kappa, t, &mut moments[..degree + 2]);
     let constant = moments[degree];
     // s P_d = ((d + 1) P_{d+1} + d P_{d−1})/(2d + 1)
     let d = degree as f64;
@@ -117,7 +150,7 @@ impl RetardationFilter {
         let mesh = &discretisation.mesh;
         let ends = mesh.behind.windows(2).chain(mesh.film.windows(2));
         let panel = |ends: &[f64]| PanelFilter::new(&discretisation.reference, alpha, 0.5 * (ends[1] - ends[0]));
-        let mut ahead = far_field(discretisation, alpha, mesh.reach());
+        let mut ahead = far_field(discretisation, mesh.reach(), |x| retarded_mode(alpha, x));
         for (v, e) in ahead.iter_mut().zip(&discretisation.elastic_at_outlet) {
             *v -= e;
         }
@@ -235,15 +268,16 @@ impl RetardationFilter {
             right = filter.decay[degree] * right + filter.displacement.apply(degree, e, e_ends);
         }
         let ends: Vec<f64> = mesh.behind.iter().chain(&mesh.film[1..]).copied().collect();
-        let mut weights = vec![0.0; degree];
+        let (mut weights, mut moments) = (vec![0.0; degree], [0.0; MOST_MOMENTS]);
         let at = |&y: &f64| {
             if y < ends[0] || y > mesh.reach() {
-                return dot(&far_field(discretisation, self.alpha, y), pressure);
+                return dot(&far_field(discretisation, y, |x| retarded_mode(self.alpha, x)), pressure);
             }
             let (panel, t) = locate(&ends, y);
             let kappa = 0.5 * self.alpha * (ends[panel + 1] - ends[panel]);
             let (e, e_ends) = discretisation.on_panel(e, panel);
-            let [left, right] = response(reference, kappa, t, &mut weights);
+            exponential_moments(kappa, t, &mut moments[..degree + 2]);
+            let [left, right] = response(reference, &moments, &mut weights);
             let handed_on = (-kappa * (1.0 - t)).exp() * at_right[panel];
             e_outlet + handed_on + dot(&weights, e) + left * e_ends[0] + right * e_ends[1]
         };
@@ -251,15 +285,16 @@ impl RetardationFilter {
     }
 }
 
-/// v at a place y ≥ Y or far behind, from p at the nodes: the kernel ln|y − s| + S(α(y − s)) (T10) by quadrature.
-fn far_field(discretisation: &Discretisation, alpha: f64, y: f64) -> Vec<f64> {
+/// (1/π) ∫ p(s) K(y − s) ds at a place y ≥ Y or far behind, from p at the nodes, by quadrature: v with the kernel
+/// ln|y − s| + S(α(y − s)) (T10).
+pub(super) fn far_field(discretisation: &Discretisation, y: f64, kernel: impl Fn(f64) -> f64) -> Vec<f64> {
     let reference = &discretisation.reference;
     let (degree, size) = (reference.degree, reference.degree + 1);
     let mut weights = vec![0.0; discretisation.nodes()];
     for (i, (s, weight)) in
         discretisation.film_y().iter().zip(&discretisation.weights[discretisation.film()]).enumerate()
     {
-        let kernel = weight / PI * retarded_mode(alpha, y - s);
+        let kernel = weight / PI * kernel(y - s);
         let (panel, point) = (i / degree, i % degree);
         let values = &reference.values[point * size..(point + 1) * size];
         for (node, value) in weights[panel * degree..].iter_mut().zip(values) {

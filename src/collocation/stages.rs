@@ -15,6 +15,8 @@ pub struct Stages {
     pub factorisation: f64,
     /// Solutions with the factors, and steps.
     pub step: f64,
+    /// Derivatives of friction, where they are asked for.
+    pub sensitivities: f64,
 }
 
 impl Stages {
@@ -26,12 +28,13 @@ impl Stages {
             assembly: self.assembly + other.assembly,
             factorisation: self.factorisation + other.factorisation,
             step: self.step + other.step,
+            sensitivities: self.sensitivities + other.sensitivities,
         }
     }
 
     /// All of them.
     pub fn total(&self) -> f64 {
-        self.kernel + self.filter + self.assembly + self.factorisation + self.step
+        self.kernel + self.filter + self.assembly + self.factorisation + self.step + self.sensitivities
     }
 }
 

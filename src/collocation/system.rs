@@ -109,36 +109,16 @@ impl System {
     /// The matrix about the state of the last [`System::linearise`].
     pub fn matrix(&self, displacement: &Displacement, beta: f64, state: &State, matrix: &mut Matrix) {
         let discretisation = &displacement.discretisation;
-        let reference = &discretisation.reference;
-        let (points, degree, size) = (discretisation.film_points(), reference.degree, reference.degree + 1);
+        let points = discretisation.film_points();
         matrix.reset(points + 1, points + 1);
-        let inlet = self.inlet.as_ref().expect("linearised before");
+        let inlet = self.inlet();
         for node in 1..=points {
             // the last node is not an unknown of its own: its column counts with dp(Y)/dx_out
             let last = node == points;
-            let displaced = displacement.relative.column(node);
             let column = matrix.column_mut(if last { points } else { node - 1 });
             let factor = if last { inlet.gradient } else { 1.0 };
-            for ((entry, a), w) in column.iter_mut().zip(&self.stiffness).zip(displaced) {
-                *entry = -factor * a * w;
-            }
+            self.set_node(displacement, beta, state, node, factor, &mut column[..points]);
             column[points] = factor * discretisation.node_weights[node];
-        }
-        for (panel, ends) in discretisation.mesh.film.windows(2).enumerate() {
-            let scale = 2.0 * beta / (ends[1] - ends[0]);
-            for j in 0..size {
-                let node = panel * degree + j;
-                if node == 0 {
-                    continue;
-                }
-                let last = node == points;
-                let factor = scale * if last { inlet.gradient } else { 1.0 };
-                let column = matrix.column_mut(if last { points } else { node - 1 });
-                for i in 0..degree {
-                    let u = state.film[panel * degree + i];
-                    column[panel * degree + i] += factor * u * u * reference.derivative[i * size + j];
-                }
-            }
         }
         let c_column = matrix.column_mut(points - 1);
         for ((entry, gradient), u) in c_column.iter_mut().zip(&self.gradient).zip(&state.film) {
@@ -150,6 +130,49 @@ impl System {
         }
         // d(∫ p dx ahead of X)/dX = −p(X)
         outlet[points] -= inlet.pressure;
+    }
+
+    /// Sets the rows of the flow in a column to a factor times what p at a node does to them.
+    pub fn set_node(
+        &self,
+        displacement: &Displacement,
+        beta: f64,
+        state: &State,
+        node: usize,
+        factor: f64,
+        column: &mut [f64],
+    ) {
+        let discretisation = &displacement.discretisation;
+        let reference = &discretisation.reference;
+        let (degree, size) = (reference.degree, reference.degree + 1);
+        for ((entry, a), w) in column.iter_mut().zip(&self.stiffness).zip(displacement.relative.column(node)) {
+            *entry = -factor * a * w;
+        }
+        // a node between two panels belongs to both
+        let panels = discretisation.mesh.panels();
+        for panel in (node - 1) / degree..=(node / degree).min(panels - 1) {
+            let (ends, j) = (&discretisation.mesh.film[panel..=panel + 1], node - panel * degree);
+            let factor = 2.0 * beta / (ends[1] - ends[0]) * factor;
+            for i in panel * degree..(panel + 1) * degree {
+                let u = state.film[i];
+                column[i] += factor * u * u * reference.derivative[(i - panel * degree) * size + j];
+            }
+        }
+    }
+
+    /// p′ at the Gauss points of the state of the last [`System::linearise`].
+    pub fn gradient(&self) -> &[f64] {
+        &self.gradient
+    }
+
+    /// a = (3βp′u² + 1)/u there.
+    pub fn stiffness(&self) -> &[f64] {
+        &self.stiffness
+    }
+
+    /// Ahead of the mesh.
+    pub fn inlet(&self) -> &Inlet {
+        self.inlet.as_ref().expect("linearised before")
     }
 
     /// Takes the known change of p(Y) to the right side.
@@ -177,7 +200,7 @@ impl System {
         let points = discretisation.film_points();
         let solution = &self.right_side;
         let (c, outlet) = (solution[points - 1], solution[points]);
-        let inlet = self.inlet.as_ref().expect("linearised before");
+        let inlet = *self.inlet();
         self.step_pressure.clear();
         self.step_pressure.push(0.0);
         self.step_pressure.extend_from_slice(&solution[..points - 1]);

@@ -8,7 +8,7 @@ use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use crate::model::{Failure, Fields, Limits, Output, Parameters, Quantities, RelativeErrors};
+use crate::model::{Failure, Fields, Limits, Output, Parameters, Quantities, RelativeErrors, Sensitivities};
 
 mod chain;
 mod line;
@@ -153,6 +153,8 @@ pub struct Solution {
     pub errors: RelativeErrors,
     /// Its fields.
     pub fields: Fields,
+    /// How its friction changes with its parameters, if that was asked for and the method knows it.
+    pub sensitivities: Option<Sensitivities>,
 }
 
 /// A chain that was given up because the user asked to stop.

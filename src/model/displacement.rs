@@ -1,7 +1,7 @@
 //! The kernel of the surface displacement for given parameters (T10).
 
 use super::Parameters;
-use super::kernel::{cell_average_log, cell_average_retarded_log, retarded_log_integral};
+use super::kernel::{cell_average_log, cell_average_retarded_log, retarded_log, retarded_log_integral};
 
 /// K(x) = ln|x| + Σ_j (f_j/(1+f)) S(α_j x), with which w(x) = (1/π) ∫ p(s) K(x − s) ds (Eq. 15, T10).
 ///
@@ -67,4 +67,9 @@ impl DisplacementKernel {
 /// I(α, x) = S(αx) + ln|x|, bounded at x = 0; its derivative is α S(αx) (T11).
 pub fn retarded_mode(rate: f64, x: f64) -> f64 {
     retarded_log_integral(rate * x) - rate.ln()
+}
+
+/// α ∂I/∂α of [`retarded_mode`], z S(z) − 1 with z = αx ≠ 0 (T11).
+pub fn retarded_mode_rate(rate: f64, x: f64) -> f64 {
+    rate * x * retarded_log(rate * x) - 1.0
 }

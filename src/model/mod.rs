@@ -12,12 +12,14 @@ mod number;
 mod outcome;
 mod output;
 mod parameters;
+mod sensitivities;
 
 pub use dimension::Dimension;
-pub use displacement::{DisplacementKernel, retarded_mode};
+pub use displacement::{DisplacementKernel, retarded_mode, retarded_mode_rate};
 pub use identity::{CaseId, NotACaseId};
 pub use laboratory::{Experiment, LaboratoryQuantity, Modulus, Powers, Scales, si_units};
 pub use number::shortest;
 pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
 pub use output::{CavityShear, FieldSelection, Output};
 pub use parameters::{Parameters, Retardation, RetardationMode, Substrate, SubstrateError};
+pub use sensitivities::Sensitivities;

@@ -110,7 +110,12 @@ pub struct Column {
     pub in_summary: bool,
 }
 
-const fn column(name: &'static str, units: &'static str, in_summary: bool, long_name: &'static str) -> Column {
+pub(super) const fn column(
+    name: &'static str,
+    units: &'static str,
+    in_summary: bool,
+    long_name: &'static str,
+) -> Column {
     Column { name, long_name, units, in_summary }
 }
 

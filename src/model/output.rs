@@ -74,12 +74,14 @@ pub struct Output {
     pub limits: bool,
     /// What fills the gap behind the outlet.
     pub cavity_shear: CavityShear,
+    /// Whether the derivatives of friction with respect to α, β and f are wanted; only the collocation method has them.
+    pub sensitivities: bool,
 }
 
 impl Default for Output {
-    /// All fields at 601 points from −3 to 3, limits, a full cavity.
+    /// All fields at 601 points from −3 to 3, limits, a full cavity, no sensitivities.
     fn default() -> Self {
         let x = (0..=600).map(|i| f64::from(i - 300) / 100.0).collect();
-        Self { fields: FieldSelection::ALL, x, limits: true, cavity_shear: CavityShear::Full }
+        Self { fields: FieldSelection::ALL, x, limits: true, cavity_shear: CavityShear::Full, sensitivities: false }
     }
 }

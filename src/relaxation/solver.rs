@@ -329,6 +329,7 @@ impl CaseSolver for RelaxationSolver {
             true => self.estimate(workspace, parameters, state, &quantities, output, work)?,
             false => RelativeErrors::UNKNOWN,
         };
-        Ok(Solution { quantities, errors, fields: fields(&fine, &workspace.beyond, output) })
+        let fields = fields(&fine, &workspace.beyond, output);
+        Ok(Solution { quantities, errors, fields, sensitivities: None })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::model::{COLUMNS, FieldSelection, Fields, Output};
 
-/// What a shard holds beside the columns: fields, the x they are on, and whether the limits were computed.
+/// What a shard holds beside the columns: fields, the x they are on, and whether limits and sensitivities were computed.
 ///
 /// `cavity_shear` is not here: it changes the numbers, so it is part of the case's id.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub struct Contents {
     pub x: u64,
     /// True if the limits beside the solution were computed.
     pub limits: bool,
+    /// True if the sensitivities of friction were computed.
+    pub sensitivities: bool,
     /// Hash of the names of the columns, which another version of the program may have others of.
     pub columns: u64,
 }
@@ -21,7 +23,8 @@ impl Contents {
     /// What a shard holds that was written for `output`.
     pub fn of(output: &Output) -> Self {
         let x = if output.fields.is_empty() { 0 } else { x_key(&output.x) };
-        Self { fields: output.fields, x, limits: output.limits, columns: columns_key() }
+        let &Output { fields, limits, sensitivities, .. } = output;
+        Self { fields, x, limits, sensitivities, columns: columns_key() }
     }
 
     /// True if a shard with these contents has all that `wanted` asks for; it may hold more.
@@ -44,6 +47,9 @@ impl Contents {
         }
         if wanted.limits && !self.limits {
             lacks.push("limits");
+        }
+        if wanted.sensitivities && !self.sensitivities {
+            lacks.push("sensitivities");
         }
         lacks
     }
@@ -124,6 +130,8 @@ mod tests {
         assert!(!all.covers(&Contents::of(&moved)), "fields on another x are other fields");
         let without_limits = Contents { limits: false, ..all };
         assert!(all.covers(&without_limits) && !without_limits.covers(&all));
+        let with_sensitivities = Contents { sensitivities: true, ..all };
+        assert!(with_sensitivities.covers(&all) && !all.covers(&with_sensitivities));
         let other_columns = Contents { columns: all.columns ^ 1, ..all };
         assert!(!all.covers(&other_columns) && !other_columns.covers(&all));
     }
@@ -134,6 +142,8 @@ mod tests {
         let pressure = FieldSelection { pressure: true, ..FieldSelection::default() };
         let modest = Contents::of(&Output { fields: pressure, limits: false, ..Output::default() });
         assert_eq!(modest.lacks(&all), ["film_thickness", "displacement", "limits"]);
+        let more = Contents::of(&Output { sensitivities: true, ..Output::default() });
+        assert_eq!(all.lacks(&more), ["sensitivities"]);
         let moved = Contents::of(&Output { x: [0.0, 1.0].into(), ..Output::default() });
         assert_eq!(moved.lacks(&all), ["fields on this x"]);
         assert_eq!(all.lacks(&all), [""; 0]);

@@ -1,6 +1,6 @@
 //! One case of a finished chain, as the store keeps it.
 
-use crate::model::{COLUMNS, CaseId, Fields};
+use crate::model::{COLUMNS, CaseId, Fields, Sensitivities};
 
 /// What became of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -66,6 +66,8 @@ pub struct CaseEntry {
     pub values: [f64; COLUMNS.len()],
     /// The fields of the store's output; all `None` for a failed case.
     pub fields: Fields,
+    /// How friction changes with the parameters, if the store's output asks for it; `None` for a failed case.
+    pub sensitivities: Option<Sensitivities>,
     /// What it cost.
     pub timing: Timing,
 }

@@ -239,6 +239,7 @@ impl Holdings {
             reason: shard.reader.reason(row).to_owned(),
             values: shard.reader.values(row),
             fields: shard.reader.all_fields(row)?,
+            sensitivities: shard.reader.sensitivities(row),
             timing: shard.cases[row].timing(),
         };
         Ok(Some(entry))

@@ -164,10 +164,11 @@ mod tests {
                 time_limit,
             },
         );
-        let shard = (".*", any::<u64>(), any::<u64>(), any::<bool>(), proptest::collection::vec(case, 0..4)).prop_map(
-            |(name, bytes, x, limits, cases)| {
+        let flags = any::<[bool; 2]>();
+        let shard = (".*", any::<u64>(), any::<u64>(), flags, proptest::collection::vec(case, 0..4)).prop_map(
+            |(name, bytes, x, [limits, sensitivities], cases)| {
                 let file = FileRecord { file: name, bytes, blake3: "00".repeat(32) };
-                let contents = Contents { x, limits, ..Contents::default() };
+                let contents = Contents { x, limits, sensitivities, ..Contents::default() };
                 let recipe = if limits { serde_json::json!({ "tolerance": 1e-5 }) } else { serde_json::Value::Null };
                 Record::Shard(ShardRecord::new(file, &contents, recipe, bytes / 2, cases))
             },

@@ -54,6 +54,9 @@ pub(super) struct ShardRecord {
     pub fields: Vec<String>,
     pub x: String,
     pub limits: bool,
+    /// Not written where it is false, as in records of earlier versions.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub sensitivities: bool,
     /// Hash of the names of the columns; that of this version where it is missing.
     #[serde(default = "these_columns")]
     pub columns: String,
@@ -66,6 +69,10 @@ pub(super) struct ShardRecord {
 
 fn these_columns() -> String {
     hexadecimal(columns_key())
+}
+
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 fn hexadecimal(key: u64) -> String {
@@ -111,9 +118,10 @@ impl CaseRecord {
 
 impl ShardRecord {
     pub(super) fn new(file: FileRecord, contents: &Contents, recipe: Value, time: u64, cases: Vec<CaseRecord>) -> Self {
-        let &Contents { fields, x, limits, columns } = contents;
+        let &Contents { fields, x, limits, sensitivities, columns } = contents;
         let fields = fields.names().into_iter().map(str::to_owned).collect();
-        Self { file, fields, x: hexadecimal(x), limits, columns: hexadecimal(columns), recipe, time, cases }
+        let (x, columns) = (hexadecimal(x), hexadecimal(columns));
+        Self { file, fields, x, limits, sensitivities, columns, recipe, time, cases }
     }
 
     /// What the shard holds; `None` if the record names a field unknown to this version.
@@ -129,7 +137,7 @@ impl ShardRecord {
         }
         let x = u64::from_str_radix(&self.x, 16).ok()?;
         let columns = u64::from_str_radix(&self.columns, 16).ok()?;
-        Some(Contents { fields, x, limits: self.limits, columns })
+        Some(Contents { fields, x, limits: self.limits, sensitivities: self.sensitivities, columns })
     }
 }
 

@@ -9,10 +9,13 @@ use ndarray::{Array2, ArrayView2, s};
 use super::contents::{FIELDS, column_names, field, field_mut, places, x_key};
 use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
 use super::{CaseEntry, Contents, Status, StoreError};
-use crate::model::{COLUMNS, CaseId, Fields};
+use crate::model::{COLUMNS, CaseId, Fields, Sensitivities};
 
 /// A case id in an HDF5 file: 16 characters.
 pub(super) type CaseText = FixedAscii<16>;
+
+/// Numbers of the sensitivities of a case.
+const SENSITIVITIES: usize = Sensitivities::COLUMNS.len();
 
 /// The characters of a case id.
 pub(super) fn case_text(id: CaseId) -> CaseText {
@@ -29,6 +32,9 @@ pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents)
     hasher.update(contents.fields.names().join(" ").as_bytes());
     hasher.update(&contents.x.to_le_bytes());
     hasher.update(&[u8::from(contents.limits)]);
+    if contents.sensitivities {
+        hasher.update(b"sensitivities");
+    }
     for id in ids {
         hasher.update(&id.0.to_le_bytes());
     }
@@ -52,6 +58,12 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
     file.write("reason", &reasons)?;
     let values: Vec<f64> = cases.iter().flat_map(|entry| entry.values).collect();
     file.write("values", ArrayView2::from_shape((cases.len(), COLUMNS.len()), &values)?)?;
+    if contents.sensitivities {
+        let unknown = [f64::NAN; SENSITIVITIES];
+        let row = |entry: &CaseEntry| entry.sensitivities.map_or(unknown, |known| known.row());
+        let values: Vec<f64> = cases.iter().flat_map(row).collect();
+        file.write("sensitivities", ArrayView2::from_shape((cases.len(), SENSITIVITIES), &values)?)?;
+    }
 
     if !contents.fields.is_empty() {
         file.write("x", x)?;
@@ -83,6 +95,8 @@ pub(super) struct ShardReader {
     statuses: Vec<Status>,
     reasons: Vec<VarLenUnicode>,
     values: Array2<f64>,
+    /// Of [`Sensitivities::COLUMNS`], if the shard has them.
+    sensitivities: Option<Array2<f64>>,
     fields: [Option<Dataset>; FIELDS.len()],
 }
 
@@ -100,6 +114,14 @@ impl ShardReader {
             let mut fields = [const { None }; FIELDS.len()];
             let (cases, mut width) = (case_texts.len(), 0);
             let mut fault = None;
+            let mut sensitivities = None;
+            if contents.sensitivities {
+                let rows = file.dataset("sensitivities")?.read_2d::<f64>()?;
+                if rows.dim() != (cases, SENSITIVITIES) {
+                    fault = Some(format!("sensitivities has the shape {:?}", rows.shape()));
+                }
+                sensitivities = Some(rows);
+            }
             if !contents.fields.is_empty() {
                 let x = file.dataset("x")?.read_raw::<f64>()?;
                 width = x.len();
@@ -120,7 +142,7 @@ impl ShardReader {
             if [ids.len(), statuses.len(), reasons.len(), values.nrows()] != [cases; 4] {
                 fault = Some("its data sets do not have one row per case".to_owned());
             }
-            Ok((Self { path: path.to_owned(), ids, statuses, reasons, values, fields }, fault))
+            Ok((Self { path: path.to_owned(), ids, statuses, reasons, values, sensitivities, fields }, fault))
         };
         let (shard, fault) = read().map_err(StoreError::hdf5(path, "read"))?;
         match fault {
@@ -143,6 +165,12 @@ impl ShardReader {
 
     pub(super) fn values(&self, row: usize) -> [f64; COLUMNS.len()] {
         std::array::from_fn(|column| self.values[(row, column)])
+    }
+
+    /// How friction of a case changes with the parameters; `None` if the shard has it not, or the case failed.
+    pub(super) fn sensitivities(&self, row: usize) -> Option<Sensitivities> {
+        let values = self.sensitivities.as_ref()?;
+        Sensitivities::from_row(std::array::from_fn(|column| values[(row, column)]))
     }
 
     /// The field at a place in [`FIELDS`]; `None` if the shard has it not, or the case failed.

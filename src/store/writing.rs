@@ -94,7 +94,7 @@ impl Store {
     /// Commits finished chains as one shard: when this returns, their cases survive whatever happens to the process or the
     /// power. It takes about as long for one case as for a thousand, most of it waiting for the disk.
     ///
-    /// Fields that the output does not ask for are left out.
+    /// Fields and sensitivities that the output does not ask for are left out.
     ///
     /// # Errors
     /// [`StoreError::Entry`] for an entry that cannot be stored (nothing is written then), others if the disk fails.
@@ -168,6 +168,13 @@ fn check(cases: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), Stor
         }
         if entry.reason.chars().any(char::is_control) {
             return refuse(format!("its reason is not one line: {:?}", entry.reason));
+        }
+        match (&entry.sensitivities, entry.outcome) {
+            (None, Status::Converged) if contents.sensitivities => {
+                return refuse("it converged and has no sensitivities".to_owned());
+            }
+            (Some(_), Status::Failed) => return refuse("it failed and has sensitivities".to_owned()),
+            _ => {}
         }
         for place in places(contents.fields) {
             let name = super::contents::FIELDS[place].name;

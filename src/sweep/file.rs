@@ -24,7 +24,7 @@ const SECTIONS: [(&str, &[&str]); 7] = [
     ("substrate", &["modes"]),
     ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
     ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
-    ("output", &["fields", "x", "limits", "cavity_shear"]),
+    ("output", &["fields", "x", "limits", "cavity_shear", "sensitivities"]),
 ];
 
 const AXES_EXAMPLE: &str = "add the three axes, for instance\n[axes]\nf = [100.0]\nalpha = [1.0, 10.0]\n\
@@ -52,16 +52,17 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
     let document = input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
     let grid = read_grid(&root, &MaterialDefaults::default())?;
+    let title = root.get("title").map(|title| read_title(&title)).transpose()?;
+    let substrate = root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?.unwrap_or_default();
+    let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
+    // what can be asked for depends on the method
+    let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
     Ok(Sweep {
-        title: root
-            .get("title")
-            .map(|title| read_title(&title))
-            .transpose()?
-            .unwrap_or_else(|| printable(name).into_owned()),
+        title: title.unwrap_or_else(|| printable(name).into_owned()),
         grid,
-        substrate: root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?.unwrap_or_default(),
-        solver: root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default(),
-        output: root.get("output").map(|entry| output::read(&entry)).transpose()?.unwrap_or_default(),
+        substrate,
+        solver,
+        output,
         text: text.to_owned(),
         name: name.to_owned(),
     })

@@ -1,11 +1,12 @@
 //! The section `[output]` of a sweep file.
 
 use super::file::section;
+use super::specification::Method;
 use crate::input::{Entry, Fault, Quantity, read_axis};
 use crate::model::{CavityShear, FieldSelection, Output};
 
-/// Reads `[output]`.
-pub(super) fn read(entry: &Entry<'_>) -> Result<Output, Fault> {
+/// Reads `[output]` of a sweep that is solved by a method.
+pub(super) fn read(entry: &Entry<'_>, method: Method) -> Result<Output, Fault> {
     let section = section(entry)?;
     let defaults = Output::default();
     let shears = [("full", CavityShear::Full), ("streamers", CavityShear::Streamers), ("none", CavityShear::None)];
@@ -20,7 +21,22 @@ pub(super) fn read(entry: &Entry<'_>) -> Result<Output, Fault> {
             Some(entry) => entry.choice(&shears)?,
             None => defaults.cavity_shear,
         },
+        sensitivities: match section.get("sensitivities") {
+            Some(entry) => read_sensitivities(&entry, method)?,
+            None => defaults.sensitivities,
+        },
     })
+}
+
+fn read_sensitivities(entry: &Entry<'_>, method: Method) -> Result<bool, Fault> {
+    let wanted = entry.boolean()?;
+    if wanted && method == Method::Relaxation {
+        let what = "`output.sensitivities` needs the collocation method";
+        let help = "the relaxation method has no derivatives of friction: write sensitivities = false, or \
+                    method = \"collocation\" in [solver]";
+        return Err(entry.fault(what, "not with the relaxation method", help));
+    }
+    Ok(wanted)
 }
 
 fn read_fields(entry: &Entry<'_>) -> Result<FieldSelection, Fault> {

@@ -182,6 +182,12 @@ pub fn bad_files() -> Vec<Row> {
         (with_axes("[output]\nx = { from = 3.0, to = -3.0, points = 601 }\n"), "6:24", "must be above", "swap"),
         (with_axes("[output]\nx = { from = -3.0, to = 3.0, points = 10002 }\n"), "6:39", "to 10001", "whole number"),
         (with_axes("[output]\nx = [0.0, inf]\n"), "6:11", "must be finite", "a0"),
+        (
+            with_axes("[output]\nsensitivities = true\n[solver]\nmethod = \"relaxation\"\n"),
+            "6:17",
+            "needs the collocation method",
+            "sensitivities = false",
+        ),
         (with_axes("[output]\ncavity_shear = \"ful\"\n"), "6:16", "\"full\", \"streamers\" or \"none\"", "\"full\"?"),
         ("title = \"two\\nlines\"\n".to_owned() + AXES, "1:9", "one line", "file's name"),
     ]

@@ -12,4 +12,5 @@ mod measure;
 mod random;
 mod range;
 mod reference;
+mod sensitivities;
 mod tolerance;

@@ -171,7 +171,8 @@ impl CaseSolver for Fake {
             separation: 0.0,
             load_residual: 0.0,
         };
-        Ok(Solution { quantities, errors: RelativeErrors::UNKNOWN, fields: Fields::default() })
+        let (errors, fields) = (RelativeErrors::UNKNOWN, Fields::default());
+        Ok(Solution { quantities, errors, fields, sensitivities: None })
     }
 }
 

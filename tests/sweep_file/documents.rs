@@ -50,6 +50,7 @@ const SECTIONS: [Section; 6] = [
             ("x", &["[-1.0, 0, 1]", "{ from = -3, to = 3, points = 11 }"]),
             ("limits", &["true", "false"]),
             ("cavity_shear", &["'full'", "'none'"]),
+            ("sensitivities", &["true", "false"]),
         ],
     ),
 ];

@@ -61,6 +61,7 @@ fields = ["displacement", "pressure"]
 x = [-1, 0.0, 2.5]
 limits = false
 cavity_shear = "streamers"
+sensitivities = false
 "#;
     let sweep = Sweep::parse("all", text).expect("valid");
     let modes = vec![RetardationMode { share: 0.7, time: 1.0 }, RetardationMode { share: 0.3, time: 100.0 }];
@@ -76,6 +77,7 @@ cavity_shear = "streamers"
         x: vec![-1.0, 0.0, 2.5].into(),
         limits: false,
         cavity_shear: CavityShear::Streamers,
+        sensitivities: false,
     };
     let axes = Axes {
         f: vec![0.0, 50.0, 100.0],

@@ -56,12 +56,13 @@ fn solver() -> impl Strategy<Value = SolverSettings> {
 
 fn output() -> impl Strategy<Value = Output> {
     let shear = prop_oneof![Just(CavityShear::Full), Just(CavityShear::Streamers), Just(CavityShear::None)];
-    (any::<[bool; 3]>(), ascending(-1e3..1e3f64), any::<bool>(), shear).prop_map(
-        |([pressure, film_thickness, displacement], x, limits, cavity_shear)| Output {
+    (any::<[bool; 3]>(), ascending(-1e3..1e3f64), any::<bool>(), shear, any::<bool>()).prop_map(
+        |([pressure, film_thickness, displacement], x, limits, cavity_shear, sensitivities)| Output {
             fields: FieldSelection { pressure, film_thickness, displacement },
             x: x.into(),
             limits,
             cavity_shear,
+            sensitivities,
         },
     )
 }
@@ -72,7 +73,9 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
     let beta = ascending((-300.0..300.0f64).prop_map(|power| 10f64.powf(power)));
     let title = "[a-zA-Zα-ω0-9\"\\\\,= \\[\\]#]{0,30}[a-z]";
     (title, ascending(at_least_zero()), alpha, beta, substrate(), solver(), output()).prop_map(
-        |(title, f, alpha, beta, substrate, solver, output)| {
+        |(title, f, alpha, beta, substrate, solver, mut output)| {
+            // the other method has none
+            output.sensitivities &= solver.method == Method::Collocation;
             let axes = Axes { f, alpha, beta };
             let mut sweep =
                 Sweep { title, grid: axes.into(), substrate, solver, output, text: String::new(), name: "made".into() };
@@ -103,7 +106,7 @@ fn written(sweep: &Sweep) -> String {
     };
     format!(
         "title = \"{title}\"\n[axes]\nbeta = {:?}\nf = {:?}\nalpha = {:?}\n[substrate]\nmodes = [{}]\n[output]\n\
-         fields = {:?}\nx = {:?}\nlimits = {}\ncavity_shear = \"{}\"\n[solver]\nmethod = \"{}\"\ntolerance = {:?}\ntime_limit = {:?}\n\
+         fields = {:?}\nx = {:?}\nlimits = {}\ncavity_shear = \"{}\"\nsensitivities = {}\n[solver]\nmethod = \"{}\"\ntolerance = {:?}\ntime_limit = {:?}\n\
          [solver.relaxation]\ndomain = {domain}\npoints = {}\ntolerance = {:?}\nacceleration = \"{acceleration}\"\n\
          estimate = {}\n",
         axes.beta,
@@ -114,6 +117,7 @@ fn written(sweep: &Sweep) -> String {
         output.x,
         output.limits,
         output.cavity_shear,
+        output.sensitivities,
         solver.method,
         solver.tolerance,
         solver.time_limit,

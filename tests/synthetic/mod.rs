@@ -9,7 +9,7 @@ pub use grids::publish as publish_as;
 
 use std::path::Path;
 
-use stribeck::model::{COLUMNS, CaseId, FieldSelection, Fields, Output};
+use stribeck::model::{COLUMNS, CaseId, FieldSelection, Fields, Output, Sensitivities};
 use stribeck::store::{CaseEntry, Published, Status, Store, StoreError, Timing};
 
 pub const F: [f64; 2] = [0.0, 100.0];
@@ -57,6 +57,8 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
             film_thickness: wanted(film_thickness, 1e-3),
             displacement: wanted(displacement, -0.3),
         },
+        sensitivities: (output.sensitivities && !failed)
+            .then(|| Sensitivities { viscoelastic: [alpha, beta, f], hydrodynamic: [-alpha, 1.0 / beta, f / 3.0] }),
         timing: Timing {
             seconds: 0.125 + beta / 3.0,
             iterations: 300,

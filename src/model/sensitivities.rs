@@ -1,0 +1,77 @@
+//! How friction changes with the parameters of a case.
+
+use super::outcome::{Column, column};
+
+/// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order (T40).
+///
+/// α stands for all modes: their rates change together. f changes at fixed shares. Where a parameter means nothing (α and f of a
+/// relaxed elastic substrate, α = 0) the derivative is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensitivities {
+    /// Of F_v.
+    pub viscoelastic: [f64; 3],
+    /// Of F_h, the cavity included.
+    pub hydrodynamic: [f64; 3],
+}
+
+impl Sensitivities {
+    /// The numbers of [`Sensitivities::row`], as they are called where they are stored.
+    pub const COLUMNS: [Column; 6] = [
+        column("dmu_v_dln_alpha", "a0/R", false, "derivative of mu_v with respect to ln(alpha)"),
+        column("dmu_v_dln_beta", "a0/R", false, "derivative of mu_v with respect to ln(beta)"),
+        column("dmu_v_dln_f", "a0/R", false, "derivative of mu_v with respect to ln(f)"),
+        column("dmu_h_dln_alpha", "a0/R", false, "derivative of mu_h with respect to ln(alpha)"),
+        column("dmu_h_dln_beta", "a0/R", false, "derivative of mu_h with respect to ln(beta)"),
+        column("dmu_h_dln_f", "a0/R", false, "derivative of mu_h with respect to ln(f)"),
+    ];
+
+    /// The values of [`Sensitivities::COLUMNS`], in their order.
+    pub fn row(&self) -> [f64; 6] {
+        let ([a, b, c], [d, e, f]) = (self.viscoelastic, self.hydrodynamic);
+        [a, b, c, d, e, f]
+    }
+
+    /// The sensitivities of such a row; `None` if one of them is NaN, as it is where there are none.
+    pub fn from_row([a, b, c, d, e, f]: [f64; 6]) -> Option<Self> {
+        let sensitivities = Self { viscoelastic: [a, b, c], hydrodynamic: [d, e, f] };
+        sensitivities.row().iter().all(|value| !value.is_nan()).then_some(sensitivities)
+    }
+
+    /// Of F_tot = F_v + F_h.
+    pub fn total(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic[i])
+    }
+
+    /// d ln μ/d ln θ of μ_v, μ_h and μ_tot = μ_v + μ_h, one row each; NaN where μ = 0.
+    pub fn logarithmic(&self, mu_v: f64, mu_h: f64) -> [[f64; 3]; 3] {
+        let relative = |derivatives: [f64; 3], mu: f64| {
+            derivatives.map(|derivative| if mu == 0.0 { f64::NAN } else { derivative / mu })
+        };
+        [relative(self.viscoelastic, mu_v), relative(self.hydrodynamic, mu_h), relative(self.total(), mu_v + mu_h)]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_comes_back() {
+        let sensitivities = Sensitivities { viscoelastic: [1.0, 2.0, 3.0], hydrodynamic: [4.0, 5.0, 6.0] };
+        assert_eq!(Sensitivities::from_row(sensitivities.row()), Some(sensitivities));
+        assert_eq!(Sensitivities::from_row([f64::NAN; 6]), None);
+        for (place, (column, value)) in Sensitivities::COLUMNS.iter().zip(sensitivities.row()).enumerate() {
+            let (mu, theta) = (["mu_v", "mu_h"][place / 3], ["alpha", "beta", "f"][place % 3]);
+            assert_eq!(column.name, format!("d{mu}_dln_{theta}"));
+            assert_eq!(value, 1.0 + place as f64);
+        }
+    }
+
+    #[test]
+    fn there_is_no_relative_change_of_nothing() {
+        let sensitivities = Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [2.0, 4.0, 0.0] };
+        let [of_v, of_h, of_total] = sensitivities.logarithmic(0.0, 2.0);
+        assert!(of_v.iter().all(|value| value.is_nan()));
+        assert_eq!((of_h, of_total), ([1.0, 2.0, 0.0], [1.0, 2.0, 0.0]));
+    }
+}
