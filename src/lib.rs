@@ -23,6 +23,7 @@
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
 //! | [`engine`] | a rayon pool over chains, interruption, progress | [`continuation`] |
+//! | [`fit`] | quantities of the laboratory from measured friction | [`measured`], [`model`], [`collocation`], [`continuation`] |
 //! | [`measured`] | measured friction from a CSV file | [`model`], [`sweep`] for units |
 //! | [`figures`] | charts: numbers in, SVG or PNG out | – |
 //! | [`pictures`] | pictures of a published data set, with their numbers | [`store`], [`model`], [`measured`], [`exact`] for known limits, [`figures`] |
@@ -45,6 +46,7 @@ pub mod continuation;
 pub mod engine;
 pub mod exact;
 pub mod figures;
+pub mod fit;
 pub mod input;
 pub mod measured;
 pub mod model;

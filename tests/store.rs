@@ -601,7 +601,8 @@ fn a_data_set_is_read_back_as_it_was_published() {
     let mut store = finished(directory.path());
     let data = DataSet::open(directory.path()).unwrap();
     assert_eq!((data.title.as_str(), data.sweep_text.as_str()), ("synthetic, β from 10", SWEEP));
-    assert_eq!((&data.f[..], &data.alpha[..], &data.beta[..]), (&F[..], &ALPHA[..], &BETA[..]));
+    let axes: Vec<(&str, &[f64])> = data.dimensions.iter().map(|it| (it.name.as_str(), &it.values[..])).collect();
+    assert_eq!(axes, [("f", &F[..]), ("alpha", &ALPHA[..]), ("beta", &BETA[..])]);
     assert_eq!((data.x.as_slice(), data.outdated), (&*output().x, false));
     let (statuses, reasons, cases) = (data.statuses().unwrap(), data.reasons().unwrap(), data.cases().unwrap());
     let costs = data.costs().unwrap().unwrap();

@@ -11,7 +11,7 @@ use crate::figures::FigureError;
 use crate::input::InputError;
 use crate::measured::MeasuredError;
 use crate::pictures::PictureError;
-use crate::shown::shown;
+use crate::shown::{printable, shown};
 use crate::store::StoreError;
 use crate::sweep::Method;
 
@@ -24,6 +24,39 @@ pub enum CliError {
     /// A file of measured points is not valid.
     #[error(transparent)]
     Measured(#[from] MeasuredError),
+    /// A sweep without quantities of the laboratory.
+    #[error(
+        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] (docs/sweep-file.md)",
+        shown(file)
+    )]
+    NotLaboratory {
+        /// The sweep file.
+        file: PathBuf,
+    },
+    /// A sweep with more than one curve along the speed.
+    #[error("{axis} has {values} values in the sweep file, and a curve has one; choose with --at {axis}=VALUE")]
+    SeveralCurves {
+        /// The axis.
+        axis: String,
+        /// How many values it has.
+        values: usize,
+    },
+    /// An axis that a curve has not.
+    #[error("--at {}: a curve runs along the speed, and can be chosen by {known}", printable(axis))]
+    NoSuchAxis {
+        /// The axis.
+        axis: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// Measured points that nothing was fitted to.
+    #[error("nothing was fitted to {}: {what}", shown(file))]
+    NoFit {
+        /// The file of the points.
+        file: PathBuf,
+        /// Why.
+        what: String,
+    },
     /// More threads than the system gives.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -207,6 +240,10 @@ impl CliError {
         match self {
             CliError::Input(_)
             | CliError::Measured(_)
+            | CliError::NotLaboratory { .. }
+            | CliError::SeveralCurves { .. }
+            | CliError::NoSuchAxis { .. }
+            | CliError::NoFit { .. }
             | CliError::NoSuchCase { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }

@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `plot`, `report`, `study` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `curve`, `fit`, `plot`, `report`, `study` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `published` | the published data set, for commands that show it |
 //! | `workload` | which chains of a plan are left to be solved |
@@ -12,6 +12,7 @@
 //! | `entry` | from a solved case to what the store keeps |
 //! | `expectation` | what a run is expected to cost |
 //! | `failures` | failed cases, listed and by region |
+//! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `solver` | the solver that a sweep asks for |
 //! | `repeat`, `way` | the command that solves a case again; how it was reached |
@@ -19,12 +20,14 @@
 
 mod collection;
 mod console;
+mod curve;
 mod destination;
 mod entry;
 mod error;
 mod expectation;
 mod explain;
 mod failures;
+mod fit;
 mod job;
 mod merge;
 mod parts;
@@ -44,6 +47,7 @@ mod solve;
 mod solver;
 mod status;
 mod study;
+mod terminal_plot;
 mod threads;
 mod verify;
 mod way;
@@ -103,6 +107,10 @@ enum Command {
     Explain(explain::Arguments),
     /// Read every stored result again and compare it with its record
     Verify(verify::Arguments),
+    /// Solve a material's friction against speed and show it in the terminal
+    Curve(curve::Arguments),
+    /// Fit quantities of the laboratory to measured friction
+    Fit(fit::Arguments),
     /// Draw a published sweep: surfaces, maps, curves, profiles, loops, stresses, errors
     Plot(plot::Arguments),
     /// Make one HTML page of a published sweep, which works offline
@@ -146,6 +154,8 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Slurm(arguments) => slurm::execute(arguments),
         Command::Explain(arguments) => explain::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),
+        Command::Curve(arguments) => curve::execute(arguments),
+        Command::Fit(arguments) => fit::execute(arguments),
         Command::Plot(arguments) => plot::execute(arguments),
         Command::Report(arguments) => report::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),

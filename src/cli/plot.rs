@@ -88,7 +88,7 @@ fn range(text: &str) -> Result<(f64, f64), String> {
 }
 
 /// An axis and values of it.
-fn at(text: &str) -> Result<(String, Vec<f64>), String> {
+pub fn at(text: &str) -> Result<(String, Vec<f64>), String> {
     let values = |values: &str| values.split(',').map(|value| value.trim().parse().ok()).collect::<Option<Vec<f64>>>();
     match text.split_once('=').map(|(axis, numbers)| (axis.trim().to_owned(), values(numbers))) {
         Some((axis, Some(values))) if !axis.is_empty() => Ok((axis, values)),

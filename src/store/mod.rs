@@ -36,6 +36,7 @@ mod publication;
 mod reason;
 mod record;
 mod results;
+mod sensitivity_columns;
 mod shard;
 mod tables;
 mod verify;

@@ -9,6 +9,7 @@ use super::holdings::{Inspection, LastPublished, fault};
 use super::open_shards::OpenShards;
 use super::record::{FileRecord, Record};
 use super::results::Results;
+use super::sensitivity_columns::{self, SensitivityColumn};
 use super::tables::{Summary, Timings};
 use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
 use crate::model::{COLUMNS, CaseId, Dimension, Experiment, Limits};
@@ -85,6 +86,8 @@ pub(super) struct Place {
     pub status: Status,
     pub reason: String,
     pub values: [f64; COLUMNS.len()],
+    /// Of the columns of sensitivities; empty if they are not asked for.
+    pub sensitivities: Vec<f64>,
 }
 
 impl Store {
@@ -150,7 +153,7 @@ fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, Sto
     }
     let contents = Contents::of(&store.output);
     hasher.update(contents.fields.names().join(" ").as_bytes()).update(&contents.x.to_le_bytes());
-    hasher.update(&[u8::from(contents.limits)]);
+    hasher.update(&[u8::from(contents.limits), u8::from(contents.sensitivities)]);
     for dimension in publication.dimensions {
         hasher.update(&(dimension.name.len() as u64).to_le_bytes()).update(dimension.name.as_bytes());
         hasher.update(&(dimension.values.len() as u64).to_le_bytes());
@@ -212,14 +215,18 @@ impl<'a> Files<'a> {
     ) -> Result<Self, StoreError> {
         let results_path = results.path();
         let first = publication.places(0)?[0].experiment;
+        let more: Vec<SensitivityColumn> = match store.output.sensitivities {
+            true => sensitivity_columns::columns(first.as_ref()),
+            false => Vec::new(),
+        };
         Ok(Self {
             store,
             publication,
             open: OpenShards::new(store),
-            results: Results::create(results_path, publication, first.as_ref(), &store.output)
+            results: Results::create(results_path, publication, first.as_ref(), &more, &store.output)
                 .map_err(StoreError::hdf5(results_path, "write"))?,
             results_path,
-            summary: Summary::create(summary.path(), first.as_ref())?,
+            summary: Summary::create(summary.path(), first.as_ref(), &more)?,
             timings: Timings::create(timings.path())?,
         })
     }
@@ -247,12 +254,20 @@ impl<'a> Files<'a> {
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
         let mut values = asked(reader.values(case), output.limits);
+        let sensitivities = match output.sensitivities {
+            true => sensitivity_columns::values(
+                reader.sensitivities(case).as_ref(),
+                ["mu_v", "mu_h"].map(|name| values[place_of(name)]),
+                point.experiment.as_ref(),
+            ),
+            false => Vec::new(),
+        };
         if let Some(scales) = &scales {
             for (value, column) in values.iter_mut().zip(&COLUMNS) {
                 *value *= scales.factor(column.units);
             }
         }
-        let place = Place { point, status, reason, values };
+        let place = Place { point, status, reason, values, sensitivities };
         self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
         for field in places(output.fields) {
@@ -273,6 +288,11 @@ impl<'a> Files<'a> {
         self.summary.finish()?;
         self.timings.finish()
     }
+}
+
+/// The place of a column.
+fn place_of(name: &str) -> usize {
+    COLUMNS.iter().position(|column| column.name == name).expect("a column")
 }
 
 /// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.

@@ -11,6 +11,7 @@ use super::contents::{FIELDS, places};
 use super::dimension_scales::{attach, make_scale};
 use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
+use super::sensitivity_columns::SensitivityColumn;
 use super::shard::{CaseText, case_text};
 use super::{PROGRAM, Status};
 use crate::model::{COLUMNS, Dimension, Experiment, Output, Scales, si_units};
@@ -22,6 +23,7 @@ pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
 pub(super) struct Results {
     shape: Vec<usize>,
     columns: Vec<Dataset>,
+    sensitivities: Vec<Dataset>,
     laboratory: Option<LaboratoryVariables>,
     case: Dataset,
     status: Dataset,
@@ -45,6 +47,7 @@ impl Results {
         path: &Path,
         publication: &Publication<'_>,
         experiment: Option<&Experiment>,
+        more: &[SensitivityColumn],
         output: &Output,
     ) -> Result<Self> {
         let mut file = NewFile::create(path)?;
@@ -79,6 +82,10 @@ impl Results {
         for column in &COLUMNS {
             columns.push(layout.number(&mut file, column.name, units(column.units), column.long_name)?);
         }
+        let sensitivities = more
+            .iter()
+            .map(|column| layout.number(&mut file, &column.name, "1", &column.long_name))
+            .collect::<Result<Vec<_>>>()?;
 
         let mut fields = [const { None }; FIELDS.len()];
         if !output.fields.is_empty() {
@@ -102,7 +109,7 @@ impl Results {
             set_fill(&field)?;
             fields[place] = Some(field);
         }
-        Ok(Self { shape: layout.shape, columns, laboratory, case, status, reason, fields, file })
+        Ok(Self { shape: layout.shape, columns, sensitivities, laboratory, case, status, reason, fields, file })
     }
 
     /// Writes all but the fields of neighbouring rows: those of a range of the last dimension but one, in a block of the
@@ -111,6 +118,9 @@ impl Results {
         let write = Write { shape: &self.shape, block, range };
         for (i, variable) in self.columns.iter().enumerate() {
             write.to(variable, places.iter().map(|place| place.values[i]))?;
+        }
+        for (i, variable) in self.sensitivities.iter().enumerate() {
+            write.to(variable, places.iter().map(|place| place.sensitivities[i]))?;
         }
         if let Some(LaboratoryVariables { alpha, beta, scales }) = &self.laboratory {
             write.to(alpha, places.iter().map(|place| place.point.numbers[1]))?;

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use super::StoreError;
 use super::publication::{Place, Point};
 use super::record::CaseRecord;
+use super::sensitivity_columns::SensitivityColumn;
 use crate::model::{COLUMNS, Experiment, LaboratoryQuantity, Scales};
 
 /// A table under a temporary name.
@@ -19,7 +20,7 @@ struct Table {
 }
 
 impl Table {
-    fn create(path: &Path, header: impl IntoIterator<Item = &'static str>) -> Result<Self, StoreError> {
+    fn create(path: &Path, header: impl IntoIterator<Item = impl Display>) -> Result<Self, StoreError> {
         let file = File::create(path).map_err(StoreError::file(path, "create"))?;
         let writer = csv::Writer::from_writer(BufWriter::new(file));
         let mut table = Self { writer, path: path.to_owned(), text: String::new() };
@@ -67,13 +68,18 @@ fn failure(path: &Path, error: csv::Error) -> StoreError {
 pub(super) struct Summary(Table);
 
 impl Summary {
-    /// With the quantities and scales of an experiment, if there is one.
-    pub(super) fn create(path: &Path, experiment: Option<&Experiment>) -> Result<Self, StoreError> {
+    /// With the quantities and scales of an experiment, if there is one, and the columns of sensitivities.
+    pub(super) fn create(
+        path: &Path,
+        experiment: Option<&Experiment>,
+        more: &[SensitivityColumn],
+    ) -> Result<Self, StoreError> {
         let quantities = experiment.into_iter().flat_map(Experiment::given).map(LaboratoryQuantity::name);
         let columns = COLUMNS.iter().filter(|column| column.in_summary).map(|column| column.name);
         let scales = experiment.into_iter().flat_map(|_| Scales::VARIABLES).map(|(name, ..)| name);
         let header = ["case", "f", "alpha", "beta"].into_iter().chain(quantities).chain(["status", "reason"]);
-        Table::create(path, header.chain(columns).chain(scales)).map(Self)
+        let header = header.chain(columns).chain(scales).map(str::to_owned);
+        Table::create(path, header.chain(more.iter().map(|column| column.name.clone()))).map(Self)
     }
 
     pub(super) fn row(&mut self, place: &Place) -> Result<(), StoreError> {
@@ -89,6 +95,7 @@ impl Summary {
         if let Some(experiment) = experiment {
             table.numbers(experiment.scales().values())?;
         }
+        table.numbers(place.sensitivities.iter().copied())?;
         table.end_row()
     }
 
