@@ -9,6 +9,7 @@ use super::solve::ESTIMATE_POINTS;
 use crate::engine::ThreadsError;
 use crate::figures::FigureError;
 use crate::input::InputError;
+use crate::material::FitError;
 use crate::pictures::PictureError;
 use crate::shown::shown;
 use crate::store::StoreError;
@@ -17,7 +18,7 @@ use crate::sweep::Method;
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// A sweep or study file is not valid.
+    /// A sweep file, a study file or a table of measurements is not valid.
     #[error(transparent)]
     Input(#[from] InputError),
     /// More threads than the system gives.
@@ -184,6 +185,14 @@ pub enum CliError {
     /// A picture that a data set has nothing for.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// Measurements that no material was fitted to.
+    #[error("{}: {source}", shown(data))]
+    Fit {
+        /// The table of measurements.
+        data: PathBuf,
+        /// Why there is none.
+        source: FitError,
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -199,6 +208,7 @@ impl CliError {
     pub fn code(&self) -> u8 {
         match self {
             CliError::Input(_)
+            | CliError::Fit { .. }
             | CliError::NoSuchCase { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
