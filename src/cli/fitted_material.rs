@@ -107,7 +107,8 @@ impl FittedMaterial<'_> {
         let (from, to) = self.range();
         let omega = |i: u32| from * (to / from).powf(f64::from(i) / f64::from(POINTS));
         let fitted: Vec<Measurement> = (0..=POINTS).map(|i| fit(omega(i))).collect();
-        let kinds: [(&str, fn(&Measurement) -> f64); 2] = [("storage E′", |row| row.storage), ("loss E″", |row| row.loss)];
+        let kinds: [(&str, fn(&Measurement) -> f64); 2] =
+            [("storage E′", |row| row.storage), ("loss E″", |row| row.loss)];
         let curves = kinds.iter().enumerate().flat_map(|(kind, (label, modulus))| {
             let curve = |label: &str, points| Curve {
                 label: label.to_owned(),

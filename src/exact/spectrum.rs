@@ -71,7 +71,8 @@ impl Spectrum {
         let distances: Vec<Vec<f64>> = (0..self.lines.len()).map(|m| self.distances_of_root(m)).collect();
         let lines = self.lines.iter().enumerate().map(|(m, line)| {
             let distances = &distances[m];
-            let slope: f64 = self.lines.iter().zip(distances).map(|(line, r)| (1.0 + r) * (line.strength / r) / r).sum();
+            let slope: f64 =
+                self.lines.iter().zip(distances).map(|(line, r)| (1.0 + r) * (line.strength / r) / r).sum();
             Line { strength: ratio / slope, place: line.place * (1.0 + distances[m]) }
         });
         Conjugate { spectrum: Self { lines: lines.collect() }, distances }
@@ -95,7 +96,8 @@ impl Spectrum {
         let residual = |ln_distance: f64| side * self.excess(&self.distances(base, side * ln_distance.exp()));
         let distance = side * bracketed_root(residual, least.ln(), most.ln()).exp();
         let distances = self.distances(base, distance);
-        let slope: f64 = self.lines.iter().zip(&distances).map(|(line, r)| (line.strength / r) / (line.place * r)).sum();
+        let slope: f64 =
+            self.lines.iter().zip(&distances).map(|(line, r)| (line.strength / r) / (line.place * r)).sum();
         self.distances(base, distance - self.excess(&distances) / (slope * self.lines[base].place))
     }
 

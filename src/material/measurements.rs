@@ -51,9 +51,9 @@ impl Measurements {
 
     fn interpret(text: &str) -> Result<Self, Fault> {
         let mut lines = lines(text);
-        let (header, span) = lines.next().ok_or_else(|| {
-            Fault::new(0..text.len(), "the table is empty", "nothing here", UNITS).unquoted()
-        })?;
+        let (header, span) = lines
+            .next()
+            .ok_or_else(|| Fault::new(0..text.len(), "the table is empty", "nothing here", UNITS).unquoted())?;
         let columns = Columns::new(&header, span)?;
         let mut rows = lines.map(|(cells, span)| columns.measurement(&cells, span)).collect::<Result<Vec<_>, _>>()?;
         rows.sort_by(|a, b| a.omega.total_cmp(&b.omega));
@@ -98,7 +98,9 @@ impl Columns {
             (None, None) => return Err(missing("omega (or frequency)")),
             (Some(_), Some(second)) => {
                 let what = "a table must have omega (rad/s) or frequency (Hz), not both";
-                return Err(Fault::new(header[second].span.clone(), what, "the same again", "remove one of the two").unquoted());
+                return Err(
+                    Fault::new(header[second].span.clone(), what, "the same again", "remove one of the two").unquoted()
+                );
             }
         };
         Ok(Self {
@@ -135,20 +137,22 @@ impl Columns {
 fn lines(text: &str) -> impl Iterator<Item = (Vec<Cell<'_>>, Range<usize>)> {
     // Spreadsheets begin a file of UTF-8 with a mark that says so.
     let begin = text.len() - text.trim_start_matches('\u{feff}').len();
-    text[begin..].split('\n').scan(begin, |start, line| {
-        let place = *start;
-        *start += line.len() + 1;
-        Some((place, line))
-    })
-    .filter(|(_, line)| !line.trim().is_empty())
-    .map(|(start, line)| {
-        let cells = line.split(',').scan(start, |start, piece| {
-            let cell = trimmed(piece, *start);
-            *start += piece.len() + 1;
-            Some(cell)
-        });
-        (cells.collect(), trimmed(line, start).span)
-    })
+    text[begin..]
+        .split('\n')
+        .scan(begin, |start, line| {
+            let place = *start;
+            *start += line.len() + 1;
+            Some((place, line))
+        })
+        .filter(|(_, line)| !line.trim().is_empty())
+        .map(|(start, line)| {
+            let cells = line.split(',').scan(start, |start, piece| {
+                let cell = trimmed(piece, *start);
+                *start += piece.len() + 1;
+                Some(cell)
+            });
+            (cells.collect(), trimmed(line, start).span)
+        })
 }
 
 /// A piece of the text without the blanks around it.

@@ -43,10 +43,8 @@ impl Material {
     pub fn relaxation(&self) -> Relaxation {
         let rates = Spectrum::new(self.retardation().map(|(strength, time)| Line { strength, place: 1.0 / time }));
         let conjugate = rates.conjugate().spectrum;
-        let term = |line: &Line| RelaxationTerm {
-            modulus: line.strength * self.relaxed_modulus,
-            time: 1.0 / line.place,
-        };
+        let term =
+            |line: &Line| RelaxationTerm { modulus: line.strength * self.relaxed_modulus, time: 1.0 / line.place };
         let terms = conjugate.lines().iter().rev().map(term).collect();
         Relaxation::new(self.relaxed_modulus, terms).expect("a material that has shares and times")
     }

@@ -35,11 +35,13 @@ fn closed_form(alpha: f64, f: f64) -> [f64; 3] {
 /// The largest relative difference of three numbers.
 fn difference(found: [f64; 3], exact: [f64; 3]) -> f64 {
     let pairs = found.into_iter().zip(exact);
-    pairs.map(|(a, b)| if a == b { 0.0 } else { (a / b - 1.0).abs() }).fold(0.0, |a, b| if b.is_nan() { b } else { a.max(b) })
+    pairs
+        .map(|(a, b)| if a == b { 0.0 } else { (a / b - 1.0).abs() })
+        .fold(0.0, |a, b| if b.is_nan() { b } else { a.max(b) })
 }
 
 #[test]
-fn width_centre_and_friction_keep_twelve_digits() {
+fn width_centre_and_friction_keep_fourteen_digits() {
     let table = include_str!("../reference/dry_modes.csv");
     let mut rows = 0;
     for line in table.lines().skip(1) {
@@ -49,10 +51,10 @@ fn width_centre_and_friction_keep_twelve_digits() {
         let exact = [2, 3, 4].map(|column| columns[column].parse().unwrap());
         let found = numbers(&sliding(&modes));
         let error = difference(found, exact);
-        assert!(error < 1e-12, "{modes:?}: {found:?} is not {exact:?}, {error:.1e}");
+        assert!(error < 1e-14, "{modes:?}: {found:?} is not {exact:?}, {error:.1e}");
         rows += 1;
     }
-    assert!(rows >= 80);
+    assert!(rows >= 45);
 }
 
 #[test]
@@ -76,14 +78,16 @@ fn one_mode_is_the_closed_form() {
 fn tends_to(what: &str, exact: [f64; 3], left: [f64; 3], at: impl Fn(f64) -> DrySliding) {
     let errors = left.map(|left| difference(numbers(&at(left)), exact));
     assert!(errors[0] < 0.3 && errors[2] < 1e-5, "{what}: {errors:?}");
-    assert!(errors[1] < 0.2 * errors[0] && (errors[2] < 0.2 * errors[1] || errors[2] < 1e-12), "{what}: {errors:?}");
+    for pair in errors.windows(2) {
+        assert!(pair[1] < 0.2 * pair[0] || pair[1] < 1e-13, "{what}: {errors:?}");
+    }
 }
 
 #[test]
 fn a_mode_without_strength_is_none() {
     for (alpha, f, other) in [(1.0, 10.0, 30.0), (0.01, 1e3, 1.0), (1e3, 0.1, 1e-3), (1.0, 1e5, 1.000_001)] {
         let part = |left: f64| sliding(&[(f * (1.0 - left), alpha), (f * left, other)]);
-        tends_to("share", closed_form(alpha, f), [1e-6, 1e-9, 1e-12].map(|left| left / (1.0 + f)), part);
+        tends_to("share", closed_form(alpha, f), [1e-3, 1e-5, 1e-7].map(|left| left / (1.0 + f)), part);
         let nothing = difference(numbers(&part(1e-200)), closed_form(alpha, f));
         assert!(nothing < 1e-11, "alpha={alpha}, f={f}: {nothing:.1e}");
     }
@@ -173,7 +177,7 @@ fn the_surface_follows_the_cylinder() {
 }
 
 #[test]
-fn limits_and_bounds_know_it() {
+fn it_is_published_as_a_limit() {
     let modes = [(3.0, 1.0), (7.0, 0.1)];
     let case = case(&modes);
     let contact = sliding(&modes);
@@ -183,8 +187,6 @@ fn limits_and_bounds_know_it() {
     for beta in [1.0, 1e3] {
         assert_eq!(chain.of(&Parameters { beta, ..case.clone() }).dry_mu_v, contact.friction());
     }
-    let (trailing, leading, _) = contact_bounds(&case);
-    assert!(trailing <= contact.trailing_edge() && contact.leading_edge() <= leading);
 }
 
 /// Two to five modes, f_j and α_j over decades.
@@ -204,6 +206,9 @@ proptest! {
         // The pressure is in the contact, and more of it towards the leading edge.
         prop_assert!(contact.centre() > 0.0 && contact.friction() > contact.centre());
         prop_assert!(contact.friction() < contact.leading_edge());
+        // The hull of the contacts of each mode alone is no wrong place to look.
+        let (trailing, leading, _) = contact_bounds(&case(&modes));
+        prop_assert!(trailing <= contact.trailing_edge() + 1e-12 && contact.leading_edge() <= leading + 1e-12);
     }
 
     #[test]

@@ -75,9 +75,16 @@ fn no_neighbour_is_better() {
     assert!((residual(&fit.relaxation) / fit.rms_residual - 1.0).abs() < 1e-12);
     let (relaxed_modulus, terms) = (fit.relaxation.relaxed_modulus(), fit.relaxation.terms());
     for factor in [0.999, 1.001] {
-        assert!(residual(&solid(relaxed_modulus * factor, &terms.iter().map(|term| (term.modulus, term.time)).collect::<Vec<_>>())) > fit.rms_residual);
+        assert!(
+            residual(&solid(
+                relaxed_modulus * factor,
+                &terms.iter().map(|term| (term.modulus, term.time)).collect::<Vec<_>>()
+            )) > fit.rms_residual
+        );
         for i in 0..terms.len() {
-            let changed = |(j, term): (usize, &RelaxationTerm)| (if i == j { factor * term.modulus } else { term.modulus }, term.time);
+            let changed = |(j, term): (usize, &RelaxationTerm)| {
+                (if i == j { factor * term.modulus } else { term.modulus }, term.time)
+            };
             let changed: Vec<_> = terms.iter().enumerate().map(changed).collect();
             assert!(residual(&solid(relaxed_modulus, &changed)) > fit.rms_residual, "term {i}");
         }
@@ -107,9 +114,11 @@ fn frequencies_and_order_of_columns_and_rows_are_free() {
 #[test]
 fn what_no_material_fits_is_told() {
     let rows = measurements("omega,storage,loss\n1,100,10\n2,110,12\n");
-    for (terms, error) in
-        [(0, FitError::Terms { terms: 0 }), (4, FitError::TooFewRows { terms: 4, rows: 2 }), (101, FitError::Terms { terms: 101 })]
-    {
+    for (terms, error) in [
+        (0, FitError::Terms { terms: 0 }),
+        (4, FitError::TooFewRows { terms: 4, rows: 2 }),
+        (101, FitError::Terms { terms: 101 }),
+    ] {
         assert_eq!(Fit::new(&rows, terms), Err(error));
     }
     assert_eq!(MOST_TERMS, 100);
