@@ -6,6 +6,8 @@ use std::path::Path;
 use serde_json::Value;
 use stribeck::material::{Fit, Measurements, Relaxation, RelaxationTerm};
 use tempfile::{TempDir, tempdir};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 use crate::program::{code, err, out, paths, say};
 
@@ -60,12 +62,16 @@ fn the_section_for_a_sweep_file_is_the_material() {
     let said = out(&say(directory.path(), &["material", "rubber.csv", "--terms", "9"]));
     let (_, section) = said.split_once("For a sweep file:\n\n").expect("the section");
     assert!(section.starts_with("[substrate]\nrelaxed_modulus = "), "{section}");
-    let table: toml::Table = section.parse().expect("TOML");
-    let substrate = table["substrate"].as_table().expect("a table");
-    let number = |value: &toml::Value| value.as_float().expect("a number with a point");
-    let term = |term: &toml::Value| RelaxationTerm { modulus: number(&term["modulus"]), time: number(&term["time"]) };
-    let terms = substrate["relaxation"].as_array().expect("a list").iter().map(term).collect();
-    let read = Relaxation::new(number(&substrate["relaxed_modulus"]), terms).expect("a material");
+    let document = DeTable::parse(section).expect("TOML").into_inner();
+    let substrate = document["substrate"].get_ref();
+    let number = |value: &Spanned<DeValue<'_>>| -> f64 {
+        value.get_ref().as_float().expect("a number with a point").as_str().parse().expect("a number")
+    };
+    let field = |term: &Spanned<DeValue<'_>>, key: &str| number(&term.get_ref().as_table().expect("a table")[key]);
+    let substrate = substrate.as_table().expect("a table");
+    let terms = substrate["relaxation"].get_ref().as_array().expect("a list").iter();
+    let terms = terms.map(|term| RelaxationTerm { modulus: field(term, "modulus"), time: field(term, "time") });
+    let read = Relaxation::new(number(&substrate["relaxed_modulus"]), terms.collect()).expect("a material");
     assert_eq!(read, fit(directory.path(), 9).relaxation);
 }
 
