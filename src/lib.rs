@@ -19,6 +19,7 @@
 //! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`input`], [`model`], [`collocation::Settings`], [`relaxation::Settings`] |
 //! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
+//! | [`material`] | measured moduli → relaxation spectrum → retardation spectrum of a substrate | [`input`], [`model`], [`exact`] for spectra |
 //! | [`collocation`] | the default solver: panels fitted to the cavitation boundary, Newton's method, error estimate | [`model`], [`exact`], [`continuation`] |
 //! | [`relaxation`] | the paper's solver: uniform grid, FFT deformation, Gauss–Seidel passes, Anderson acceleration | [`model`], [`exact`] |
 //! | [`continuation`] | lines between cases, predictor, step control, seeds along one chain | [`model`], [`exact`] for the limits beside a solution |
@@ -48,6 +49,7 @@ pub mod exact;
 pub mod figures;
 pub mod fit;
 pub mod input;
+pub mod material;
 pub mod measured;
 pub mod model;
 pub mod pictures;

@@ -53,7 +53,8 @@ fn finished() -> TempDir {
 #[test]
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
-    for command in ["run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study"]
+    for command in
+        ["run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study", "material"]
     {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
@@ -79,6 +80,7 @@ fn examples_in_help_texts_are_valid_command_lines() {
         &["slurm", "--help"],
         &["plot", "--help"],
         &["report", "--help"],
+        &["material", "--help"],
     ] {
         let help = out(&say(directory.path(), command));
         for line in help.lines().filter_map(|line| line.strip_prefix("  stribeck ")) {
@@ -90,6 +92,7 @@ fn examples_in_help_texts_are_valid_command_lines() {
                 let output = say(directory.path(), &words);
                 let expected = match words[0] {
                     "study" => "cannot read the study file",
+                    "material" => "cannot read the table of measurements",
                     "plot" | "report" => "there is no such directory",
                     _ => "cannot read the sweep file",
                 };

@@ -9,6 +9,7 @@ use super::solve::ESTIMATE_POINTS;
 use crate::engine::ThreadsError;
 use crate::figures::FigureError;
 use crate::input::InputError;
+use crate::material::FitError;
 use crate::measured::MeasuredError;
 use crate::pictures::PictureError;
 use crate::shown::{printable, shown};
@@ -18,7 +19,7 @@ use crate::sweep::Method;
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// A sweep or study file is not valid.
+    /// A sweep file, a study file or a table of measurements is not valid.
     #[error(transparent)]
     Input(#[from] InputError),
     /// A file of measured points is not valid.
@@ -224,6 +225,14 @@ pub enum CliError {
     /// A picture that a data set has nothing for.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// Measurements that no material was fitted to.
+    #[error("{}: {source}", shown(data))]
+    Fit {
+        /// The table of measurements.
+        data: PathBuf,
+        /// Why there is none.
+        source: FitError,
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -244,6 +253,7 @@ impl CliError {
             | CliError::SeveralCurves { .. }
             | CliError::NoSuchAxis { .. }
             | CliError::NoFit { .. }
+            | CliError::Fit { .. }
             | CliError::NoSuchCase { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }

@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `curve`, `fit`, `plot`, `report`, `study` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `curve`, `fit`, `plot`, `report`, `study`, `material` | the commands |
 //! | `destination` | the results directory of a sweep, and what it was used for before |
 //! | `published` | the published data set, for commands that show it |
 //! | `workload` | which chains of a plan are left to be solved |
@@ -14,6 +14,7 @@
 //! | `failures` | failed cases, listed and by region |
 //! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
+//! | `fitted_material` | a fitted material as a table, as JSON and as a chart |
 //! | `solver` | the solver that a sweep asks for |
 //! | `repeat`, `way` | the command that solves a case again; how it was reached |
 //! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
@@ -28,7 +29,9 @@ mod expectation;
 mod explain;
 mod failures;
 mod fit;
+mod fitted_material;
 mod job;
+mod material;
 mod merge;
 mod parts;
 mod plan;
@@ -85,6 +88,7 @@ Examples:
   stribeck plot results/quick                           pictures of it, in results/quick/figures
   stribeck report results/quick                         one page of it, for a browser
   stribeck study sweeps/study-quick.toml                error against run time
+  stribeck material rubber.csv --terms 12               a substrate from measured moduli
 
 Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4 the disk or a file;
 130 interrupted, the same command resumes.";
@@ -117,6 +121,8 @@ enum Command {
     Report(report::Arguments),
     /// Measure error against run time, and where each method is stable
     Study(study::Arguments),
+    /// Fit a substrate to measured storage and loss moduli
+    Material(material::Arguments),
 }
 
 /// How a command ended that did what it was asked to.
@@ -159,6 +165,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Plot(arguments) => plot::execute(arguments),
         Command::Report(arguments) => report::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),
+        Command::Material(arguments) => material::execute(arguments),
     };
     match ending {
         Ok(exit) => exit.code().into(),

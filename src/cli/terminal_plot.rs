@@ -31,6 +31,9 @@ pub fn plot(line: &[(f64, f64)], points: &[(f64, f64)], x: TextAxis, y: TextAxis
         return String::new();
     }
     let ((left, right), (bottom, top)) = (ends(|at| at.0), ends(|at| at.1));
+    // What is nowhere negative begins at 0, not a little below.
+    let is_positive = !y.logarithmic && line.iter().chain(&points).all(|at| at.1 >= 0.0);
+    let bottom = if is_positive && bottom < 0.2 * top { 0.0 } else { bottom };
     let label = |axis: TextAxis| {
         LabelFormat::Custom(Box::new(move |at| {
             let value = f64::from(at);

@@ -2,35 +2,58 @@
 
 use super::dry::DryContact;
 use super::dry_gradient::DryGradient;
+use super::dry_modes::DrySliding;
 use super::large_beta::LargeBeta;
 use crate::model::{Limits, Parameters};
 
 /// The limits of one case after the other. What does not depend on β is kept as long as α, f and substrate stay.
 #[derive(Clone, Debug, Default)]
 pub struct ChainLimits {
-    /// A case with these α, f and substrate, its dry contact and the pressure gradient there.
-    dry: Option<(Parameters, DryContact, DryGradient)>,
+    /// A case with these α, f and substrate, and its dry contact.
+    dry: Option<(Parameters, Dry)>,
 }
 
-impl ChainLimits {
-    /// The limits of a case; NaN for several retardation times, where there is no closed form.
-    pub fn of(&mut self, case: &Parameters) -> Limits {
-        let same =
-            |known: &Parameters| (known.alpha, known.f) == (case.alpha, case.f) && known.substrate == case.substrate;
-        let dry = match self.dry.take().filter(|(known, ..)| same(known)) {
-            Some(dry) => dry,
-            None => match DryContact::of(case) {
-                Some(contact) => (case.clone(), contact, DryGradient::new(&contact)),
-                None => return Limits::UNKNOWN,
-            },
-        };
-        let (_, contact, gradient) = self.dry.insert(dry);
-        let Some(approximation) = LargeBeta::on(*contact, case) else { return Limits::UNKNOWN };
-        Limits { dry_mu_v: approximation.approx_mu_v(), approx_mu_h: approximation.shear(gradient) }
+/// What is known of a dry contact.
+#[derive(Clone, Debug)]
+enum Dry {
+    /// With one retardation time: everything, the pressure gradient too.
+    Closed(DryContact, DryGradient),
+    /// With several: its friction.
+    Several(DrySliding),
+}
+
+impl Dry {
+    fn of(case: &Parameters) -> Self {
+        match DryContact::of(case) {
+            Some(contact) => Self::Closed(contact, DryGradient::new(&contact)),
+            None => Self::Several(DrySliding::of(case)),
+        }
+    }
+
+    fn friction(&self) -> f64 {
+        match self {
+            Self::Closed(contact, _) => contact.friction(),
+            Self::Several(sliding) => sliding.friction(),
+        }
     }
 }
 
-/// The limits of one case; NaN for several retardation times, where there is no closed form.
+impl ChainLimits {
+    /// The limits of a case; the shear is NaN for several retardation times, where the dry pressure is not at hand.
+    pub fn of(&mut self, case: &Parameters) -> Limits {
+        let same =
+            |known: &Parameters| (known.alpha, known.f) == (case.alpha, case.f) && known.substrate == case.substrate;
+        let dry = self.dry.take().filter(|(known, _)| same(known)).unwrap_or_else(|| (case.clone(), Dry::of(case)));
+        let (_, dry) = self.dry.insert(dry);
+        let shear = match dry {
+            Dry::Closed(contact, gradient) => LargeBeta::on(*contact, case).map(|film| film.shear(gradient)),
+            Dry::Several(_) => None,
+        };
+        Limits { dry_mu_v: dry.friction(), approx_mu_h: shear.unwrap_or(f64::NAN) }
+    }
+}
+
+/// The limits of one case; the shear is NaN for several retardation times, where the dry pressure is not at hand.
 pub fn limits(parameters: &Parameters) -> Limits {
     ChainLimits::default().of(parameters)
 }

@@ -96,8 +96,11 @@ impl InputError {
     /// The remedy, in words.
     pub fn remedy(&self) -> &str {
         match self {
-            InputError::Unreadable { cause, .. } => match cause.kind() {
-                io::ErrorKind::NotFound => "check the path; the sweeps that come with the program are in `sweeps/`",
+            InputError::Unreadable { kind, cause, .. } => match cause.kind() {
+                io::ErrorKind::NotFound if kind.ends_with("file") => {
+                    "check the path; the sweeps that come with the program are in `sweeps/`"
+                }
+                io::ErrorKind::NotFound => "check the path",
                 io::ErrorKind::PermissionDenied => "make the file readable for you, or copy it to a place of yours",
                 io::ErrorKind::IsADirectory => "name the file in that directory",
                 _ => "check the disk and the path, then try again",

@@ -1,9 +1,9 @@
 //! Limits with known answers.
 
-use stribeck::exact::{DryContact, RigidFilm};
+use stribeck::exact::{DryContact, DrySliding, RigidFilm};
 use stribeck::model::{CavityShear, Parameters};
 
-use crate::cases::{difference, numbers, quantities, relative, settings, solutions};
+use crate::cases::{difference, numbers, quantities, relative, settings, solutions, with_modes};
 
 /// Cases of one substrate at powers of ten of β.
 fn decades(alpha: f64, f: f64, exponents: impl Iterator<Item = i32>) -> Vec<Parameters> {
@@ -98,6 +98,26 @@ fn thin_films_have_the_friction_of_dry_sliding() {
         assert!(distances[4] < 1e-3, "α = {alpha}, f = {f}: {distances:?}");
         approaches("F_v", &distances, 0.6);
         approaches("F_h", &shear, 1.0);
+        approaches("x_out", &edges, 0.6);
+    }
+}
+
+/// The same with several retardation times, and where the contact ends.
+#[test]
+fn thin_films_on_several_modes_have_the_friction_of_dry_sliding() {
+    for (alpha, f, modes) in [
+        (1.0, 10.0, &[(0.5, 1.0), (0.5, 10.0)][..]),
+        (0.3, 100.0, &[(0.9, 10.0), (0.1, 0.1)]),
+        (1.0, 100.0, &[(0.3, 0.03), (0.3, 1.0), (0.4, 30.0)]),
+    ] {
+        let dry = DrySliding::of(&with_modes(alpha, 1.0, f, modes));
+        let cases: Vec<Parameters> = (5..=8).map(|i| with_modes(alpha, 10_f64.powi(i), f, modes)).collect();
+        let solved = solutions(settings(1e-7), &cases, &numbers());
+        let friction = solved.iter().map(|solved| relative(solved.quantities.friction.viscoelastic, dry.friction()));
+        let edges = solved.iter().map(|solved| (solved.quantities.x_outlet - dry.trailing_edge()).abs());
+        let (friction, edges): (Vec<f64>, Vec<f64>) = (friction.collect(), edges.collect());
+        assert!(friction[3] < 1e-3 && edges[3] < 1e-2 * dry.half_width(), "{modes:?}: {friction:?} {edges:?}");
+        approaches("F_v", &friction, 0.6);
         approaches("x_out", &edges, 0.6);
     }
 }

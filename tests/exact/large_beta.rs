@@ -148,7 +148,7 @@ fn approaches_solutions() {
 }
 
 #[test]
-fn limits_are_published_for_one_retardation_time_only() {
+fn the_shear_is_published_for_one_retardation_time_only() {
     let single = Parameters::new(1.0, 100.0, 10.0);
     let known = limits(&single);
     assert_eq!(known.dry_mu_v, DryContact::new(1.0, 10.0).friction());
@@ -156,7 +156,7 @@ fn limits_are_published_for_one_retardation_time_only() {
     let mode = |share, time| RetardationMode { share, time };
     let substrate = Substrate::new(vec![mode(0.5, 1.0), mode(0.5, 3.0)]).unwrap();
     let Limits { dry_mu_v, approx_mu_h } = limits(&Parameters { substrate, ..single });
-    assert!(dry_mu_v.is_nan() && approx_mu_h.is_nan());
+    assert!(dry_mu_v > 0.0 && approx_mu_h.is_nan());
 }
 
 /// One after the other or each alone, the limits are the same; what is kept from one case is not taken for another.
@@ -182,6 +182,7 @@ fn limits_along_a_chain_are_those_of_each_case() {
         let (along, alone) = (chain.of(&case), limits(&case));
         assert_eq!(along.dry_mu_v.to_bits(), alone.dry_mu_v.to_bits(), "{case:?}");
         assert_eq!(along.approx_mu_h.to_bits(), alone.approx_mu_h.to_bits(), "{case:?}");
-        assert_eq!(along.dry_mu_v.is_nan(), case.substrate.modes().len() > 1);
+        assert!(along.dry_mu_v.is_finite());
+        assert_eq!(along.approx_mu_h.is_nan(), case.substrate.modes().len() > 1);
     }
 }

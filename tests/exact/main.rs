@@ -3,6 +3,7 @@
 
 mod displacement;
 mod dry;
+mod dry_modes;
 mod film_formula;
 mod hertz;
 mod large_beta;
