@@ -16,7 +16,7 @@
 //! | --- | --- | --- |
 //! | [`cli`] | one file per command | everything below |
 //! | [`input`] | files that users write: TOML by type, axes, errors that show the place | – |
-//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`input`], [`model`], [`collocation::Settings`], [`relaxation::Settings`] |
+//! | [`sweep`] | sweep file → validated [`sweep::Sweep`], axes, cases, plan | [`input`], [`model`], [`material`], [`collocation::Settings`], [`relaxation::Settings`] |
 //! | [`model`] | the equations: parameters, kernel, film, load, friction; no iteration | – |
 //! | [`exact`] | known limits: dry sliding, rigid film, Hertz, large-β approximation | [`model`] |
 //! | [`material`] | measured moduli → relaxation spectrum → retardation spectrum of a substrate | [`input`], [`model`], [`exact`] for spectra |

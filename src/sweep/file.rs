@@ -5,9 +5,9 @@ use std::path::Path;
 use super::grid::Grid;
 use super::laboratory::{self, MaterialDefaults};
 use super::specification::{Axes, Sweep};
+use super::substrate::{self, ReadSubstrate};
 use super::{output, solver};
 use crate::input::{self, Entry, Fault, InputError, Quantity, Section, read_axis};
-use crate::model::{RetardationMode, Substrate};
 use crate::shown::{is_printable, printable};
 
 /// What the file is called in messages.
@@ -21,7 +21,7 @@ const SECTIONS: [(&str, &[&str]); 7] = [
     ("", &["title", "axes", "laboratory", "substrate", "solver", "output"]),
     ("axes", &["f", "alpha", "beta"]),
     ("laboratory", &laboratory::KEYS),
-    ("substrate", &["modes"]),
+    ("substrate", &substrate::KEYS),
     ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
     ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
     ("output", &["fields", "x", "limits", "cavity_shear", "sensitivities"]),
@@ -51,9 +51,10 @@ impl Sweep {
 fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
     let document = input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
-    let grid = read_grid(&root, &MaterialDefaults::default())?;
+    let read_substrate = root.get("substrate").map(|entry| substrate::read(&entry)).transpose()?;
+    let ReadSubstrate { substrate, material } = read_substrate.unwrap_or_default();
+    let grid = read_grid(&root, &material)?;
     let title = root.get("title").map(|title| read_title(&title)).transpose()?;
-    let substrate = root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?.unwrap_or_default();
     let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
     // what can be asked for depends on the method
     let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
@@ -98,7 +99,7 @@ pub(crate) fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
 /// Reads `[axes]`, or `[laboratory]` with f in either.
 fn read_grid(root: &Section<'_>, material: &MaterialDefaults) -> Result<Grid, Fault> {
     let Some(laboratory) = root.get("laboratory") else {
-        return read_axes(&root.require("axes", AXES_EXAMPLE)?).map(Grid::Dimensionless);
+        return read_axes(&root.require("axes", AXES_EXAMPLE)?, material.f).map(Grid::Dimensionless);
     };
     let axis_of_f = match root.get("axes") {
         None => None,
@@ -115,8 +116,8 @@ fn read_grid(root: &Section<'_>, material: &MaterialDefaults) -> Result<Grid, Fa
     laboratory::read(&laboratory, axis_of_f, material).map(Grid::Laboratory)
 }
 
-/// Reads `[axes]`.
-pub(crate) fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
+/// Reads `[axes]`; f may be left out where a material has its own.
+pub(crate) fn read_axes(entry: &Entry<'_>, own_f: Option<f64>) -> Result<Axes, Fault> {
     let section = section(entry)?;
     let axis = |key, quantity| {
         let help = format!(
@@ -125,7 +126,10 @@ pub(crate) fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
         read_axis(&section.require(key, &help)?, quantity)
     };
     let axes = Axes {
-        f: axis("f", Quantity::Strength)?,
+        f: match own_f.filter(|_| section.get("f").is_none()) {
+            Some(f) => vec![f],
+            None => axis("f", Quantity::Strength)?,
+        },
         alpha: axis("alpha", Quantity::SlideTime)?,
         beta: axis("beta", Quantity::InverseHersey)?,
     };
@@ -141,30 +145,4 @@ pub(crate) fn read_axes(entry: &Entry<'_>) -> Result<Axes, Fault> {
         ));
     }
     Ok(axes)
-}
-
-/// Reads `[substrate]`.
-pub(crate) fn read_substrate(entry: &Entry<'_>) -> Result<Substrate, Fault> {
-    let example = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, time = 100.0 }]";
-    let Some(modes_entry) = section(entry)?.get("modes") else { return Ok(Substrate::default()) };
-    let read_mode = |mode: Entry<'_>| {
-        let mode = mode.section(&["share", "time"], |_| None)?;
-        let [share_entry, time_entry] = [mode.require("share", example)?, mode.require("time", example)?];
-        let (share, time) = (share_entry.number()?, time_entry.number()?);
-        if !(share > 0.0 && share <= 1.0) {
-            let help = "a share is the mode's part of f; leave out modes that have none";
-            return Err(share_entry.fault("a `share` must be above 0 and at most 1", "not a share", help));
-        }
-        if !(time > 0.0 && time.is_finite()) {
-            let help = "the time is the mode's retardation time over the one in alpha, as in 100.0";
-            return Err(time_entry.fault("a `time` must be finite and above 0", "not a time", help));
-        }
-        Ok(RetardationMode { share, time })
-    };
-    let modes = modes_entry.require_list(example)?.map(read_mode).collect::<Result<Vec<_>, _>>()?;
-    Substrate::new(modes).map_err(|error| {
-        let help =
-            "scale the shares so that they add up to 1; for the usual single retardation time leave [substrate] out";
-        modes_entry.fault(format!("`substrate.modes`: {error}"), "these modes", help).unquoted()
-    })
 }

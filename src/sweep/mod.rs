@@ -8,8 +8,8 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
-//! | `file` | the sweep file as a whole, its keys, `[axes]` and `[substrate]` |
-//! | `laboratory`, `solver`, `output` | the sections of these names |
+//! | `file` | the sweep file as a whole, its keys, and `[axes]` |
+//! | `laboratory`, `substrate`, `solver`, `output` | the sections of these names |
 //! | `grid` | [`Grid`]: the places of a sweep |
 //! | `recipe` | what cases are solved with: [`Recipe`] |
 //! | `fingerprint` | what makes two cases the same: [`Fingerprint`] |
@@ -28,8 +28,9 @@ mod plan;
 mod recipe;
 mod solver;
 mod specification;
+mod substrate;
 
-pub(crate) use file::{read_axes, read_substrate, read_title};
+pub(crate) use file::{read_axes, read_title};
 pub use fingerprint::Fingerprint;
 pub use grid::Grid;
 pub(crate) use laboratory::unit_factor;
@@ -38,4 +39,5 @@ pub use part::{NotAPart, Part};
 pub use plan::{Chain, MAX_CHAIN, Plan};
 pub use recipe::{Recipe, SolverRecipe};
 pub(crate) use solver::{read_error, read_points};
+pub(crate) use substrate::read as read_substrate;
 pub use specification::{Axes, Method, SolverSettings, Sweep};
