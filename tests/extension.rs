@@ -220,6 +220,7 @@ fn stored_by_an_earlier_version(directory: &Path, sweep: &Sweep) -> usize {
         reason: "an earlier version".to_owned(),
         values: [f64::NAN; stribeck::model::COLUMNS.len()],
         fields: stribeck::model::Fields::default(),
+        sensitivities: None,
         timing: Timing::default(),
     };
     let mut cases = 0;

@@ -82,6 +82,7 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
                 film_thickness: field(&|x| 1e-4 * size + (x.abs() - size).max(0.0).powi(2)),
                 displacement: field(&|x| -0.3 * size * (-x * x).exp()),
             },
+            sensitivities: None,
             timing: Timing {
                 seconds: 1e-3 * size,
                 iterations: 5,
@@ -256,6 +257,7 @@ fn a_page_of_outdated_results_says_so() {
         reason: "late".into(),
         values: [f64::NAN; COLUMNS.len()],
         fields: Fields::default(),
+        sensitivities: None,
         timing: Timing { seconds: 0.0, iterations: 0, factorisations: 0, seed: "none".into(), time_limit: None },
     };
     store.commit(&[late]).unwrap();

@@ -58,9 +58,7 @@ impl<'a> Adjoint<'a> {
     ) -> Self {
         system.linearise(displacement, beta, state);
         let inlet = *system.inlet();
-        let (last, y) = (state.film.len() - 1, displacement.discretisation.film_y());
-        let film = state.film[last] + 0.5 * (inlet.start.powi(2) - (state.outlet + y[last]).powi(2));
-        let partials = InletPartials::new(&inlet, beta, film, state.c);
+        let partials = InletPartials::new(&inlet, beta, state.c);
         let mut adjoint = Self { displacement, state, system, factors, inlet, partials, beta };
         adjoint.assemble();
         adjoint.factors.factorise();

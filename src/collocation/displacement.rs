@@ -36,6 +36,8 @@ pub struct Displacement {
 
 /// What follows from the displacement of one solution.
 pub struct Along {
+    /// e less e(0) at the rows; all 0 where nothing below needs it.
+    pub elastic: Vec<f64>,
     /// Σ f_j/(1+f) v_j′ at the film's Gauss points, the part of w′ that does work; all 0 without retardation.
     pub retarded_slope: Vec<f64>,
     /// w less w(0) at the Gauss points behind the outlet, if wanted.
@@ -95,22 +97,20 @@ impl Displacement {
             discretisation.elastic.multiply_rows(0, pressure, &mut e);
         }
         let places = if behind { discretisation.behind() } else { 0..0 };
-        let mut found = Along {
-            retarded_slope: vec![0.0; discretisation.film_points()],
-            behind: e[places].iter().map(|e| self.elastic_weight * e).collect(),
-        };
+        let mut retarded_slope = vec![0.0; discretisation.film_points()];
+        let mut displaced: Vec<f64> = e[places].iter().map(|e| self.elastic_weight * e).collect();
         for (weight, filter) in &self.filters {
             let (slope, outlet) = filter.slope(discretisation, &e, pressure);
-            for (sum, slope) in found.retarded_slope.iter_mut().zip(slope) {
+            for (sum, slope) in retarded_slope.iter_mut().zip(slope) {
                 *sum += weight * slope;
             }
             if behind {
-                for (w, v) in found.behind.iter_mut().zip(filter.behind(discretisation, &e, outlet)) {
+                for (w, v) in displaced.iter_mut().zip(filter.behind(discretisation, &e, outlet)) {
                     *w += weight * v;
                 }
             }
         }
-        found
+        Along { elastic: e, retarded_slope, behind: displaced }
     }
 
     /// w of the load ahead of the mesh, which is so far away that all of the contact is displaced alike: it is a part of h₀

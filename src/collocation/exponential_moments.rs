@@ -34,18 +34,21 @@ pub fn exponential_moments(kappa: f64, t: f64, moments: &mut [f64]) {
     by_quadrature(kappa, t, |_| 1.0, moments);
 }
 
-/// κ times the derivative of the [`exponential_moments`] with respect to κ (T41), into `rates`, from the moments.
-pub fn exponential_moment_rates(kappa: f64, t: f64, moments: &[f64], rates: &mut [f64]) {
-    let reach = kappa * (1.0 - t);
+/// κ times the derivative of the [`exponential_moments`] with respect to κ (T41), into `rates`.
+pub fn exponential_moment_rates(kappa: f64, t: f64, rates: &mut [f64]) {
+    let count = rates.len();
     if kappa <= STIFF {
         return by_quadrature(kappa, t, |passed| 1.0 - passed, rates);
     }
+    let mut moments = [0.0; MOST_MOMENTS];
+    exponential_moments(kappa, t, &mut moments[..count]);
+    let reach = kappa * (1.0 - t);
     rates[0] = reach * (-reach).exp();
     let mut two_below = rates[0];
-    if moments.len() > 1 {
+    if count > 1 {
         rates[1] = rates[0] + (rates[0] - moments[0]) / kappa;
     }
-    for k in 1..moments.len() - 1 {
+    for k in 1..count - 1 {
         let next = two_below + (2 * k + 1) as f64 / kappa * (rates[k] - moments[k]);
         two_below = rates[k];
         rates[k + 1] = next;
@@ -111,8 +114,8 @@ mod tests {
                     exponential_moments(kappa * ln.exp(), t, &mut moments);
                     moments
                 };
-                let (moments, mut rates) = (at(0.0), [0.0; 12]);
-                exponential_moment_rates(kappa, t, &moments, &mut rates);
+                let mut rates = [0.0; 12];
+                exponential_moment_rates(kappa, t, &mut rates);
                 let step = 2e-3;
                 let [near, far] = [step, 2.0 * step].map(|h| (at(h), at(-h)));
                 for (k, rate) in rates.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::displacement::Displacement;
+use super::displacement::{Along, Displacement};
 use super::inlet_partials::InletPartials;
 use super::quantities::{at_points, inlet};
 use super::state::State;
@@ -31,21 +31,27 @@ pub struct Partials {
 }
 
 impl Partials {
-    /// Those of F_v (T24).
-    pub fn of_viscoelastic(displacement: &Displacement, state: &State) -> Self {
+    /// Those of F_v (T24); `along` is that of the pressure.
+    pub fn of_viscoelastic(displacement: &Displacement, state: &State, along: &Along) -> Self {
         let discretisation = &displacement.discretisation;
         let weights = &discretisation.weights[discretisation.film()];
         let weighted =
             |values: &[f64]| weights.iter().zip(values).map(|(weight, value)| weight * value / FRAC_PI_2).collect();
         Self {
-            pressure: weighted(&displacement.along(&state.pressure, false).retarded_slope),
+            pressure: weighted(&along.retarded_slope),
             retarded_slope: weighted(&at_points(displacement, &state.pressure)),
             ..Self::default()
         }
     }
 
-    /// Those of F_h (T25), the cavity included.
-    pub fn of_hydrodynamic(displacement: &Displacement, beta: f64, state: &State, cavity_shear: CavityShear) -> Self {
+    /// Those of F_h (T25), the cavity included; `displaced` is w less w(0) at the Gauss points behind the outlet.
+    pub fn of_hydrodynamic(
+        displacement: &Displacement,
+        beta: f64,
+        state: &State,
+        displaced: &[f64],
+        cavity_shear: CavityShear,
+    ) -> Self {
         let discretisation = &displacement.discretisation;
         let weights = &discretisation.weights[discretisation.film()];
         let mut slopes = Vec::new();
@@ -61,8 +67,7 @@ impl Partials {
             ..Self::default()
         };
         let last_x = state.outlet + discretisation.film_y()[last];
-        let end_film = film[last] + 0.5 * (inlet.start * inlet.start - last_x * last_x);
-        let ahead = InletPartials::new(&inlet, beta, end_film, state.c);
+        let ahead = InletPartials::new(&inlet, beta, state.c);
         let [start, c, gap] =
             [ahead.start, ahead.c, ahead.gap].map(|partial| (partial.pressure_flow + partial.shear / 3.0) / PI);
         // g = u − x²/2 at the last Gauss point
@@ -70,17 +75,23 @@ impl Partials {
         partials.c += c;
         partials.outlet += start - last_x * gap;
         if cavity_shear != CavityShear::None {
-            partials.add_cavity(displacement, beta, state, cavity_shear);
+            partials.add_cavity(displacement, beta, state, displaced, cavity_shear);
         }
         partials
     }
 
     /// Adds those of F_h,cavity = ∫ θ/(3πβu) dx with θ = 1 or c/u; the gap is c + x_out y + y²/2 − (w − w(0)).
-    fn add_cavity(&mut self, displacement: &Displacement, beta: f64, state: &State, cavity_shear: CavityShear) {
+    fn add_cavity(
+        &mut self,
+        displacement: &Displacement,
+        beta: f64,
+        state: &State,
+        displaced: &[f64],
+        cavity_shear: CavityShear,
+    ) {
         let discretisation = &displacement.discretisation;
         let rows = discretisation.behind();
         let (y, weights) = (&discretisation.points[rows.clone()], &discretisation.weights[rows.clone()]);
-        let displaced = displacement.along(&state.pressure, true).behind;
         let gap = |i: usize| state.c + state.outlet * y[i] + 0.5 * y[i] * y[i] - displaced[i];
         let streamers = cavity_shear == CavityShear::Streamers;
         // θ/u, and its derivatives with respect to u and c

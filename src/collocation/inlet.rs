@@ -9,6 +9,8 @@ use crate::model::gauss;
 pub struct Inlet {
     /// X, where it begins.
     pub start: f64,
+    /// u(X).
+    pub film: f64,
     /// p(X).
     pub pressure: f64,
     /// ∫ p dx.
@@ -27,8 +29,16 @@ impl Inlet {
     /// The inlet from X on, with the film u(X) there and the flow c.
     pub fn new(beta: f64, x: f64, film: f64, c: f64) -> Self {
         let g = film - 0.5 * x * x;
-        let mut inlet =
-            Self { start: x, pressure: 0.0, load: 0.0, moment: 0.0, pressure_flow: 0.0, shear: 0.0, gradient: 0.0 };
+        let mut inlet = Self {
+            start: x,
+            film,
+            pressure: 0.0,
+            load: 0.0,
+            moment: 0.0,
+            pressure_flow: 0.0,
+            shear: 0.0,
+            gradient: 0.0,
+        };
         for (t, weight) in gauss::unit_interval() {
             // everything over powers of t, so that nothing overflows: x = X/t, dx = X dt/t², u = scaled/t²
             let scaled = 0.5 * x * x + g * t * t;

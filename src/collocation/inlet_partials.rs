@@ -28,9 +28,9 @@ pub struct InletPartials {
 }
 
 impl InletPartials {
-    /// Those of an inlet with the film u(X) at its start and the flow c: of (T33) under the integral.
-    pub fn new(inlet: &Inlet, beta: f64, film: f64, c: f64) -> Self {
-        let x = inlet.start;
+    /// Those of an inlet with the flow c: of (T33) under the integral.
+    pub fn new(inlet: &Inlet, beta: f64, c: f64) -> Self {
+        let (x, film) = (inlet.start, inlet.film);
         let g = film - 0.5 * x * x;
         let start = InletPartial {
             pressure: inlet.gradient,
@@ -66,7 +66,7 @@ mod tests {
     fn partials_are_derivatives_of_the_integrals() {
         let (beta, x, g, c) = (3.0, 4.0, -2.5, 0.4);
         let inlet = |x: f64, g: f64, c: f64| Inlet::new(beta, x, 0.5 * x * x + g, c);
-        let partials = InletPartials::new(&inlet(x, g, c), beta, 0.5 * x * x + g, c);
+        let partials = InletPartials::new(&inlet(x, g, c), beta, c);
         let step = 1e-4;
         let pairs = [
             (partials.start, inlet(x + step, g, c), inlet(x - step, g, c)),

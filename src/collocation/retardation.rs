@@ -88,11 +88,7 @@ impl PanelFilter {
     pub fn rates(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
         let kappa = alpha * half;
         let decay = |t: f64| -kappa * (1.0 - t) * (-kappa * (1.0 - t)).exp();
-        Self::of(reference, kappa, half, decay, |t, rates| {
-            let mut moments = [0.0; MOST_MOMENTS];
-            exponential_moments(kappa, t, &mut moments[..rates.len()]);
-            exponential_moment_rates(kappa, t, &moments[..rates.len()], rates);
-        })
+        Self::of(reference, kappa, half, decay, |t, rates| exponential_moment_rates(kappa, t, rates))
     }
 
     /// One of what is left at t of what is handed on, and of the moments there.

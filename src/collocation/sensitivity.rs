@@ -23,7 +23,9 @@ pub fn sensitivities(
     cavity_shear: CavityShear,
 ) -> Sensitivities {
     let mut adjoint = Adjoint::new(system, factors, displacement, beta, state);
-    let substrate = [displacement.rates_with_alpha(&state.pressure), displacement.rates_with_f(&state.pressure)];
+    let along = displacement.along(&state.pressure, true);
+    let substrate =
+        [displacement.rates_with_alpha(&state.pressure, &along), displacement.rates_with_f(&state.pressure, &along)];
     let mut of = |partials: &Partials| {
         let multipliers = adjoint.multipliers(partials);
         let with_beta = adjoint.with_beta(partials, &multipliers);
@@ -34,9 +36,9 @@ pub fn sensitivities(
         // without retardation F_v is 0 whatever the parameters are
         viscoelastic: match displacement.filters.is_empty() {
             true => [0.0; 3],
-            false => of(&Partials::of_viscoelastic(displacement, state)),
+            false => of(&Partials::of_viscoelastic(displacement, state, &along)),
         },
-        hydrodynamic: of(&Partials::of_hydrodynamic(displacement, beta, state, cavity_shear)),
+        hydrodynamic: of(&Partials::of_hydrodynamic(displacement, beta, state, &along.behind, cavity_shear)),
     }
 }
 

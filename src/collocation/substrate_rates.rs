@@ -1,6 +1,6 @@
 //! How the displacement of a given pressure changes with the substrate, and what sums over it take of the pressure.
 
-use super::displacement::Displacement;
+use super::displacement::{Along, Displacement};
 use super::retardation_rates::FilterRates;
 use super::retardation_transpose::Taken;
 
@@ -15,15 +15,9 @@ pub struct AlongRates {
 }
 
 impl Displacement {
-    /// e less e(0) at the rows.
-    fn elastic_along(&self, pressure: &[f64]) -> Vec<f64> {
-        let mut e = vec![0.0; self.discretisation.points.len()];
-        self.discretisation.elastic.multiply_rows(0, pressure, &mut e);
-        e
-    }
-
-    /// Derivatives with respect to ln α, all modes' rates together (T41); 0 without retardation.
-    pub fn rates_with_alpha(&self, pressure: &[f64]) -> AlongRates {
+    /// Derivatives with respect to ln α, all modes' rates together (T41); 0 without retardation. `along` is that of the pressure,
+    /// what is behind the outlet included.
+    pub fn rates_with_alpha(&self, pressure: &[f64], along: &Along) -> AlongRates {
         let discretisation = &self.discretisation;
         let points = discretisation.film_points();
         let mut sum = AlongRates {
@@ -34,12 +28,11 @@ impl Displacement {
         if self.filters.is_empty() {
             return sum;
         }
-        let e = self.elastic_along(pressure);
         let rates = self.filter_rates.get_or_init(|| {
             self.filters.iter().map(|(_, filter)| FilterRates::new(discretisation, filter.alpha())).collect()
         });
         for ((weight, filter), rates) in self.filters.iter().zip(rates) {
-            let mode = rates.along(filter, discretisation, &e, pressure);
+            let mode = rates.along(filter, discretisation, &along.elastic, pressure);
             let pairs =
                 [(&mut sum.film, mode.film), (&mut sum.retarded_slope, mode.slope), (&mut sum.behind, mode.behind)];
             for (sum, values) in pairs {
@@ -53,18 +46,16 @@ impl Displacement {
 
     /// Derivatives with respect to ln f at fixed shares: (w − e)/(1 + f), and the retarded part alike (T42); 0 in the relaxed
     /// elastic limit.
-    pub fn rates_with_f(&self, pressure: &[f64]) -> AlongRates {
+    pub fn rates_with_f(&self, pressure: &[f64], along: &Along) -> AlongRates {
         let discretisation = &self.discretisation;
-        let e = self.elastic_along(pressure);
         let mut displaced = vec![0.0; discretisation.film_points()];
         self.relative.multiply_rows(0, pressure, &mut displaced);
-        let along = self.along(pressure, true);
-        let compliance = self.elastic_weight;
-        let retarded = |w: Vec<f64>, e: &[f64]| w.iter().zip(e).map(|(w, e)| compliance * (w - e)).collect();
+        let (e, compliance) = (&along.elastic, self.elastic_weight);
+        let retarded = |w: &[f64], e: &[f64]| w.iter().zip(e).map(|(w, e)| compliance * (w - e)).collect();
         AlongRates {
-            film: retarded(displaced, &e[discretisation.film()]),
+            film: retarded(&displaced, &e[discretisation.film()]),
             retarded_slope: along.retarded_slope.iter().map(|slope| compliance * slope).collect(),
-            behind: retarded(along.behind, &e[discretisation.behind()]),
+            behind: retarded(&along.behind, &e[discretisation.behind()]),
         }
     }
 
@@ -120,7 +111,7 @@ mod tests {
         std::iter::once(0.0).chain(nodes).map(|y| y * y / (1.0 + y * y) / (1.0 + (y / 2.0).powi(6))).collect()
     }
 
-    fn along(displacement: &Displacement, pressure: &[f64]) -> AlongRates {
+    fn values(displacement: &Displacement, pressure: &[f64]) -> AlongRates {
         let mut film = vec![0.0; displacement.discretisation.film_points()];
         displacement.relative.multiply_rows(0, pressure, &mut film);
         let along = displacement.along(pressure, true);
@@ -134,9 +125,10 @@ mod tests {
             let f = 20.0;
             let here = displacement(&two_modes(alpha, f));
             let p = pressure(&here);
+            let along = here.along(&p, true);
             let step = 1e-3_f64;
             let difference = |at: &dyn Fn(f64) -> DisplacementKernel| {
-                let at = |steps: f64| along(&displacement(&at((steps * step).exp())), &p);
+                let at = |steps: f64| values(&displacement(&at((steps * step).exp())), &p);
                 let (near, far) = ([at(1.0), at(-1.0)], [at(2.0), at(-2.0)]);
                 let of = |part: fn(&AlongRates) -> &Vec<f64>| -> Vec<f64> {
                     let values = |rates: &AlongRates, i: usize| part(rates)[i];
@@ -155,8 +147,8 @@ mod tests {
                 }
             };
             let pairs = [
-                (here.rates_with_alpha(&p), difference(&|factor| two_modes(alpha * factor, f))),
-                (here.rates_with_f(&p), difference(&|factor| two_modes(alpha, f * factor))),
+                (here.rates_with_alpha(&p, &along), difference(&|factor| two_modes(alpha * factor, f))),
+                (here.rates_with_f(&p, &along), difference(&|factor| two_modes(alpha, f * factor))),
             ];
             for (rates, differences) in pairs {
                 let parts = [
@@ -181,7 +173,7 @@ mod tests {
         for alpha in [1e-3, 0.3, 4.0, 1e3] {
             let displacement = displacement(&two_modes(alpha, 20.0));
             let p = pressure(&displacement);
-            let AlongRates { retarded_slope, behind, .. } = along(&displacement, &p);
+            let AlongRates { retarded_slope, behind, .. } = values(&displacement, &p);
             let weights =
                 |count: usize, phase: f64| -> Vec<f64> { (0..count).map(|i| (phase + 1.7 * i as f64).sin()).collect() };
             let (a, b) = (weights(retarded_slope.len(), 0.3), weights(behind.len(), 1.1));

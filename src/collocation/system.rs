@@ -153,9 +153,10 @@ impl System {
         for panel in (node - 1) / degree..=(node / degree).min(panels - 1) {
             let (ends, j) = (&discretisation.mesh.film[panel..=panel + 1], node - panel * degree);
             let factor = 2.0 * beta / (ends[1] - ends[0]) * factor;
-            for i in panel * degree..(panel + 1) * degree {
-                let u = state.film[i];
-                column[i] += factor * u * u * reference.derivative[(i - panel * degree) * size + j];
+            let rows = panel * degree..(panel + 1) * degree;
+            let slopes = reference.derivative.iter().skip(j).step_by(size);
+            for ((entry, u), slope) in column[rows.clone()].iter_mut().zip(&state.film[rows]).zip(slopes) {
+                *entry += factor * u * u * slope;
             }
         }
     }

@@ -191,3 +191,22 @@ mod case_id {
         text.parse().map_err(D::Error::custom)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A record without sensitivities is that of an earlier version, to the letter.
+    #[test]
+    fn sensitivities_are_named_where_they_are() {
+        let file = FileRecord { file: "a.h5".into(), bytes: 1, blake3: "00".repeat(32) };
+        for sensitivities in [false, true] {
+            let contents = Contents { sensitivities, ..Contents::default() };
+            let record = Record::Shard(ShardRecord::new(file.clone(), &contents, Value::Null, 0, Vec::new()));
+            let line = record.line();
+            assert_eq!(line.contains("sensitivities"), sensitivities, "{line}");
+            let Ok(Record::Shard(read)) = Record::parse(line.trim_end().as_bytes()) else { panic!("{line}") };
+            assert_eq!(read.contents(), Some(contents));
+        }
+    }
+}
