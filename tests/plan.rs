@@ -372,7 +372,7 @@ fn a_billion_cases_are_planned_at_once() {
     assert_eq!((plan.cases(), plan.rows(), plan.problems()), (1_000_000_000, 1_000_000, 1_000_000_000));
     assert_eq!(plan.chains().len(), 1_000_000 * 1000usize.div_ceil(Method::default().chain_limit()));
     let last = plan.chains().next_back().expect("there are chains");
-    assert_eq!((last.row, last.beta.end), (999_999, 1000));
+    assert_eq!((last.row, last.cases.end), (999_999, 1000));
     assert_eq!(plan.parameters(&last).last(), Some(&Parameters::new(1000.0, 1000.0, 1000.0)));
     assert_eq!(plan.find(plan.case_at(0, 2, 500)), Some((0, 2, 500)));
     // Listing the cases, or the chains, would take many times longer.
@@ -396,7 +396,7 @@ proptest! {
             prop_assert!(of_part.is_sorted(), "in the order of the plan");
             prop_assert!(of_part.iter().all(|&index| split[index as usize] == part && seen.insert(index)));
             chains.push(of_part.len());
-            cases.push(of_part.iter().map(|&index| plan.chain(index as usize).beta.len()).sum::<usize>());
+            cases.push(of_part.iter().map(|&index| plan.chain(index as usize).cases.len()).sum::<usize>());
         }
         prop_assert_eq!(seen.len(), plan.chain_count());
         prop_assert!(chains.iter().max().unwrap() - chains.iter().min().unwrap() <= 1, "{:?}", chains);

@@ -101,8 +101,7 @@ fn one_curve(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)]) -> Result<Laborat
             (None, 1) => values[0],
             (Some(&[wanted]), _) => {
                 // By the ratio, as these are magnitudes; 0 is near to itself alone.
-                let distance =
-                    |value: &f64| if *value == wanted { 0.0 } else { (value / wanted).ln().abs() };
+                let distance = |value: &f64| if *value == wanted { 0.0 } else { (value / wanted).ln().abs() };
                 *values.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("an axis has values")
             }
             (_, several) => return Err(CliError::SeveralCurves { axis: name.to_owned(), values: several }),
@@ -186,7 +185,8 @@ fn rows(cases: &[Solved]) -> String {
     for case in cases {
         let [_, alpha, beta] = case.numbers;
         let errors = ["error_mu_v", "error_mu_h", "error_c"].map(|name| case.value(name));
-        let error = if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
+        let error =
+            if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
         let values = ["mu_v", "mu_h", "mu_tot", "film_min"].map(|name| case.value(name));
         let numbers: Vec<f64> = [case.experiment.speed, alpha, beta].into_iter().chain(values).collect();
         let mut cells: Vec<String> = numbers.into_iter().map(number).collect();

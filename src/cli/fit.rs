@@ -73,8 +73,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         unknowns.push(*unknown);
     }
     if sweep.solver.method != Method::Collocation {
-        return Err(refuse("a fit needs sensitivities, which the collocation method alone has; write method = \"collocation\" in \
-                           [solver]".to_owned()));
+        return Err(refuse(
+            "a fit needs sensitivities, which the collocation method alone has; write method = \"collocation\" in \
+                           [solver]"
+                .to_owned(),
+        ));
     }
     let axes = laboratory(&sweep, &arguments.sweep)?;
     let task = Task {
@@ -89,7 +92,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Some(directory) = &arguments.output {
         write(&fit, &measured, directory, arguments.format)?;
     }
-    console::print(&if arguments.json { as_json(&fit) } else { in_words(&fit, &measured, arguments.output.as_deref()) })?;
+    console::print(&if arguments.json {
+        as_json(&fit)
+    } else {
+        in_words(&fit, &measured, arguments.output.as_deref())
+    })?;
     Ok(Exit::Success)
 }
 
@@ -102,7 +109,10 @@ fn beginning(axes: &LaboratoryAxes, measured: &Measured, unknowns: &[Unknown]) -
     });
     if let Some(given) = several {
         let name = given.quantity.name();
-        return Err(format!("{name} has {} values in the sweep file and is no column here; give it one", given.values.len()));
+        return Err(format!(
+            "{name} has {} values in the sweep file and is no column here; give it one",
+            given.values.len()
+        ));
     }
     let f_is_known = measured.coordinate("f").is_some() || unknowns.contains(&Unknown::Strength);
     if axes.f.len() > 1 && !f_is_known {
@@ -126,7 +136,8 @@ fn in_words(fit: &Fit, measured: &Measured, directory: Option<&Path>) -> String 
     };
     line(["unknown", "value", "std. error", "unit", "start"]);
     for estimate in &fit.estimates {
-        let [value, error, start] = [estimate.value, estimate.error, estimate.start].map(|number| format!("{number:.5e}"));
+        let [value, error, start] =
+            [estimate.value, estimate.error, estimate.start].map(|number| format!("{number:.5e}"));
         line([estimate.unknown.name(), &value, &error, estimate.unknown.units(), &start]);
     }
     if fit.estimates.len() > 1 {
@@ -154,7 +165,8 @@ fn in_words(fit: &Fit, measured: &Measured, directory: Option<&Path>) -> String 
     let (from, to) = points.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), at| (low.min(at.0), high.max(at.0)));
     let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
     let drawn = plot(&[(from, 0.0), (to, 0.0)], &points, x, y);
-    write!(text, "\nresiduals {} against speed in m/s, logarithmic\n{drawn}\n", residual_words(measured)).expect(IN_MEMORY);
+    write!(text, "\nresiduals {} against speed in m/s, logarithmic\n{drawn}\n", residual_words(measured))
+        .expect(IN_MEMORY);
     text += "\n[laboratory]\n";
     for estimate in &fit.estimates {
         let unit = if estimate.unknown.units() == "1" { "" } else { estimate.unknown.units() };
@@ -220,8 +232,9 @@ fn write(fit: &Fit, measured: &Measured, directory: &Path, format: Format) -> Re
 fn table(fit: &Fit) -> Table {
     let quantities: Vec<_> = fit.points[0].experiment.given().collect();
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
-    let mut table =
-        Table::new(&[&["line"], &names[..], &["f", "alpha", "beta", "measured", "error", "fitted", "residual"]].concat());
+    let mut table = Table::new(
+        &[&["line"], &names[..], &["f", "alpha", "beta", "measured", "error", "fitted", "residual"]].concat(),
+    );
     for point in &fit.points {
         let given = quantities.iter().map(|quantity| point.experiment.value(*quantity));
         let (alpha, beta) = (point.experiment.alpha(), point.experiment.beta());

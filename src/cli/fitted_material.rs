@@ -107,22 +107,18 @@ impl FittedMaterial<'_> {
         let (from, to) = self.range();
         let omega = |i: u32| from * (to / from).powf(f64::from(i) / f64::from(POINTS));
         let fitted: Vec<Measurement> = (0..=POINTS).map(|i| fit(omega(i))).collect();
-        let kinds: [(&str, fn(&Measurement) -> f64); 2] =
-            [("storage E′", |row| row.storage), ("loss E″", |row| row.loss)];
+        type Modulus = fn(&Measurement) -> f64;
+        let kinds: [(&str, Modulus); 2] = [("storage E′", |row| row.storage), ("loss E″", |row| row.loss)];
         let curves = kinds.iter().enumerate().flat_map(|(kind, (label, modulus))| {
-            let curve = |label: &str, points| Curve {
+            let curve = |label: &str, rows: &[Measurement], stroke| Curve {
                 label: label.to_owned(),
-                points,
+                points: rows.iter().map(|row| (row.omega, modulus(row))).collect(),
                 failed: Vec::new(),
-                stroke: Stroke::Solid,
+                stroke,
                 colour: Colour::Kind(kind),
-                marked: false,
+                marked: stroke == Stroke::Points,
             };
-            // A gap on either side makes a dot of a point.
-            let point = |row: &Measurement| [(row.omega, modulus(row)), (f64::NAN, f64::NAN)];
-            let measured = self.measurements.rows().iter().flat_map(point).collect();
-            let line = fitted.iter().map(|row| (row.omega, modulus(row))).collect();
-            [curve("", measured), curve(label, line)]
+            [curve("", self.measurements.rows(), Stroke::Points), curve(label, &fitted, Stroke::Solid)]
         });
         let axis = |label: &str| LineAxis { label: label.to_owned(), logarithmic: true, range: None };
         Chart::Lines(Lines {

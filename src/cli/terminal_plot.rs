@@ -68,7 +68,8 @@ mod tests {
 
     #[test]
     fn a_plot_has_its_numbers_at_its_ends() {
-        let line: Vec<(f64, f64)> = (0..=30).map(|i| 10_f64.powf(-3.0 + 0.1 * f64::from(i))).map(|v| (v, v * v)).collect();
+        let line: Vec<(f64, f64)> =
+            (0..=30).map(|i| 10_f64.powf(-3.0 + 0.1 * f64::from(i))).map(|v| (v, v * v)).collect();
         let text = plot(&line, &[(0.01, 1e-4)], TextAxis { logarithmic: true }, TextAxis { logarithmic: true });
         assert!(text.lines().count() >= 12, "{text}");
         assert!(text.contains('⡠') || text.contains('⠔') || text.contains('⠊'), "a rising line: {text}");

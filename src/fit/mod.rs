@@ -19,9 +19,9 @@ use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 
 use crate::measured::Measured;
 use crate::model::{CavityShear, Experiment, Failure, Substrate};
+use prediction::Predictor;
 pub use prediction::SolverChoice;
-use prediction::{Prediction, Predictor};
-use problem::Problem;
+use problem::{Found, Problem};
 pub use statistics::NotApart;
 use statistics::{Statistics, statistics};
 pub use unknown::Unknown;
@@ -147,7 +147,7 @@ pub fn fit(task: &Task<'_>) -> Result<Fit, FitError> {
         reason if reason.was_successful() => {}
         reason => return Err(FitError::NoMinimum { evaluations, why: in_words(&reason) }),
     }
-    let Some((unknowns, Prediction { friction, .. }, residuals, jacobian)) = problem.found() else {
+    let Some(Found { unknowns, friction, residuals, jacobian }) = problem.found() else {
         let why = "the last values tried have no solution".to_owned();
         return Err(FitError::NoMinimum { evaluations, why });
     };

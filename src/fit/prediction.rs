@@ -52,7 +52,9 @@ impl<'a> Predictor<'a> {
         let Task { measured, unknowns, .. } = task;
         let refuse = |what: String| Err(FitError::Task { what });
         if measured.column == "mu_drag" {
-            return refuse("mu_drag cannot be fitted: its sensitivities are not known; fit mu (mu_tot), mu_v or mu_h".into());
+            return refuse(
+                "mu_drag cannot be fitted: its sensitivities are not known; fit mu (mu_tot), mu_v or mu_h".into(),
+            );
         }
         for (name, _) in &measured.coordinates {
             if unknowns.iter().any(|unknown| unknown.name() == *name) {
@@ -70,7 +72,10 @@ impl<'a> Predictor<'a> {
             return refuse("look for one of the moduli and f: the other modulus follows from these".into());
         }
         if let Some(unknown) = unknowns.iter().find(|unknown| unknown.value(&task.experiment) <= 0.0) {
-            return refuse(format!("{} begins at 0, and is looked for among positive numbers; begin above", unknown.name()));
+            return refuse(format!(
+                "{} begins at 0, and is looked for among positive numbers; begin above",
+                unknown.name()
+            ));
         }
         let experiments = (0..measured.friction.len()).map(|point| at_point(task, point)).collect();
         let tolerance = task.solver.tolerance.min(TOLERANCE);

@@ -23,13 +23,19 @@ pub(super) struct Problem<'a> {
     evaluations: usize,
 }
 
+/// Where a search ended.
+pub(super) struct Found {
+    pub(super) unknowns: Vec<f64>,
+    /// μ of each point.
+    pub(super) friction: Vec<f64>,
+    pub(super) residuals: DVector<f64>,
+    /// With respect to the logarithms of the unknowns.
+    pub(super) jacobian: DMatrix<f64>,
+}
+
 impl<'a> Problem<'a> {
     /// The problem at its start, where every point must have a solution.
-    pub(super) fn new(
-        predictor: &'a Predictor<'a>,
-        measured: &'a Measured,
-        start: Vec<f64>,
-    ) -> Result<Self, FitError> {
+    pub(super) fn new(predictor: &'a Predictor<'a>, measured: &'a Measured, start: Vec<f64>) -> Result<Self, FitError> {
         let (points, unknowns) = (measured.friction.len(), start.len());
         let needed = if measured.errors.is_some() { unknowns } else { unknowns + 1 };
         if points < needed {
@@ -56,10 +62,10 @@ impl<'a> Problem<'a> {
         self.evaluations
     }
 
-    /// The unknowns, the prediction, residuals and Jacobian where the search ended; `None` if cases failed there.
-    pub(super) fn found(self) -> Option<(Vec<f64>, Prediction, DVector<f64>, DMatrix<f64>)> {
+    /// Where the search ended; `None` if cases failed there.
+    pub(super) fn found(self) -> Option<Found> {
         let (unknowns, residuals, jacobian) = (self.unknowns(), self.residuals()?, self.jacobian()?);
-        Some((unknowns, self.prediction.ok()?, residuals, jacobian))
+        Some(Found { unknowns, friction: self.prediction.ok()?.friction, residuals, jacobian })
     }
 
     fn unknowns(&self) -> Vec<f64> {

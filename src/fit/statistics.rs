@@ -100,6 +100,9 @@ mod tests {
         assert_eq!(error.names, ["f", "viscosity"]);
         let none = DMatrix::from_fn(3, 2, |i, j| if j == 0 { (i + 1) as f64 } else { 0.0 });
         let error = statistics(&none, &residuals, true, &UNKNOWNS).unwrap_err();
-        assert_eq!(error.to_string(), "viscosity cannot be told apart by these points: the friction does not depend on it; keep some of them fixed, or measure where they differ");
+        assert_eq!(
+            error.to_string(),
+            "viscosity cannot be told apart by these points: the friction does not depend on it; keep some of them fixed, or measure where they differ"
+        );
     }
 }

@@ -79,11 +79,11 @@ fn equations(rows: &[Measurement], offered: &[RelaxationTerm], unit: f64) -> (Ar
             0 => (1.0, 0.0),
             term => offered[term - 1].response(row.omega),
         };
-        unit / size(row) * if equation % 2 == 0 { stored } else { lost }
+        unit / size(row) * if equation.is_multiple_of(2) { stored } else { lost }
     };
     let right = |equation: usize| {
         let row = &rows[equation / 2];
-        if equation % 2 == 0 { row.storage / size(row) } else { row.loss / size(row) }
+        if equation.is_multiple_of(2) { row.storage / size(row) } else { row.loss / size(row) }
     };
     let count = 2 * rows.len();
     (Array2::from_shape_fn((count, offered.len() + 1), entry), Array1::from_shape_fn(count, right))

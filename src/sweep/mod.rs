@@ -39,5 +39,5 @@ pub use part::{NotAPart, Part};
 pub use plan::{Chain, MAX_CHAIN, Plan};
 pub use recipe::{Recipe, SolverRecipe};
 pub(crate) use solver::{read_error, read_points};
-pub(crate) use substrate::read as read_substrate;
 pub use specification::{Axes, Method, SolverSettings, Sweep};
+pub(crate) use substrate::read as read_substrate;

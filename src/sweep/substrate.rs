@@ -31,7 +31,9 @@ pub(crate) fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
             Err(relaxation.fault(what, "both are there", "remove one of the two: each describes the whole substrate"))
         }
         (modes, None) => {
-            if let Some(modulus) = ["relaxed_modulus", "instantaneous_modulus"].into_iter().find_map(|key| section.get(key)) {
+            if let Some(modulus) =
+                ["relaxed_modulus", "instantaneous_modulus"].into_iter().find_map(|key| section.get(key))
+            {
                 let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
                 let help = "beside `modes` the modulus stands in [laboratory]: move it there";
                 return Err(modulus.fault(what, "without `relaxation`", help));
@@ -88,7 +90,9 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
     let terms = entry.require_list(TERMS)?.map(read_term).collect::<Result<Vec<_>, _>>()?;
     let fractions = terms.iter().filter(|(part, _)| matches!(part, Part::Fraction(_))).count();
     if fractions != 0 && fractions != terms.len() {
-        return Err(entry.fault("terms have `modulus` or `fraction`, all of them the same", "both are there", TERMS).unquoted());
+        return Err(entry
+            .fault("terms have `modulus` or `fraction`, all of them the same", "both are there", TERMS)
+            .unquoted());
     }
     let given = given_modulus(section)?;
     // Fractions alone say nothing of the modulus: f and the times are the same whatever it is.
@@ -115,9 +119,8 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
         let (Part::Modulus(part) | Part::Fraction(part)) = part;
         RelaxationTerm { modulus: part * unit, time: *time }
     };
-    let relaxation = Relaxation::new(relaxed, terms.iter().map(term).collect()).map_err(|error| {
-        entry.fault(format!("`substrate.relaxation`: {error}"), "these terms", TERMS).unquoted()
-    })?;
+    let relaxation = Relaxation::new(relaxed, terms.iter().map(term).collect())
+        .map_err(|error| entry.fault(format!("`substrate.relaxation`: {error}"), "these terms", TERMS).unquoted())?;
     let Material { relaxed_modulus, f, retardation_time, substrate } = relaxation.material();
     let material = MaterialDefaults {
         relaxed_modulus: is_known.then_some(relaxed_modulus),
