@@ -63,7 +63,7 @@ fn planned(sweep: &Sweep, plan: &Plan) {
     }
     let mut solved = HashSet::new();
     for chain in plan.chains() {
-        assert!((1..=MAX_CHAIN).contains(&chain.beta.len()) && chain.beta.end <= beta.len());
+        assert!((1..=MAX_CHAIN).contains(&chain.cases.len()) && chain.cases.end <= beta.len());
         assert!(plan.ids(&chain).into_iter().all(|id| solved.insert(id)), "a case is solved twice");
     }
     assert_eq!(solved.len(), plan.problems());
