@@ -60,9 +60,10 @@ impl Measurements {
         match (rows.first(), rows.last()) {
             (Some(first), Some(last)) if first.omega < last.omega => Ok(Self(rows)),
             _ => {
+                let end = text.trim_end().len();
                 let what = "the table must have rows at two frequencies or more";
                 let help = "times can be told from how the moduli change with frequency only; add rows at other ones";
-                Err(Fault::new(text.len()..text.len(), what, "the table ends here", help).unquoted())
+                Err(Fault::new(end..end, what, "the table ends here", help).unquoted())
             }
         }
     }

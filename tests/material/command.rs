@@ -34,10 +34,10 @@ fn fit(directory: &Path, terms: usize) -> Fit {
 #[test]
 fn json_has_the_numbers_of_the_fit() {
     let directory = with_table();
-    let said = say(directory.path(), &["material", "rubber.csv", "--terms", "15", "--json"]);
+    let said = say(directory.path(), &["material", "rubber.csv", "--terms", "29", "--json"]);
     assert_eq!((code(&said), err(&said)), (0, String::new()));
     let object: Value = serde_json::from_str(&out(&said)).expect("JSON");
-    let fit = fit(directory.path(), 15);
+    let fit = fit(directory.path(), 29);
     let (relaxation, material) = (&fit.relaxation, fit.relaxation.material());
     for (key, value) in [
         ("rms_residual", fit.rms_residual),
@@ -49,10 +49,10 @@ fn json_has_the_numbers_of_the_fit() {
     ] {
         assert_eq!(object[key].as_f64(), Some(value), "{key}");
     }
-    assert!(fit.rms_residual < 0.05 && (material.f / 230.5 - 1.0).abs() < 0.05, "{fit:?}");
+    assert!(fit.rms_residual < 0.02 && (material.f / 230.5 - 1.0).abs() < 0.1, "{fit:?}");
     let length = |key: &str| object[key].as_array().expect("a list").len();
     assert_eq!((length("relaxation"), length("retardation")), (relaxation.terms().len(), relaxation.terms().len()));
-    assert!((3..15).contains(&length("relaxation")), "some of the terms are dropped");
+    assert!((3..29).contains(&length("relaxation")), "some of the terms are dropped");
 }
 
 /// The section that is printed reads back as the very material.
