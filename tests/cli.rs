@@ -54,7 +54,10 @@ fn finished() -> TempDir {
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
     for command in
-        ["run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study", "material"]
+        [
+            "run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study", "material",
+            "curve", "fit",
+        ]
     {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
@@ -81,6 +84,8 @@ fn examples_in_help_texts_are_valid_command_lines() {
         &["plot", "--help"],
         &["report", "--help"],
         &["material", "--help"],
+        &["curve", "--help"],
+        &["fit", "--help"],
     ] {
         let help = out(&say(directory.path(), command));
         for line in help.lines().filter_map(|line| line.strip_prefix("  stribeck ")) {

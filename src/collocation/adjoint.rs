@@ -94,7 +94,7 @@ impl<'a> Adjoint<'a> {
         column[end] = -inlet.gradient + gap.pressure * state.outlet;
     }
 
-    /// The multipliers of a number with these partial derivatives (T40).
+    /// The multipliers of a number with these partial derivatives (T49).
     pub fn multipliers(&mut self, of: &Partials) -> Multipliers {
         let discretisation = &self.displacement.discretisation;
         let (points, y) = (discretisation.film_points(), discretisation.film_y());

@@ -34,7 +34,7 @@ pub fn exponential_moments(kappa: f64, t: f64, moments: &mut [f64]) {
     by_quadrature(kappa, t, |_| 1.0, moments);
 }
 
-/// κ times the derivative of the [`exponential_moments`] with respect to κ (T41), into `rates`.
+/// κ times the derivative of the [`exponential_moments`] with respect to κ (T50), into `rates`.
 pub fn exponential_moment_rates(kappa: f64, t: f64, rates: &mut [f64]) {
     let count = rates.len();
     if kappa <= STIFF {

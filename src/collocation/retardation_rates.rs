@@ -5,7 +5,7 @@ use super::reference::dot;
 use super::retardation::{PanelFilter, RetardationFilter, far_field};
 use crate::model::retarded_mode_rate;
 
-/// α times the derivative of a [`RetardationFilter`] with respect to α (T41).
+/// α times the derivative of a [`RetardationFilter`] with respect to α (T50).
 pub struct FilterRates {
     panels: Vec<PanelFilter>,
     ahead: Vec<f64>,

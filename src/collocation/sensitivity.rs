@@ -10,7 +10,7 @@ use super::substrate_rates::AlongRates;
 use super::system::System;
 use crate::model::{CavityShear, Sensitivities};
 
-/// The derivatives of F_v and F_h of a solution on its mesh with respect to ln α, ln β and ln f (T40).
+/// The derivatives of F_v and F_h of a solution on its mesh with respect to ln α, ln β and ln f (T49).
 ///
 /// They are those of the discrete equations, panels and their ends being fixed in y: one factorisation, and one solution of the
 /// transposed system for each friction. `system` and `factors` are buffers.

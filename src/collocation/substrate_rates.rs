@@ -15,7 +15,7 @@ pub struct AlongRates {
 }
 
 impl Displacement {
-    /// Derivatives with respect to ln α, all modes' rates together (T41); 0 without retardation. `along` is that of the pressure,
+    /// Derivatives with respect to ln α, all modes' rates together (T50); 0 without retardation. `along` is that of the pressure,
     /// what is behind the outlet included.
     pub fn rates_with_alpha(&self, pressure: &[f64], along: &Along) -> AlongRates {
         let discretisation = &self.discretisation;
@@ -44,7 +44,7 @@ impl Displacement {
         sum
     }
 
-    /// Derivatives with respect to ln f at fixed shares: (w − e)/(1 + f), and the retarded part alike (T42); 0 in the relaxed
+    /// Derivatives with respect to ln f at fixed shares: (w − e)/(1 + f), and the retarded part alike (T51); 0 in the relaxed
     /// elastic limit.
     pub fn rates_with_f(&self, pressure: &[f64], along: &Along) -> AlongRates {
         let discretisation = &self.discretisation;

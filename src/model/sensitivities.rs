@@ -2,7 +2,7 @@
 
 use super::outcome::{Column, column};
 
-/// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order (T40).
+/// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order (T49).
 ///
 /// α stands for all modes: their rates change together. f changes at fixed shares. Where a parameter means nothing (α and f of a
 /// relaxed elastic substrate, α = 0) the derivative is 0.

@@ -22,6 +22,22 @@ pub fn with_f(f: &str) -> String {
     format!("[axes]\nf = {f}\nalpha = [1.0]\nbeta = [10.0]\n")
 }
 
+/// Quantities of the laboratory, a line each, one of them replaced.
+pub fn with_laboratory(key: &str, value: &str) -> String {
+    let lines = [
+        ("radius", "0.002"),
+        ("load", "100.0"),
+        ("relaxed_modulus", "1e5"),
+        ("poisson_ratio", "0.5"),
+        ("viscosity", "5.1"),
+        ("retardation_time", "0.02"),
+        ("speed", "[0.01, 0.1]"),
+        ("f", "10.0"),
+    ];
+    let lines = lines.map(|(name, usual)| format!("{name} = {}\n", if name == key { value } else { usual }));
+    format!("[laboratory]\n{}", lines.concat())
+}
+
 /// (text, place `line:column`, words of the message, words of the remedy)
 pub type Row = (String, &'static str, &'static str, &'static str);
 
@@ -190,5 +206,67 @@ pub fn bad_files() -> Vec<Row> {
         ),
         (with_axes("[output]\ncavity_shear = \"ful\"\n"), "6:16", "\"full\", \"streamers\" or \"none\"", "\"full\"?"),
         ("title = \"two\\nlines\"\n".to_owned() + AXES, "1:9", "one line", "file's name"),
+        // Quantities of the laboratory.
+        (with_laboratory("viscosity", "\"5.1 Pa\""), "6:13", "must be a viscosity, in Pa s", "\"5.1 Pa s\" or 5.1"),
+        (with_laboratory("viscosity", "\"5.1 Pa\""), "6:13", "`laboratory.viscosity`", "(in Pa s)"),
+        (with_laboratory("load", "\"119 N\""), "3:8", "must be a load per length, in N/m", "\"119 N/m\""),
+        (with_laboratory("speed", "[\"1 mm\", 1.0]"), "8:10", "must be a speed, in m/s", "\"1 mm/s\""),
+        (with_laboratory("radius", "\"wide\""), "2:10", "a number with a unit", "\"2 mm\" or 2e-3"),
+        (with_laboratory("radius", "\"2\""), "2:10", "a number with a unit", "stands without quotes"),
+        (with_laboratory("radius", "\"-2 mm\""), "2:10", "must be finite and above 0", "with its unit in quotes"),
+        (with_laboratory("radius", "0.0"), "2:10", "must be finite and above 0", "SI units"),
+        (with_laboratory("poisson_ratio", "0.6"), "5:17", "must be from 0 to 0.5", "0.5 is usual"),
+        (with_laboratory("speed", "[2.0, 1.0]"), "8:14", "must ascend", "sort the list"),
+        (with_laboratory("speed", "[]"), "8:9", "at least one value", "[100.0]"),
+        (
+            with_laboratory("relaxed_modulus", "1.0\ninstantaneous_modulus = 2.0"),
+            "5:25",
+            "`relaxed_modulus` or `instantaneous_modulus`, not both",
+            "remove one",
+        ),
+        (with_laboratory("f", "1.0\n[axes]\nf = [1.0]\n"), "9:5", "in [laboratory] or in [axes], not in both", "remove one"),
+        (
+            with_laboratory("f", "1.0\n[axes]\nalpha = [1.0]\n"),
+            "11:9",
+            "`axes.alpha` may not stand beside [laboratory]",
+            "an axis of [laboratory]",
+        ),
+        ("[laboratory]\nspeed = 1.0\n".into(), "1:1", "[laboratory] needs `f`", "add f = 10.0"),
+        ("[laboratory]\nf = 1.0\n".into(), "1:1", "[laboratory] needs `radius`", "radius = \"2 mm\""),
+        (with_axes("speed = [1.0]\n"), "5:1", "`speed` is not a key of [axes]", "key of [laboratory]: move it there"),
+        // Materials.
+        (with_axes("[substrate]\nrelaxation = []\nmodes = []\n"), "6:14", "`modes` or `relaxation`, not both", "remove one"),
+        (
+            with_axes("[substrate]\nrelaxation = [{ modulus = 1e6, time = 1.0 }]\n"),
+            "5:1",
+            "needs a modulus beside `relaxation`",
+            "relaxed_modulus = ",
+        ),
+        (
+            with_axes("[substrate]\nrelaxation = [{ fraction = 0.6, time = 1.0 }, { fraction = 0.4, time = 2.0 }]\n"),
+            "6:14",
+            "must leave a relaxed modulus above 0",
+            "what flows at last is no substrate",
+        ),
+        (
+            with_axes("[substrate]\nrelaxation = [{ fraction = 0.6, time = 1.0 }, { modulus = 0.4, time = 2.0 }]\n"),
+            "6:14",
+            "all of them the same",
+            "fractions of the instantaneous modulus",
+        ),
+        (
+            with_axes("[substrate]\nrelaxed_modulus = 1e6\nrelaxation = [{ modulus = 1e6, time = \"1 m\" }]\n"),
+            "7:39",
+            "must be a time, in s",
+            "\"20 ms\" or 0.02",
+        ),
+        (with_axes("[substrate]\nrelaxation = [{ fraction = 1.5, time = 1.0 }]\n"), "6:28", "above 0 and below 1", "g_i"),
+        (with_axes("[substrate]\nrelaxed_modulus = 1e6\n"), "6:19", "goes with `relaxation`", "in [laboratory]: move it"),
+        (
+            with_axes("[substrate]\nrelaxed_modulus = 1e6\nrelaxation = [{ time = 1.0 }]\n"),
+            "7:15",
+            "a term has `modulus` or `fraction`",
+            "relaxation = [",
+        ),
     ]
 }
