@@ -100,7 +100,7 @@ impl<'a> Adjoint<'a> {
         let (points, y) = (discretisation.film_points(), discretisation.film_y());
         let mut right_side = of.of_nodes(self.displacement);
         let weights: Vec<f64> = of.film.iter().map(|weight| -weight).collect();
-        self.displacement.relative.add_transposed(0, &weights, &mut right_side);
+        self.displacement.relative.add_transposed(&weights, &mut right_side);
         // p is 0 at the outlet, whatever happens
         right_side.remove(0);
         right_side.push(of.c + of.film.iter().sum::<f64>());

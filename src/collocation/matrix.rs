@@ -90,12 +90,12 @@ impl Matrix {
         }
     }
 
-    /// Adds the product of the transpose of the rows from `from` on with a vector.
-    pub fn add_transposed(&self, from: usize, vector: &[f64], sum: &mut [f64]) {
+    /// Adds the product of the transpose with a vector.
+    pub fn add_transposed(&self, vector: &[f64], sum: &mut [f64]) {
         // four sums at a time, which do not wait for one another
         const TOGETHER: usize = 4;
         for (block, sums) in sum.chunks_mut(TOGETHER).enumerate() {
-            let column = |k: usize| &self.column(block * TOGETHER + k.min(sums.len() - 1))[from..from + vector.len()];
+            let column = |k: usize| self.column(block * TOGETHER + k.min(sums.len() - 1));
             let columns = [column(0), column(1), column(2), column(3)];
             let mut products = [0.0; TOGETHER];
             for (i, value) in vector.iter().enumerate() {

@@ -73,7 +73,7 @@ impl Displacement {
             let taken = Taken { e: &mut e, pressure: &mut pressure };
             filter.transposed(discretisation, &slope, &weighted(behind), taken);
         }
-        discretisation.elastic.add_transposed(0, &e, &mut pressure);
+        discretisation.elastic.add_transposed(&e, &mut pressure);
         pressure
     }
 }
