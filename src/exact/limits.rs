@@ -17,7 +17,7 @@ pub struct ChainLimits {
 #[derive(Clone, Debug)]
 enum Dry {
     /// With one retardation time: everything, the pressure gradient too.
-    Closed(DryContact, DryGradient),
+    Closed(DryContact, Box<DryGradient>),
     /// With several: its friction.
     Several(DrySliding),
 }
@@ -25,7 +25,7 @@ enum Dry {
 impl Dry {
     fn of(case: &Parameters) -> Self {
         match DryContact::of(case) {
-            Some(contact) => Self::Closed(contact, DryGradient::new(&contact)),
+            Some(contact) => Self::Closed(contact, Box::new(DryGradient::new(&contact))),
             None => Self::Several(DrySliding::of(case)),
         }
     }
