@@ -107,9 +107,7 @@ impl FittedMaterial<'_> {
         let (from, to) = self.range();
         let omega = |i: u32| from * (to / from).powf(f64::from(i) / f64::from(POINTS));
         let fitted: Vec<Measurement> = (0..=POINTS).map(|i| fit(omega(i))).collect();
-        type Modulus = fn(&Measurement) -> f64;
-        let kinds: [(&str, Modulus); 2] = [("storage E′", |row| row.storage), ("loss E″", |row| row.loss)];
-        let curves = kinds.iter().enumerate().flat_map(|(kind, (label, modulus))| {
+        let curves = |kind: usize, label: &str, modulus: fn(&Measurement) -> f64| {
             let curve = |label: &str, rows: &[Measurement], stroke| Curve {
                 label: label.to_owned(),
                 points: rows.iter().map(|row| (row.omega, modulus(row))).collect(),
@@ -119,7 +117,7 @@ impl FittedMaterial<'_> {
                 marked: stroke == Stroke::Points,
             };
             [curve("", self.measurements.rows(), Stroke::Points), curve(label, &fitted, Stroke::Solid)]
-        });
+        };
         let axis = |label: &str| LineAxis { label: label.to_owned(), logarithmic: true, range: None };
         Chart::Lines(Lines {
             title: format!("Fit to {}", printable(self.name)),
@@ -130,7 +128,7 @@ impl FittedMaterial<'_> {
             ),
             x: axis("angular frequency ω, rad/s"),
             y: axis("modulus, Pa"),
-            curves: curves.collect(),
+            curves: [curves(0, "storage E′", |row| row.storage), curves(1, "loss E″", |row| row.loss)].concat(),
         })
     }
 

@@ -139,7 +139,7 @@ struct Contact<'a> {
     outer: Vec<f64>,
     /// √T_m √(e_m/ρ_m)
     drive: Vec<f64>,
-    /// The solution.
+    /// z_m of (T44).
     response: Vec<f64>,
 }
 

@@ -17,7 +17,7 @@ pub struct ChainLimits {
 #[derive(Clone, Debug)]
 enum Dry {
     /// With one retardation time: everything, the pressure gradient too.
-    Closed(Box<(DryContact, DryGradient)>),
+    Closed(DryContact, Box<DryGradient>),
     /// With several: its friction.
     Several(DrySliding),
 }
@@ -25,14 +25,14 @@ enum Dry {
 impl Dry {
     fn of(case: &Parameters) -> Self {
         match DryContact::of(case) {
-            Some(contact) => Self::Closed(Box::new((contact, DryGradient::new(&contact)))),
+            Some(contact) => Self::Closed(contact, Box::new(DryGradient::new(&contact))),
             None => Self::Several(DrySliding::of(case)),
         }
     }
 
     fn friction(&self) -> f64 {
         match self {
-            Self::Closed(closed) => closed.0.friction(),
+            Self::Closed(contact, _) => contact.friction(),
             Self::Several(sliding) => sliding.friction(),
         }
     }
@@ -46,10 +46,7 @@ impl ChainLimits {
         let dry = self.dry.take().filter(|(known, _)| same(known)).unwrap_or_else(|| (case.clone(), Dry::of(case)));
         let (_, dry) = self.dry.insert(dry);
         let shear = match dry {
-            Dry::Closed(closed) => {
-                let (contact, gradient) = &**closed;
-                LargeBeta::on(*contact, case).map(|film| film.shear(gradient))
-            }
+            Dry::Closed(contact, gradient) => LargeBeta::on(*contact, case).map(|film| film.shear(gradient)),
             Dry::Several(_) => None,
         };
         Limits { dry_mu_v: dry.friction(), approx_mu_h: shear.unwrap_or(f64::NAN) }

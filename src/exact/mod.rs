@@ -8,6 +8,8 @@
 //! | β large | film and shear on top of dry sliding; an approximation | [`LargeBeta`] |
 //! | any β | c from a formula fitted to solutions, no limit | [`fitted_c`] |
 //! | β → 0 | a rigid cylinder on a rigid plane | [`RigidFilm`] |
+//!
+//! Dry sliding with several retardation times needs the relaxation spectrum that goes with them, which [`Spectrum`] finds.
 
 mod bessel_ratio;
 mod bounds;

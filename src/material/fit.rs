@@ -73,17 +73,18 @@ fn offered(rows: &[Measurement], terms: usize) -> Vec<RelaxationTerm> {
 
 /// Two equations for each row, storage and loss, over |E*|; the first unknown is E∞ and the others are the E_i, over `unit`.
 fn equations(rows: &[Measurement], offered: &[RelaxationTerm], unit: f64) -> (Array2<f64>, Array1<f64>) {
+    let is_storage = |equation: usize| equation.is_multiple_of(2);
     let entry = |(equation, unknown): (usize, usize)| {
         let row = &rows[equation / 2];
         let (stored, lost) = match unknown {
             0 => (1.0, 0.0),
             term => offered[term - 1].response(row.omega),
         };
-        unit / size(row) * if equation.is_multiple_of(2) { stored } else { lost }
+        unit / size(row) * if is_storage(equation) { stored } else { lost }
     };
     let right = |equation: usize| {
         let row = &rows[equation / 2];
-        if equation.is_multiple_of(2) { row.storage / size(row) } else { row.loss / size(row) }
+        if is_storage(equation) { row.storage / size(row) } else { row.loss / size(row) }
     };
     let count = 2 * rows.len();
     (Array2::from_shape_fn((count, offered.len() + 1), entry), Array1::from_shape_fn(count, right))

@@ -19,8 +19,8 @@ pub struct RelaxationTerm {
 /// same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relaxation {
-    relaxed_modulus: f64,
-    terms: Vec<RelaxationTerm>,
+    pub(super) relaxed_modulus: f64,
+    pub(super) terms: Vec<RelaxationTerm>,
 }
 
 impl Relaxation {

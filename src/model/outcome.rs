@@ -142,7 +142,7 @@ pub const COLUMNS: [Column; 19] = [
     column("mu_h_film", "a0/R", false, "part of mu_h in the pressurised film"),
 ];
 
-/// The limits beside a solution; NaN where not asked for, or where no closed form exists.
+/// The limits beside a solution; NaN where not asked for, or where it is not known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// F_v of dry sliding.

@@ -232,4 +232,15 @@ proptest! {
         let change = difference(numbers(&sliding(&nearby)), numbers(&sliding(&modes)));
         prop_assert!(change < little + 1e-11, "{change:.1e} from {little:.1e}");
     }
+
+    /// Numbers as far as cases are computed at all, and beyond.
+    #[test]
+    fn no_magnitude_breaks_it(modes in prop::collection::vec((-200.0..50.0_f64, -60.0..60.0_f64), 1..5)) {
+        let modes: Vec<_> = modes.iter().map(|&(f, alpha)| (10_f64.powf(f), 10_f64.powf(alpha))).collect();
+        let (contact, f) = (sliding(&modes), case(&modes).f);
+        let half_width = contact.half_width();
+        prop_assert!(half_width <= 1.0 && half_width * half_width * (1.0 + f) >= 1.0 - 1e-13, "{contact:?}");
+        prop_assert!(contact.centre() >= 0.0 && contact.friction() >= contact.centre(), "{contact:?}");
+        prop_assert!(contact.friction() < 1.0 + half_width, "{contact:?}");
+    }
 }

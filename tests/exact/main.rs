@@ -10,3 +10,4 @@ mod large_beta;
 mod misprints;
 mod quadrature;
 mod rigid;
+mod spectrum;

@@ -131,4 +131,17 @@ proptest! {
         prop_assert!(relative(scaled.f, material.f) < 1e-13);
         prop_assert!(relative(scaled.retardation_time * 64.0, material.retardation_time) < 1e-12);
     }
+
+    /// Whatever moduli and times are allowed.
+    #[test]
+    fn no_magnitude_breaks_it(
+        terms in prop::collection::vec((-50.0..=50.0_f64, -50.0..=50.0_f64), 1..8),
+        relaxed_modulus in -50.0..=50.0_f64,
+    ) {
+        let power = |exponent: f64| 10_f64.powf(exponent).clamp(1e-50, 1e50);
+        let terms: Vec<_> = terms.iter().map(|&(modulus, time)| (power(modulus), power(time))).collect();
+        let relaxation = relaxation(power(relaxed_modulus), &terms);
+        let back = relaxation.material().relaxation();
+        prop_assert!(relative(back.instantaneous_modulus(), relaxation.instantaneous_modulus()) < 1e-12);
+    }
 }
