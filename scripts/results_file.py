@@ -30,12 +30,19 @@ def open_results(directory):
     if not path.is_file():
         fail(f"{path}: no such file; give a directory in which `stribeck run` has published its results")
     try:
-        return xr.open_dataset(path, engine="h5netcdf")
+        data = xr.open_dataset(path, engine="h5netcdf")
     except (OSError, ValueError) as error:
         fail(
             f"{path}: not readable as a data set ({error}); `stribeck verify {directory}` says what is damaged, "
             "and the `stribeck run` that made it writes it again"
         )
+    dimensions = data.attrs.get("stribeck_dimensions")
+    if dimensions is not None:
+        fail(
+            f"{path}: its dimensions are {text_of(dimensions)}, and this script is for f, alpha and beta; `stribeck plot "
+            f"{directory}` draws it"
+        )
+    return data
 
 
 def save(figure, path):

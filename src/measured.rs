@@ -1,7 +1,7 @@
 //! Measured friction from a CSV file: to be laid over solutions, and to be fitted.
 
 use std::fs::File;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use crate::model::LaboratoryQuantity;
@@ -15,8 +15,8 @@ const FRICTION: [(&str, &str); 5] =
 const ERROR: &str = "error";
 /// Numbers without a unit that say where a point belongs.
 const DIMENSIONLESS: [&str; 3] = ["f", "alpha", "beta"];
-/// Most rows that are read.
-const MOST_ROWS: usize = 1_000_000;
+/// Most bytes of a file that are read.
+const MOST_BYTES: u64 = 64 << 20;
 
 /// Measured points: a friction coefficient and where it was measured, in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,12 +90,10 @@ impl Measured {
     /// [`MeasuredError`] if the file cannot be read, a column has another name, or a value is not allowed.
     pub fn read(path: &Path) -> Result<Self, MeasuredError> {
         let table = |what: String| MeasuredError::NotATable { path: path.to_owned(), what };
-        let file = File::open(path).map_err(|source| MeasuredError::Unreadable { path: path.to_owned(), source })?;
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file);
-        let malformed = |error: csv::Error| match error.into_kind() {
-            csv::ErrorKind::Io(source) => MeasuredError::Unreadable { path: path.to_owned(), source },
-            kind => table(format!("it is no CSV table: {}", csv_words(&kind))),
-        };
+        let text = read_text(path)?;
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let malformed = |error: csv::Error| table(format!("it is no CSV table: {}", csv_words(error.kind(), &text)));
         let header = reader.headers().map_err(malformed)?.clone();
         let roles = header.iter().map(role).collect::<Result<Vec<_>, _>>().map_err(table)?;
         for (place, role) in roles.iter().enumerate() {
@@ -133,10 +131,8 @@ impl Measured {
         }
         for record in reader.records() {
             let record = record.map_err(malformed)?;
-            found.add(&record, &header, &roles)?;
-            if found.friction.len() > MOST_ROWS {
-                return Err(table(format!("it has more than {MOST_ROWS} points, the most that are read")));
-            }
+            let line = record.position().map_or(0, |position| line_of(&text, position));
+            found.add(&record, line, &header, &roles)?;
         }
         if found.friction.is_empty() {
             return Err(table("it has no points below its header".to_owned()));
@@ -148,10 +144,10 @@ impl Measured {
     fn add(
         &mut self,
         record: &csv::StringRecord,
+        line: u64,
         header: &csv::StringRecord,
         roles: &[Role],
     ) -> Result<(), MeasuredError> {
-        let line = record.position().map_or(0, csv::Position::line);
         let mut coordinates = self.coordinates.iter_mut();
         for ((text, name), role) in record.iter().zip(header).zip(roles) {
             let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
@@ -224,15 +220,35 @@ fn role(name: &str) -> Result<Role, String> {
     }
 }
 
-fn csv_words(kind: &csv::ErrorKind) -> String {
+/// The whole file.
+fn read_text(path: &Path) -> Result<String, MeasuredError> {
+    let unreadable = |source| MeasuredError::Unreadable { path: path.to_owned(), source };
+    let table = |what: String| MeasuredError::NotATable { path: path.to_owned(), what };
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(unreadable)?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(table(format!("it is larger than {} MiB, the most that is read", MOST_BYTES >> 20)));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let line =
+            error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|byte| **byte == b'\n').count() + 1;
+        table(format!("line {line} is not UTF-8 text; save it as UTF-8"))
+    })
+}
+
+/// The line on which a record begins, from 1: empty lines and comments before it do not belong to it.
+fn line_of(text: &str, position: &csv::Position) -> u64 {
+    let start = usize::try_from(position.byte()).expect("a place in memory");
+    let before = text[..start].matches('\n').count();
+    let skipped = text[start..].lines().take_while(|line| line.trim().is_empty() || line.starts_with('#')).count();
+    (before + skipped + 1) as u64
+}
+
+fn csv_words(kind: &csv::ErrorKind, text: &str) -> String {
     match kind {
-        csv::ErrorKind::Utf8 { pos, .. } => match pos {
-            Some(pos) => format!("line {} is not UTF-8 text", pos.line()),
-            None => "it is not UTF-8 text".to_owned(),
-        },
-        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
-            let line = pos.as_ref().map_or(0, csv::Position::line);
-            format!("line {line} has {len} values for {expected_len} columns")
+        csv::ErrorKind::UnequalLengths { pos: Some(position), expected_len, len } => {
+            format!("line {} has {len} values for {expected_len} columns", line_of(text, position))
         }
         other => format!("{other:?}"),
     }

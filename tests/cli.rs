@@ -53,12 +53,10 @@ fn finished() -> TempDir {
 #[test]
 fn every_help_text_has_an_example() {
     let directory = tempdir().expect("a temporary directory");
-    for command in
-        [
-            "run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study", "material",
-            "curve", "fit",
-        ]
-    {
+    for command in [
+        "run", "plan", "status", "solve", "explain", "merge", "slurm", "verify", "plot", "report", "study", "material",
+        "curve", "fit",
+    ] {
         let help = say(directory.path(), &[command, "--help"]);
         assert_eq!(code(&help), 0);
         assert!(out(&help).contains(&format!("\n  stribeck {command} ")), "{}", out(&help));

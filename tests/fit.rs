@@ -86,8 +86,10 @@ fn exact_points_are_fitted_exactly() {
     let modes = vec![RetardationMode { share: 0.6, time: 0.3 }, RetardationMode { share: 0.4, time: 2.05 }];
     for substrate in [Substrate::default(), Substrate::new(modes).unwrap()] {
         let measured = points(&speeds, exact(&speeds, TRUTH, &substrate), None);
-        let start = Experiment { modulus: Modulus::Relaxed(3e5), viscosity: 2.0, retardation_time: 0.1, f: 3.0, ..TRUTH };
-        let fit = fitted(&measured, start, &substrate, &["relaxed_modulus", "f", "viscosity", "retardation_time"]).unwrap();
+        let start =
+            Experiment { modulus: Modulus::Relaxed(3e5), viscosity: 2.0, retardation_time: 0.1, f: 3.0, ..TRUTH };
+        let fit =
+            fitted(&measured, start, &substrate, &["relaxed_modulus", "f", "viscosity", "retardation_time"]).unwrap();
         for (estimate, truth) in fit.estimates.iter().zip([1e5, 10.0, 5.1, 0.02]) {
             assert!((estimate.value / truth - 1.0).abs() < 1e-3, "{}: {}", estimate.unknown.name(), estimate.value);
         }
@@ -122,7 +124,10 @@ fn what_is_found_is_within_the_stated_errors() {
             assert!((0.33..1.85).contains(&mean), "{squares:?}");
         }
         let expected = if known { 1.0 } else { 4e-4 };
-        assert!((chi_squared / expected - 1.0).abs() < 3.0 * (2.0 / (17.0 * SETS as f64)).sqrt() + 0.01, "{chi_squared}");
+        assert!(
+            (chi_squared / expected - 1.0).abs() < 3.0 * (2.0 / (17.0 * SETS as f64)).sqrt() + 0.01,
+            "{chi_squared}"
+        );
     }
 }
 
@@ -131,7 +136,8 @@ fn what_is_found_is_within_the_stated_errors() {
 fn order_and_units_do_not_matter() {
     let (speeds, substrate) = (speeds(12, 1e-3, 0.3), Substrate::default());
     let mut noise = Noise(7);
-    let friction: Vec<f64> = exact(&speeds, TRUTH, &substrate).iter().map(|mu| mu * (1.0 + 0.01 * noise.normal())).collect();
+    let friction: Vec<f64> =
+        exact(&speeds, TRUTH, &substrate).iter().map(|mu| mu * (1.0 + 0.01 * noise.normal())).collect();
     let names = ["viscosity", "retardation_time"];
     let one = fitted(&points(&speeds, friction.clone(), None), TRUTH, &substrate, &names).unwrap();
     let reversed = |values: &[f64]| values.iter().rev().copied().collect::<Vec<f64>>();
@@ -161,11 +167,14 @@ fn what_cannot_be_fitted_is_refused() {
     let (speeds, substrate) = (speeds(8, 1e-3, 0.3), Substrate::default());
     let friction = exact(&speeds, TRUTH, &substrate);
     let measured = points(&speeds, friction.clone(), None);
-    let refused = |measured: &Measured, names: &[&str]| fitted(measured, TRUTH, &substrate, names).unwrap_err().to_string();
+    let refused =
+        |measured: &Measured, names: &[&str]| fitted(measured, TRUTH, &substrate, names).unwrap_err().to_string();
     let together = refused(&measured, &["relaxed_modulus", "viscosity", "radius", "load"]);
     assert!(together.contains("cannot be told apart") && together.contains("viscosity"), "{together}");
     assert!(refused(&measured, &["speed"]).contains("speed is a column of the measured points"));
-    assert!(refused(&measured, &["relaxed_modulus", "instantaneous_modulus"]).contains("look for one of the moduli and f"));
+    assert!(
+        refused(&measured, &["relaxed_modulus", "instantaneous_modulus"]).contains("look for one of the moduli and f")
+    );
     let few = points(&speeds[..2], friction[..2].to_vec(), None);
     assert!(refused(&few, &["viscosity", "f"]).contains("2 points are too few for 2 unknowns"));
     let mut negative = measured.clone();
@@ -199,11 +208,18 @@ fn write_points(directory: &Path) {
 fn the_command_tells_and_writes_a_fit() {
     let directory = tempfile::tempdir().unwrap();
     write_points(directory.path());
-    let fit = |arguments: &[&str]| say(directory.path(), &[&["fit", "points.csv", "sweep.toml"][..], arguments].concat());
+    let fit =
+        |arguments: &[&str]| say(directory.path(), &[&["fit", "points.csv", "sweep.toml"][..], arguments].concat());
     let said = fit(&["--unknown", "relaxed_modulus,retardation_time", "-o", "fit"]);
     assert_eq!(code(&said), 0, "{}", err(&said));
     let text = out(&said);
-    for words in ["std. error", "correlations", "reduced chi-squared", "residuals (fitted − measured)/standard error", "[laboratory]"] {
+    for words in [
+        "std. error",
+        "correlations",
+        "reduced chi-squared",
+        "residuals (fitted − measured)/standard error",
+        "[laboratory]",
+    ] {
         assert!(text.contains(words), "{words}: {text}");
     }
     // What is printed for [laboratory] can be pasted, and is where the fit ended.
@@ -212,7 +228,9 @@ fn the_command_tells_and_writes_a_fit() {
         let line = pasted.lines().find_map(|line| line.strip_prefix(&format!("{name} = "))).unwrap();
         line.split_whitespace().next().unwrap().parse().unwrap()
     };
-    assert!((value("relaxed_modulus") / 1e5 - 1.0).abs() < 1e-3 && (value("retardation_time") / 0.02 - 1.0).abs() < 1e-3);
+    assert!(
+        (value("relaxed_modulus") / 1e5 - 1.0).abs() < 1e-3 && (value("retardation_time") / 0.02 - 1.0).abs() < 1e-3
+    );
     for name in ["fit.csv", "friction.svg", "residuals.svg"] {
         assert!(directory.path().join("fit").join(name).exists(), "{name}");
     }
@@ -238,7 +256,10 @@ fn the_command_names_what_is_wrong() {
         (["points.csv", "sweep.toml", "colour"], "give some of f, radius, load"),
         (["points.csv", "relaxation.toml", "viscosity"], "which the collocation method alone has"),
         (["points.csv", "plain.toml", "viscosity"], "plain.toml is dimensionless"),
-        (["few.csv", "sweep.toml", "viscosity"], "load has 2 values in the sweep file and is no column here; give it one"),
+        (
+            ["few.csv", "sweep.toml", "viscosity"],
+            "load has 2 values in the sweep file and is no column here; give it one",
+        ),
         (["nowhere.csv", "sweep.toml", "viscosity"], "cannot read the measured points nowhere.csv"),
     ] {
         let [data, sweep, unknown] = arguments;

@@ -79,7 +79,8 @@ fn results_are_the_dimensionless_ones_times_the_scales() {
         let said = say(directory.path(), &[&["solve", "--json"][..], &arguments].concat());
         let alone: Value = serde_json::from_str(&out(&said)).expect("JSON");
         assert_eq!(alone["case"], row["case"].as_str(), "one id");
-        let scales = [("mu_v", "friction_scale"), ("mu_h", "friction_scale"), ("c", "film_scale"), ("p_max", "pressure_scale")];
+        let scales =
+            [("mu_v", "friction_scale"), ("mu_h", "friction_scale"), ("c", "film_scale"), ("p_max", "pressure_scale")];
         for (name, scale) in scales.into_iter().chain([("x_outlet", "a0"), ("dry_mu_v", "friction_scale")]) {
             let expected = alone[name].as_f64().expect(name) * number(&row, scale);
             assert!(close(number(&row, name), expected, 3e-6), "{name}: {} {expected}", row[name]);
@@ -187,7 +188,8 @@ fn problems_in_common_are_solved_once() {
 fn bytes_do_not_depend_on_threads_or_starts() {
     let directory = with_results(EXAMPLE);
     let bytes = |name: &str| {
-        ["results.h5", "summary.csv"].map(|file| fs::read(directory.path().join("results").join(name).join(file)).unwrap())
+        ["results.h5", "summary.csv"]
+            .map(|file| fs::read(directory.path().join("results").join(name).join(file)).unwrap())
     };
     say(directory.path(), &["run", "small.toml", "--quiet", "--threads", "3", "-o", "results/three"]);
     assert!(bytes("small") == bytes("three"));
@@ -223,15 +225,26 @@ fn the_relaxation_method_solves_them_too() {
 fn a_fast_and_a_slow_roller_see_an_elastic_substrate() {
     let material = "[substrate]\nrelaxed_modulus = 1e5\nrelaxation = [{ modulus = 2e5, time = 1.0 }, { modulus = 1e5, time = 10.0 }]\n";
     let laboratory = |modulus: &str, speed: f64| {
-        format!("[laboratory]\nradius = 0.01\nload = 100.0\n{modulus}poisson_ratio = 0.5\nviscosity = 0.01\nspeed = {speed:?}\n")
+        format!(
+            "[laboratory]\nradius = 0.01\nload = 100.0\n{modulus}poisson_ratio = 0.5\nviscosity = 0.01\nspeed = {speed:?}\n"
+        )
     };
     let output = "[output]\nfields = []\n[solver]\ntolerance = 1e-7\n";
     for (speed, modulus) in [(1e-7, 1e5), (1e5, 4e5)] {
         let viscoelastic = with_results(&format!("{material}{}{output}", laboratory("", speed)));
-        let elastic = with_results(&format!("{}f = 0.0\n{output}", laboratory(&format!("relaxed_modulus = {modulus:?}\n"), speed)));
-        let first = |directory: &tempfile::TempDir| table(&directory.path().join("results/small/summary.csv")).remove(0);
+        let elastic = with_results(&format!(
+            "{}f = 0.0\n{output}",
+            laboratory(&format!("relaxed_modulus = {modulus:?}\n"), speed)
+        ));
+        let first =
+            |directory: &tempfile::TempDir| table(&directory.path().join("results/small/summary.csv")).remove(0);
         let (one, other) = (first(&viscoelastic), first(&elastic));
-        assert!(close(number(&one, "mu_h"), number(&other, "mu_h"), 1e-3), "{speed}: {} {}", one["mu_h"], other["mu_h"]);
+        assert!(
+            close(number(&one, "mu_h"), number(&other, "mu_h"), 1e-3),
+            "{speed}: {} {}",
+            one["mu_h"],
+            other["mu_h"]
+        );
         assert!(close(number(&one, "film_min"), number(&other, "film_min"), 1e-3), "{speed}");
     }
 }
@@ -244,7 +257,9 @@ fn a_curve_is_drawn_and_written() {
     let curve = |arguments: &[&str]| say(directory.path(), &[&["curve", "small.toml"][..], arguments].concat());
     let said = curve(&[]);
     assert_eq!(code(&said), 2);
-    assert!(err(&said).contains("load has 2 values in the sweep file, and a curve has one; choose with --at load=VALUE"));
+    assert!(
+        err(&said).contains("load has 2 values in the sweep file, and a curve has one; choose with --at load=VALUE")
+    );
     let said = curve(&["--at", "load=110", "--csv", "curve.csv", "--measured", "points.csv"]);
     assert_eq!(code(&said), 0, "{}", err(&said));
     let text = out(&said);
@@ -341,31 +356,35 @@ fn a_page_holds_the_measured_points() {
     let contents: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
     assert_eq!(contents["measured"]["coordinates"]["speed"], serde_json::json!([1e-3]));
     assert_eq!(contents["measured"]["column"], "mu_tot");
-    let words: Vec<&str> = contents["axis_words"].as_array().unwrap().iter().map(|axis| axis["name"].as_str().unwrap()).collect();
+    let words: Vec<&str> =
+        contents["axis_words"].as_array().unwrap().iter().map(|axis| axis["name"].as_str().unwrap()).collect();
     assert_eq!(words, ["f", "load", "speed"]);
     assert_eq!(contents["laboratory"], true);
 }
 
 /// Quantities with any values, and which of them are axes.
 fn laboratory() -> impl Strategy<Value = (String, [usize; 3])> {
-    let axis = |low: f64, high: f64| prop::collection::btree_set(1u32..1000, 1..4).prop_map(move |steps| {
-        steps.into_iter().map(|step| low * (high / low).powf(f64::from(step) / 1000.0)).collect::<Vec<f64>>()
-    });
-    let quantities = (axis(1e-3, 1e-1), axis(1.0, 1e3), axis(1e4, 1e7), axis(1e-3, 10.0), axis(1e-4, 1e2), axis(1e-5, 1.0));
-    (quantities, prop::array::uniform5(any::<bool>()), prop::collection::btree_set(0u32..50, 1..3), any::<bool>()).prop_map(
-        |((radius, load, modulus, viscosity, time, speed), varied, f, instantaneous)| {
+    let axis = |low: f64, high: f64| {
+        prop::collection::btree_set(1u32..1000, 1..4).prop_map(move |steps| {
+            steps.into_iter().map(|step| low * (high / low).powf(f64::from(step) / 1000.0)).collect::<Vec<f64>>()
+        })
+    };
+    let quantities =
+        (axis(1e-3, 1e-1), axis(1.0, 1e3), axis(1e4, 1e7), axis(1e-3, 10.0), axis(1e-4, 1e2), axis(1e-5, 1.0));
+    (quantities, prop::array::uniform5(any::<bool>()), prop::collection::btree_set(0u32..50, 1..3), any::<bool>())
+        .prop_map(|((radius, load, modulus, viscosity, time, speed), varied, f, instantaneous)| {
             let f: Vec<f64> = f.into_iter().map(|f| f64::from(f) / 5.0).collect();
             let modulus_name = if instantaneous { "instantaneous_modulus" } else { "relaxed_modulus" };
             let names = ["radius", "load", modulus_name, "viscosity", "retardation_time"];
             let mut text = format!("[axes]\nf = {f:?}\n[laboratory]\nspeed = {speed:?}\npoisson_ratio = 0.5\n");
             let mut rows = 1;
-            for ((name, values), is_axis) in names.into_iter().zip([radius, load, modulus, viscosity, time]).zip(varied) {
+            for ((name, values), is_axis) in names.into_iter().zip([radius, load, modulus, viscosity, time]).zip(varied)
+            {
                 rows *= if is_axis { values.len() } else { 1 };
                 text += &if is_axis { format!("{name} = {values:?}\n") } else { format!("{name} = {:?}\n", values[0]) };
             }
             (text, [f.len(), rows, speed.len()])
-        },
-    )
+        })
 }
 
 proptest! {
@@ -396,5 +415,19 @@ proptest! {
             let experiment = sweep.grid.experiment([i_f, i_row, i_speed]).unwrap();
             prop_assert_eq!((f, alpha, beta), (experiment.f, experiment.alpha(), experiment.beta()));
         }
+    }
+}
+
+/// The Python scripts are for f, α and β, and say so.
+#[test]
+fn scripts_refuse_what_has_other_axes() {
+    let directory = with_results(EXAMPLE);
+    let results = directory.path().join("results/small");
+    for (script, number) in [("surface", 1), ("profiles", 1), ("compare", 2)] {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scripts/{script}.py"));
+        let said = Command::new(python()).arg(file).args(vec![&results; number]).output().unwrap();
+        let message = String::from_utf8(said.stderr).unwrap();
+        assert_eq!(said.status.code(), Some(2), "{message}");
+        assert!(message.contains("its dimensions are f load speed") && message.contains("`stribeck plot"), "{message}");
     }
 }

@@ -216,7 +216,7 @@ pub fn bad_files() -> Vec<Row> {
         (with_laboratory("radius", "\"-2 mm\""), "2:10", "must be finite and above 0", "with its unit in quotes"),
         (with_laboratory("radius", "0.0"), "2:10", "must be finite and above 0", "SI units"),
         (with_laboratory("poisson_ratio", "0.6"), "5:17", "must be from 0 to 0.5", "0.5 is usual"),
-        (with_laboratory("speed", "[2.0, 1.0]"), "8:14", "must ascend", "sort the list"),
+        (with_laboratory("speed", "[2.0, 1.0]"), "8:15", "must ascend", "sort the list"),
         (with_laboratory("speed", "[]"), "8:9", "at least one value", "[100.0]"),
         (
             with_laboratory("relaxed_modulus", "1.0\ninstantaneous_modulus = 2.0"),
@@ -224,7 +224,12 @@ pub fn bad_files() -> Vec<Row> {
             "`relaxed_modulus` or `instantaneous_modulus`, not both",
             "remove one",
         ),
-        (with_laboratory("f", "1.0\n[axes]\nf = [1.0]\n"), "9:5", "in [laboratory] or in [axes], not in both", "remove one"),
+        (
+            with_laboratory("f", "1.0\n[axes]\nf = [1.0]\n"),
+            "9:5",
+            "in [laboratory] or in [axes], not in both",
+            "remove one",
+        ),
         (
             with_laboratory("f", "1.0\n[axes]\nalpha = [1.0]\n"),
             "11:9",
@@ -235,7 +240,12 @@ pub fn bad_files() -> Vec<Row> {
         ("[laboratory]\nf = 1.0\n".into(), "1:1", "[laboratory] needs `radius`", "radius = \"2 mm\""),
         (with_axes("speed = [1.0]\n"), "5:1", "`speed` is not a key of [axes]", "key of [laboratory]: move it there"),
         // Materials.
-        (with_axes("[substrate]\nrelaxation = []\nmodes = []\n"), "6:14", "`modes` or `relaxation`, not both", "remove one"),
+        (
+            with_axes("[substrate]\nrelaxation = []\nmodes = []\n"),
+            "6:14",
+            "`modes` or `relaxation`, not both",
+            "remove one",
+        ),
         (
             with_axes("[substrate]\nrelaxation = [{ modulus = 1e6, time = 1.0 }]\n"),
             "5:1",
@@ -260,8 +270,18 @@ pub fn bad_files() -> Vec<Row> {
             "must be a time, in s",
             "\"20 ms\" or 0.02",
         ),
-        (with_axes("[substrate]\nrelaxation = [{ fraction = 1.5, time = 1.0 }]\n"), "6:28", "above 0 and below 1", "g_i"),
-        (with_axes("[substrate]\nrelaxed_modulus = 1e6\n"), "6:19", "goes with `relaxation`", "in [laboratory]: move it"),
+        (
+            with_axes("[substrate]\nrelaxation = [{ fraction = 1.5, time = 1.0 }]\n"),
+            "6:28",
+            "above 0 and below 1",
+            "g_i",
+        ),
+        (
+            with_axes("[substrate]\nrelaxed_modulus = 1e6\n"),
+            "6:19",
+            "goes with `relaxation`",
+            "in [laboratory]: move it",
+        ),
         (
             with_axes("[substrate]\nrelaxed_modulus = 1e6\nrelaxation = [{ time = 1.0 }]\n"),
             "7:15",
