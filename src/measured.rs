@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use crate::model::LaboratoryQuantity;
+use crate::model::{Experiment, LaboratoryQuantity};
 use crate::shown::{printable, shown};
 use crate::sweep::unit_factor;
 
@@ -98,14 +98,14 @@ impl Measured {
         let roles = header.iter().map(role).collect::<Result<Vec<_>, _>>().map_err(table)?;
         for (place, role) in roles.iter().enumerate() {
             let same = |other: &Role| match (role, other) {
-                (Role::Coordinate(one, _), Role::Coordinate(other, _)) => one == other,
+                (Role::Coordinate(one, _), Role::Coordinate(other, _)) => one == other || are_moduli(one, other),
                 (Role::Friction(_), Role::Friction(_)) | (Role::Error, Role::Error) => true,
                 _ => false,
             };
             if roles[..place].iter().any(same) {
                 let what = match role {
                     Role::Friction(_) => "it has two columns of friction; keep one",
-                    _ => "it has a column twice; remove one",
+                    _ => "it has a column twice, or both moduli; remove one",
                 };
                 return Err(table(format!("{what} (`{}`)", printable(&header[place]))));
             }
@@ -129,9 +129,10 @@ impl Measured {
         if found.coordinates.is_empty() {
             return Err(table("no column says where the points were measured; add `speed`, in m/s".to_owned()));
         }
+        let mut lines = Lines { text: &text, byte: 0, line: 1 };
         for record in reader.records() {
             let record = record.map_err(malformed)?;
-            let line = record.position().map_or(0, |position| line_of(&text, position));
+            let line = record.position().map_or(0, |position| lines.of(position));
             found.add(&record, line, &header, &roles)?;
         }
         if found.friction.is_empty() {
@@ -154,19 +155,23 @@ impl Measured {
             let (allowed, fits): (_, fn(f64) -> bool) = match role {
                 Role::Friction(_) => ("a friction coefficient is a number", |_| true),
                 Role::Error => ("a standard error is a number above 0", |value| value > 0.0),
-                Role::Coordinate("f" | "alpha" | "poisson_ratio", _) => ("it is a number from 0", |value| value >= 0.0),
-                Role::Coordinate(..) => ("it is a number above 0", |value| value > 0.0),
+                Role::Coordinate("f" | "alpha", _) => ("it is a number from 0", |value| value >= 0.0),
+                Role::Coordinate("poisson_ratio", _) => {
+                    ("it is a number from 0 to 0.5", |value| (0.0..=0.5).contains(&value))
+                }
+                Role::Coordinate(..) => ("it is a number above 0", |value| value > 0.0 && value.is_finite()),
             };
-            let Some(value) = value.filter(|value| fits(*value)) else {
-                let (path, column, value) = (self.path.clone(), name.to_owned(), text.to_owned());
+            let factor = if let Role::Coordinate(_, factor) = role { *factor } else { 1.0 };
+            let Some(value) = value.map(|value| value * factor).filter(|value| fits(*value)) else {
+                let (path, column, value) = (self.path.clone(), printable(name).into_owned(), text.to_owned());
                 return Err(MeasuredError::Value { path, line, column, value, allowed });
             };
             match role {
                 Role::Friction(_) => self.friction.push(value),
                 Role::Error => self.errors.iter_mut().for_each(|errors| errors.push(value)),
-                Role::Coordinate(_, factor) => {
+                Role::Coordinate(..) => {
                     let (_, values) = coordinates.next().expect("a list for each column of coordinates");
-                    values.push(value * factor);
+                    values.push(value);
                 }
             }
         }
@@ -174,10 +179,35 @@ impl Measured {
         Ok(())
     }
 
+    /// True if a point was measured at the quantities of an experiment, its speed apart, as far as the file has them.
+    pub fn belongs_to(&self, point: usize, experiment: &Experiment) -> bool {
+        self.coordinates.iter().filter(|(name, _)| *name != "speed").all(|(name, values)| {
+            let own = match LaboratoryQuantity::named(name) {
+                Some(quantity) => experiment.value(quantity),
+                None if *name == "f" => experiment.f,
+                // these change with the speed
+                None => return true,
+            };
+            Self::is_same(values[point], own)
+        })
+    }
+
+    /// True for values that differ by less than 1 %.
+    pub fn is_same(one: f64, other: f64) -> bool {
+        one == other || (one / other).ln().abs() < 0.01
+    }
+
     /// The values of a coordinate, if the file has it.
     pub fn coordinate(&self, name: &str) -> Option<&[f64]> {
         self.coordinates.iter().find(|(known, _)| *known == name).map(|(_, values)| values.as_slice())
     }
+}
+
+/// True for the two moduli, of which one follows from the other.
+fn are_moduli(one: &str, other: &str) -> bool {
+    let moduli =
+        [LaboratoryQuantity::RelaxedModulus, LaboratoryQuantity::InstantaneousModulus].map(LaboratoryQuantity::name);
+    moduli.contains(&one) && moduli.contains(&other)
 }
 
 /// What a column of this name holds.
@@ -206,6 +236,9 @@ fn role(name: &str) -> Result<Role, String> {
         return without_unit.map(|()| Role::Coordinate(known, 1.0));
     }
     match LaboratoryQuantity::named(word) {
+        Some(LaboratoryQuantity::PoissonRatio) => {
+            without_unit.map(|()| Role::Coordinate(LaboratoryQuantity::PoissonRatio.name(), 1.0))
+        }
         Some(quantity) => {
             Ok(Role::Coordinate(quantity.name(), unit.map_or(Ok(1.0), |unit| known_unit(quantity, unit))?))
         }
@@ -237,18 +270,31 @@ fn read_text(path: &Path) -> Result<String, MeasuredError> {
     })
 }
 
-/// The line on which a record begins, from 1: empty lines and comments before it do not belong to it.
-fn line_of(text: &str, position: &csv::Position) -> u64 {
-    let start = usize::try_from(position.byte()).expect("a place in memory");
-    let before = text[..start].matches('\n').count();
-    let skipped = text[start..].lines().take_while(|line| line.trim().is_empty() || line.starts_with('#')).count();
-    (before + skipped + 1) as u64
+/// Counts the lines of a text, forward only.
+struct Lines<'t> {
+    text: &'t str,
+    byte: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    /// The line on which a record begins, from 1: empty lines and comments before it do not belong to it.
+    fn of(&mut self, position: &csv::Position) -> u64 {
+        let start = usize::try_from(position.byte()).expect("a place in memory");
+        self.line += self.text[self.byte..start].matches('\n').count() as u64;
+        self.byte = start;
+        let rest = self.text[start..].lines();
+        self.line + rest.take_while(|line| line.trim().is_empty() || line.starts_with('#')).count() as u64
+    }
 }
 
 fn csv_words(kind: &csv::ErrorKind, text: &str) -> String {
     match kind {
         csv::ErrorKind::UnequalLengths { pos: Some(position), expected_len, len } => {
-            format!("line {} has {len} values for {expected_len} columns", line_of(text, position))
+            format!(
+                "line {} has {len} values for {expected_len} columns",
+                Lines { text, byte: 0, line: 1 }.of(position)
+            )
         }
         other => format!("{other:?}"),
     }
@@ -293,7 +339,7 @@ mod tests {
             ),
             ("speed,mu\n1,1,2\n", "points.csv: it is no CSV table: line 2 has 3 values for 2 columns"),
             ("speed,mu,mu_v\n1,1,1\n", "points.csv: it has two columns of friction; keep one (`mu_v`)"),
-            ("speed,speed,mu\n1,1,1\n", "points.csv: it has a column twice; remove one (`speed`)"),
+            ("speed,speed,mu\n1,1,1\n", "points.csv: it has a column twice, or both moduli; remove one (`speed`)"),
             (
                 "speed (Pa),mu\n1,1\n",
                 "points.csv: the unit of its column `speed (Pa)` is none of this quantity; write (m/s), or a unit of that kind",

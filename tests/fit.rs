@@ -7,9 +7,14 @@ use std::path::Path;
 
 use program::{code, err, out, say};
 use serde_json::Value;
+use stribeck::collocation::{CollocationSolver, Settings};
+use stribeck::continuation::{Interrupt, solve_chain};
 use stribeck::fit::{Fit, FitError, SolverChoice, Task, Unknown, fit};
 use stribeck::measured::Measured;
-use stribeck::model::{CavityShear, Experiment, LaboratoryQuantity, Modulus, RetardationMode, Substrate};
+use stribeck::model::{
+    CavityShear, Experiment, FieldSelection, LaboratoryQuantity, Modulus, Output, Parameters, RetardationMode,
+    Substrate,
+};
 
 const TRUTH: Experiment = Experiment {
     radius: 2e-3,
@@ -69,14 +74,18 @@ fn speeds(count: u32, from: f64, to: f64) -> Vec<f64> {
     (0..count).map(|i| from * (to / from).powf(f64::from(i) / f64::from(count - 1))).collect()
 }
 
-/// Friction of the truth: what a fit without anything to change predicts.
+/// Friction of the truth.
 fn exact(speeds: &[f64], truth: Experiment, substrate: &Substrate) -> Vec<f64> {
-    let any = points(speeds, vec![1.0; speeds.len()], Some(vec![1e9; speeds.len()]));
-    let fit = fitted(&any, truth, substrate, &["viscosity"]).expect("solved");
-    // With errors that large the first step is the last one, and far too small to be seen.
-    let moved = fit.estimates[0].value / fit.estimates[0].start - 1.0;
-    assert!(moved.abs() < 1e-6, "{moved}");
-    fit.points.iter().map(|point| point.fitted).collect()
+    let solver = CollocationSolver::new(Settings::for_tolerance(1e-8));
+    let output = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
+    let case = |speed: &f64| {
+        let at = Experiment { speed: *speed, ..truth };
+        Parameters { alpha: at.alpha(), beta: at.beta(), f: at.f, substrate: substrate.clone() }
+    };
+    let cases: Vec<Parameters> = speeds.iter().rev().map(case).collect();
+    let solved = solve_chain(&solver, &cases, &output, &Interrupt::new()).expect("nobody interrupts");
+    let friction = solved.into_iter().rev().map(|case| case.outcome.expect("solved").quantities.friction.total());
+    friction.map(|force| force * truth.scales().friction).collect()
 }
 
 /// Points without noise give back what they were made of, from a start that is far away.

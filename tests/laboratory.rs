@@ -96,7 +96,7 @@ import sys, numpy, pandas, xarray
 for engine in ('h5netcdf', 'netcdf4'):
     data = xarray.open_dataset(sys.argv[1] + '/results.h5', engine=engine)
     assert dict(data.sizes) == {'f': 1, 'load': 2, 'speed': 3, 'x': 81}, data.sizes
-    assert list(data.load.values) == [60, 119] and data.load.units == 'N/m' and data.speed.units == 'm/s'
+    assert list(data['load'].values) == [60, 119] and data['load'].units == 'N/m' and data.speed.units == 'm/s'
     for name in ('alpha', 'beta', 'a0', 'radius', 'viscosity', 'film_scale', 'pressure_scale', 'friction_scale'):
         assert name in data.coords, name
     assert data.radius.ndim == 0 and float(data.radius) == 2e-3 and data.radius.units == 'm'
@@ -223,14 +223,14 @@ fn the_relaxation_method_solves_them_too() {
 /// Fast and slow ends: with the instantaneous and the relaxed modulus the substrate is elastic, and friction that of its film.
 #[test]
 fn a_fast_and_a_slow_roller_see_an_elastic_substrate() {
-    let material = "[substrate]\nrelaxed_modulus = 1e5\nrelaxation = [{ modulus = 2e5, time = 1.0 }, { modulus = 1e5, time = 10.0 }]\n";
+    let material = "[substrate]\nrelaxed_modulus = 1e5\nrelaxation = [{ modulus = 2e5, time = 1e-3 }, { modulus = 1e5, time = 1e-2 }]\n";
     let laboratory = |modulus: &str, speed: f64| {
         format!(
-            "[laboratory]\nradius = 0.01\nload = 100.0\n{modulus}poisson_ratio = 0.5\nviscosity = 0.01\nspeed = {speed:?}\n"
+            "[laboratory]\nradius = 0.01\nload = 100.0\n{modulus}poisson_ratio = 0.5\nviscosity = 10.0\nspeed = {speed:?}\n"
         )
     };
     let output = "[output]\nfields = []\n[solver]\ntolerance = 1e-7\n";
-    for (speed, modulus) in [(1e-7, 1e5), (1e5, 4e5)] {
+    for (speed, modulus) in [(1e-6, 1e5), (1e3, 4e5)] {
         let viscoelastic = with_results(&format!("{material}{}{output}", laboratory("", speed)));
         let elastic = with_results(&format!(
             "{}f = 0.0\n{output}",
@@ -240,12 +240,12 @@ fn a_fast_and_a_slow_roller_see_an_elastic_substrate() {
             |directory: &tempfile::TempDir| table(&directory.path().join("results/small/summary.csv")).remove(0);
         let (one, other) = (first(&viscoelastic), first(&elastic));
         assert!(
-            close(number(&one, "mu_h"), number(&other, "mu_h"), 1e-3),
+            close(number(&one, "mu_h"), number(&other, "mu_h"), 5e-3),
             "{speed}: {} {}",
             one["mu_h"],
             other["mu_h"]
         );
-        assert!(close(number(&one, "film_min"), number(&other, "film_min"), 1e-3), "{speed}");
+        assert!(close(number(&one, "film_min"), number(&other, "film_min"), 5e-3), "{speed}");
     }
 }
 
@@ -276,6 +276,14 @@ fn a_curve_is_drawn_and_written() {
     }
     let said = curve(&["--at", "lod=110"]);
     assert!(code(&said) == 2 && err(&said).contains("load has 2 values"), "{}", err(&said));
+    for (wrong, expected) in [
+        ("load=1e9", "the sweep has load from 60 to 119"),
+        ("load=nan", "the sweep has load"),
+        ("load=60,119", "asks for several values"),
+    ] {
+        let said = curve(&["--at", wrong]);
+        assert!(code(&said) == 2 && err(&said).contains(expected), "{}", err(&said));
+    }
     let said = curve(&["--at", "load=110", "--at", "lod=1"]);
     assert!(code(&said) == 2 && err(&said).contains("--at lod: a curve runs along the speed"), "{}", err(&said));
     fs::write(directory.path().join("plain.toml"), "[axes]\nf = [1.0]\nalpha = [1.0]\nbeta = [10.0]\n").unwrap();
@@ -321,9 +329,9 @@ fn pictures_run_along_the_speed_and_show_what_was_measured() {
     let said = plot(&["--at", "load=119", "--what", "profiles", "--of", "film_thickness"]);
     assert_eq!(code(&said), 0, "{}", err(&said));
     for (arguments, expected) in [
-        (&["--alpha", "1"][..], "--at alpha=…: this data set has the axes f, load, speed"),
+        (&["--alpha", "1"][..], "--alpha …: this data set has the axes f, load, speed"),
         (&["--along", "beta"], "--along beta: this data set has the axes f, load, speed"),
-        (&["--at", "load=500"], "load = 500: the sweep has load from 60 to 119"),
+        (&["--at", "load=500"], "--at load=500: the sweep has load from 60 to 119"),
         (&["--measured", "nowhere.csv"], "cannot read the measured points nowhere.csv"),
     ] {
         let said = plot(arguments);
@@ -341,7 +349,7 @@ fn several_axes_are_taken_together() {
     assert_eq!(code(&said), 0, "{}", err(&said));
     let picture = fs::read_to_string(directory.path().join("results/small/figures/mu_tot-along-speed.svg")).unwrap();
     assert!(picture.contains("N = 60 N/m, η = 1 Pa s") && !picture.contains("η = 5.1"), "{picture}");
-    let said = say(directory.path(), &["explain", "results/small", "10,17,1875"]);
+    let said = say(directory.path(), &["explain", "results/small", "10,87,1875"]);
     assert!(out(&said).contains("load = 119 N/m") && out(&said).contains("viscosity = 5.1 Pa s"), "{}", out(&said));
 }
 

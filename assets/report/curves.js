@@ -49,10 +49,16 @@ function measuredPoints(state, axis, scale) {
   const { measured } = contents;
   const along = measured?.coordinates[axisWords[axis].name];
   if (!along || measured.column !== state.quantity) return [];
-  const y = measured.friction.map((value) => (scale.logarithmic && value <= 0 ? NaN : scale.to(value)));
-  const text = measured.friction.map((value, i) => `measured ${digits(value)}${measured.errors ? ` ± ${digits(measured.errors[i], 2)}` : ""}`);
-  const above = measured.errors?.map((error, i) => scale.to(measured.friction[i] + error) - y[i]);
-  const below = measured.errors?.map((error, i) => y[i] - scale.to(Math.max(measured.friction[i] - error, scale.logarithmic ? measured.friction[i] / 1e3 : -Infinity)));
+  // Where the file says so, points that were measured elsewhere belong to other curves.
+  const same = (one, other) => one === other || Math.abs(Math.log(one / other)) < 0.01;
+  const own = Object.entries(quantitiesAt(state.place)).filter(([name]) => name !== axisWords[axis].name && measured.coordinates[name]);
+  const rows = along.map((_, i) => i).filter((i) => own.every(([name, value]) => same(measured.coordinates[name][i], value)));
+  const friction = rows.map((i) => measured.friction[i]);
+  const errors = measured.errors && rows.map((i) => measured.errors[i]);
+  const y = friction.map((value) => (scale.logarithmic && value <= 0 ? NaN : scale.to(value)));
+  const text = friction.map((value, i) => `measured ${digits(value)}${errors ? ` ± ${digits(errors[i], 2)}` : ""}`);
+  const above = errors?.map((error, i) => scale.to(friction[i] + error) - y[i]);
+  const below = errors?.map((error, i) => y[i] - scale.to(Math.max(friction[i] - error, scale.logarithmic ? friction[i] / 1e3 : -Infinity)));
   const bars = above ? { error_y: { type: "data", symmetric: false, array: above, arrayminus: below, color: style("--text"), thickness: 1, width: 3 } } : {};
-  return [{ type: "scatter", mode: "markers", x: along.map(Math.log10), y, text, hovertemplate: "%{text}<extra></extra>", marker: { symbol: "diamond-open", size: 8, color: style("--text"), line: { width: 1.5 } }, ...bars }];
+  return [{ type: "scatter", mode: "markers", x: rows.map((i) => Math.log10(along[i])), y, text, hovertemplate: "%{text}<extra></extra>", marker: { symbol: "diamond-open", size: 8, color: style("--text"), line: { width: 1.5 } }, ...bars }];
 }

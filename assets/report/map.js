@@ -48,7 +48,7 @@ function nameQuantity(state) {
     : scale.empty
       ? "No case has this number."
       : !isSurface
-        ? alphaSymbol ? `A surface needs two values of ${alphaSymbol} and two of ${betaSymbol}: see the curves below.` : "A surface needs two axes, and the speed alone varies here: see the curves below."
+        ? alphaSymbol ? `A surface needs two values of ${alphaSymbol} and two of ${betaSymbol}: see the curves below.` : "A surface needs an axis between f and the speed, and there is none here: see the curves below."
         : isEmpty
           ? "At this f no case has this number, so there is no surface; what failed is × in the map."
           : "";

@@ -3,8 +3,9 @@
 const quantities = ["mu_tot", "mu_v", "mu_h", "mu_drag", "mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual", "dry_mu_v", "approx_mu_h", ...(contents.laboratory ? ["alpha", "beta"] : []), ...(costs ? ["seconds", "iterations"] : [])];
 
 // The first case shown is one that dissipates much, or the nearest that converged: the largest f, the α nearest to 1, in the
-// middle of β.
-const firstPlace = placeAt(fs.length - 1, nearest(alphaPlaces, 0), Math.floor(betas.length / 2));
+// middle of β; over quantities of the laboratory in the middle of these.
+const middleOf = (values) => Math.floor(values.length / 2);
+const firstPlace = placeAt(fs.length - 1, contents.laboratory ? middleOf(alphas) : nearest(alphaPlaces, 0), middleOf(betas));
 const state = {
   quantity: "mu_tot",
   scale: "auto",

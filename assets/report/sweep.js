@@ -100,3 +100,14 @@ function fieldsOf(place) {
   }
   return found;
 }
+
+// What is known of the experiment at a place: quantities that are one number, and those of the axes by their names.
+function quantitiesAt(place) {
+  const known = { ...contents.fixed };
+  indicesOf(place).forEach((index, axis) => {
+    const { name, members } = axisWords[axis];
+    if (members.length) members[index].forEach(([member, value]) => (known[member] = value));
+    else if (name) known[name] = axes[axis][index];
+  });
+  return known;
+}

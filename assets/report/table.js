@@ -25,8 +25,10 @@ function arrangeTable() {
   const all = Array.from({ length: placeCount }, (_, place) => place);
   table.rows = parts.length
     ? all.filter((place) => {
-        const own = rowWords(place).split(", ");
-        return parts.every((part) => own.some((word) => (part.includes("=") ? word === part : word.includes(part))));
+        const own = rowWords(place).toLowerCase().split(", ");
+        // A value may be written without its unit.
+        const isValue = (word, part) => word === part || word.startsWith(`${part} `);
+        return parts.every((part) => own.some((word) => (part.includes("=") ? isValue(word, part) : word.includes(part))));
       })
     : all;
   if (table.sort) {
@@ -100,7 +102,7 @@ function markTableRow() {
   for (const row of document.querySelectorAll("#table tbody tr")) row.setAttribute("aria-selected", Number(row.dataset.place) === state.place);
 }
 
-// The rows of the table as they are filtered and sorted, with the columns of summary.csv.
+// The rows of the table as they are filtered and sorted: the three axes, and the numbers of the page.
 function tableText() {
   const names = [...columns.keys()];
   const named = [0, 1, 2].filter((axis) => axisWords[axis].name);

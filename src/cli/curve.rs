@@ -1,5 +1,6 @@
 //! `stribeck curve`: friction against speed, in the terminal and as CSV.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -16,8 +17,8 @@ use super::{CliError, Exit, console, threads};
 use crate::continuation::Interrupt;
 use crate::engine::{Engine, Finished};
 use crate::measured::Measured;
-use crate::model::{COLUMNS, Experiment, FieldSelection, shortest};
-use crate::pictures::Table;
+use crate::model::{COLUMNS, CaseId, Experiment, FieldSelection, LaboratoryQuantity, Output, Scales, shortest};
+use crate::pictures::{Table, nearest};
 use crate::shown::shown;
 use crate::store::{CaseEntry, Status, write_whole};
 use crate::sweep::{Grid, LaboratoryAxes, Plan, Sweep};
@@ -33,7 +34,7 @@ Examples:
   stribeck curve sweeps/rubber.toml --measured points.csv
 
 The sweep file has a section [laboratory] with the speed as an axis (docs/sweep-file.md). Nothing is stored: to keep
-fields and numbers run the sweep. Measured points are a CSV with the columns speed and mu (docs/fitting.md).")]
+fields and numbers run the sweep. Measured points are a CSV with the columns speed and mu (docs/laboratory.md).")]
 pub struct Arguments {
     /// The sweep file, with [laboratory]
     #[arg(value_name = "SWEEP")]
@@ -57,12 +58,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
     let axes = laboratory(&sweep, &arguments.sweep)?;
     sweep.grid = Grid::Laboratory(one_curve(axes, &arguments.at)?);
-    sweep.output.fields = FieldSelection::default();
+    sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };
     let cases = solve(&sweep, threads::number(arguments.threads))?;
     if let Some(file) = &arguments.csv {
         write_whole(file.clone(), &table(&cases).csv())?;
     }
-    let mut text = format!("{}\n", sweep.title);
+    let mut text = format!("{}\n{}\n", sweep.title, in_words(&cases[0].experiment));
     text += &drawing(&cases, measured.as_ref());
     text += &rows(&cases);
     let failed: Vec<&Solved> = cases.iter().filter(|case| case.entry.outcome == Status::Failed).collect();
@@ -91,25 +92,23 @@ pub fn laboratory<'s>(sweep: &'s Sweep, path: &Path) -> Result<&'s LaboratoryAxe
 fn one_curve(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)]) -> Result<LaboratoryAxes, CliError> {
     let mut one = axes.clone();
     let speed = one.given.len() - 1;
-    let mut known: Vec<&str> = vec!["f"];
+    let mut known: Vec<&str> = Vec::new();
     let lists = std::iter::once(("f", &mut one.f))
         .chain(one.given[..speed].iter_mut().map(|given| (given.quantity.name(), &mut given.values)));
     for (name, values) in lists {
         known.push(name);
-        let wanted = at.iter().find(|(axis, _)| axis == name).map(|(_, values)| values.as_slice());
-        let value = match (wanted, values.len()) {
-            (None, 1) => values[0],
-            (Some(&[wanted]), _) => {
-                // By the ratio, as these are magnitudes; 0 is near to itself alone.
-                let distance = |value: &f64| if *value == wanted { 0.0 } else { (value / wanted).ln().abs() };
-                *values.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("an axis has values")
-            }
-            (_, several) => return Err(CliError::SeveralCurves { axis: name.to_owned(), values: several }),
+        let wanted: Vec<f64> =
+            at.iter().filter(|(axis, _)| axis == name).flat_map(|(_, values)| values.clone()).collect();
+        let value = match wanted[..] {
+            [] if values.len() == 1 => values[0],
+            [wanted] => values[nearest(name, values, wanted)?],
+            [] => return Err(CliError::SeveralCurves { axis: name.to_owned(), values: values.len() }),
+            _ => return Err(CliError::SeveralAsked { axis: name.to_owned() }),
         };
         *values = vec![value];
     }
     match at.iter().find(|(axis, _)| !known.contains(&axis.as_str())) {
-        Some((axis, _)) => Err(CliError::NoSuchAxis { axis: axis.clone(), known: known[1..].join(", ") }),
+        Some((axis, _)) => Err(CliError::NoSuchAxis { axis: axis.clone(), known: known.join(", ") }),
         None => Ok(one),
     }
 }
@@ -134,7 +133,7 @@ fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> 
     let plan = Plan::new(sweep);
     let (solver, output) = (Solver::new(&sweep.solver), &sweep.output);
     let chains: Vec<_> = plan.chains().collect();
-    let mut entries: Vec<CaseEntry> = Vec::new();
+    let mut entries: HashMap<CaseId, CaseEntry> = HashMap::new();
     Engine::new(threads)?.run(
         &chains,
         &Interrupt::new(),
@@ -143,7 +142,8 @@ fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> 
         |group| -> Result<(), CliError> {
             for Finished { chain, cases, .. } in group {
                 let parameters = plan.parameters(chain);
-                entries.extend(parameters.iter().zip(cases).map(|(case, solved)| case_entry(&plan, case, solved)));
+                let solved = parameters.iter().zip(cases).map(|(case, solved)| case_entry(&plan, case, solved));
+                entries.extend(solved.map(|entry| (entry.id, entry)));
             }
             Ok(())
         },
@@ -151,12 +151,21 @@ fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> 
     let [_, _, speeds] = sweep.grid.shape();
     let solved = (0..speeds).map(|i_speed| {
         let place = [0, 0, i_speed];
-        let case = plan.case_at(0, 0, i_speed);
-        let entry = entries.iter().find(|entry| entry.id == case).expect("every case is in a chain").clone();
+        let entry = entries.get(&plan.case_at(0, 0, i_speed)).expect("every case is in a chain").clone();
         let experiment = sweep.grid.experiment(place).expect("a sweep over quantities of the laboratory");
         Solved { experiment, numbers: sweep.grid.numbers(place), entry }
     });
     Ok(solved.collect())
+}
+
+/// What all cases of a curve have in common.
+fn in_words(experiment: &Experiment) -> String {
+    let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Speed).map(|quantity| {
+        let value = shortest(experiment.value(quantity));
+        format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
+    });
+    let strength = format!("f = {}", shortest(experiment.f));
+    given.chain([strength]).collect::<Vec<_>>().join(", ")
 }
 
 /// The curve of the total friction, and measured points of it.
@@ -164,10 +173,17 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
     let column = measured.map_or("mu_tot", |measured| measured.column);
     let line: Vec<(f64, f64)> = cases.iter().map(|case| (case.experiment.speed, case.value(column))).collect();
     let points: Vec<(f64, f64)> = match measured.and_then(|it| Some((it, it.coordinate("speed")?))) {
-        Some((measured, speeds)) => speeds.iter().copied().zip(measured.friction.iter().copied()).collect(),
+        Some((measured, speeds)) => {
+            let own = (0..speeds.len()).filter(|point| measured.belongs_to(*point, &cases[0].experiment));
+            own.map(|point| (speeds[point], measured.friction[point])).collect()
+        }
         None => Vec::new(),
     };
-    let measured = if points.is_empty() { "" } else { "; crosses: measured" };
+    let measured = match measured {
+        None => "",
+        Some(_) if points.is_empty() => "; no point was measured on this curve",
+        Some(_) => "; crosses: measured",
+    };
     let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
     format!("\n{column} against speed in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
 }
@@ -205,10 +221,13 @@ fn table(cases: &[Solved]) -> Table {
     let quantities: Vec<_> = cases[0].experiment.given().collect();
     let columns: Vec<_> = COLUMNS.iter().filter(|column| column.in_summary).map(|column| column.name).collect();
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
-    let mut table = Table::new(&[&["status", "reason", "f", "alpha", "beta"], &names[..], &columns[..]].concat());
+    let scales = Scales::VARIABLES.map(|(name, ..)| name);
+    let header = [&["status", "reason", "f", "alpha", "beta"], &names[..], &columns[..], &scales[..]].concat();
+    let mut table = Table::new(&header);
     for case in cases {
         let given = quantities.iter().map(|quantity| case.experiment.value(*quantity));
         let numbers = case.numbers.into_iter().chain(given).chain(columns.iter().map(|name| case.value(name)));
+        let numbers = numbers.chain(case.experiment.scales().values());
         table.row(&[case.entry.outcome.name(), &case.entry.reason], &numbers.collect::<Vec<_>>());
     }
     table

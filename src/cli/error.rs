@@ -42,6 +42,12 @@ pub enum CliError {
         /// How many values it has.
         values: usize,
     },
+    /// More than one value of an axis of a curve.
+    #[error("--at {axis}=… asks for several values, and a curve has one of each axis; give one")]
+    SeveralAsked {
+        /// The axis.
+        axis: String,
+    },
     /// An axis that a curve has not.
     #[error("--at {}: a curve runs along the speed, and can be chosen by {known}", printable(axis))]
     NoSuchAxis {
@@ -252,6 +258,7 @@ impl CliError {
             | CliError::NotLaboratory { .. }
             | CliError::SeveralCurves { .. }
             | CliError::NoSuchAxis { .. }
+            | CliError::SeveralAsked { .. }
             | CliError::NoFit { .. }
             | CliError::Fit { .. }
             | CliError::NoSuchCase { .. }

@@ -31,7 +31,7 @@ Examples:
   stribeck fit points.csv sweeps/rubber.toml --unknown viscosity --json
 
 The points are a CSV with mu, where it was measured (speed, load, …), and its standard error `error` if that is known.
-The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/fitting.md tells how it
+The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/laboratory.md tells how it
 works and what the errors mean.")]
 pub struct Arguments {
     /// The measured points (CSV)
@@ -102,21 +102,16 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 
 /// The experiment of the sweep file, where what is neither measured nor looked for has one value.
 fn beginning(axes: &LaboratoryAxes, measured: &Measured, unknowns: &[Unknown]) -> Result<Experiment, String> {
-    let several = axes.given.iter().find(|given| {
-        let name = given.quantity.name();
-        let is_known = measured.coordinate(name).is_some() || unknowns.iter().any(|unknown| unknown.name() == name);
-        given.values.len() > 1 && !is_known
-    });
-    if let Some(given) = several {
-        let name = given.quantity.name();
-        return Err(format!(
-            "{name} has {} values in the sweep file and is no column here; give it one",
-            given.values.len()
-        ));
-    }
-    let f_is_known = measured.coordinate("f").is_some() || unknowns.contains(&Unknown::Strength);
-    if axes.f.len() > 1 && !f_is_known {
-        return Err(format!("f has {} values in the sweep file and is no column here; give it one", axes.f.len()));
+    let given = axes.given.iter().map(|given| (given.quantity.name(), given.values.len()));
+    for (name, values) in given.chain([("f", axes.f.len())]) {
+        if values > 1 && unknowns.iter().any(|unknown| unknown.name() == name) {
+            return Err(format!(
+                "{name} has {values} values in the sweep file; give it the one that the search begins at"
+            ));
+        }
+        if values > 1 && measured.coordinate(name).is_none() {
+            return Err(format!("{name} has {values} values in the sweep file and is no column here; give it one"));
+        }
     }
     Ok(axes.experiment([0, 0, 0]))
 }
@@ -149,6 +144,9 @@ fn in_words(fit: &Fit, measured: &Measured, directory: Option<&Path>) -> String 
     }
     let degrees = count(fit.degrees_of_freedom as u64, "degree");
     match measured.errors {
+        _ if fit.degrees_of_freedom == 0 => {
+            writeln!(text, "\nas many points as unknowns: nothing is left to tell whether the model holds")
+        }
         Some(_) => writeln!(
             text,
             "\nreduced chi-squared {:.4} with {degrees} of freedom: near 1 where the given errors are right and the model holds",

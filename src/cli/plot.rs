@@ -131,6 +131,13 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         path: directory.clone(),
         source,
     })?;
+    if let Some(measured) = source.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
+        console::tell(&format!(
+            "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",
+            shown(&measured.path),
+            measured.column
+        ));
+    }
     let mut text = String::new();
     for picture in &pictures {
         let file = write(&directory, picture, arguments.format)?;

@@ -16,6 +16,7 @@ mod statistics;
 mod unknown;
 
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
+use nalgebra::{DMatrix, DVector};
 
 use crate::measured::Measured;
 use crate::model::{CavityShear, Experiment, Failure, Substrate};
@@ -28,6 +29,8 @@ pub use unknown::Unknown;
 
 /// Relative changes of residuals and unknowns below which a fit has converged.
 const TOLERANCE: f64 = 1e-8;
+/// A slope of the residuals (a cosine) below which the search has ended at a minimum.
+const FLAT: f64 = 0.01;
 /// Norm of the first step over the scale of the problem: what is far away is reached in several steps.
 const FIRST_STEP: f64 = 1.0;
 
@@ -140,7 +143,7 @@ pub fn fit(task: &Task<'_>) -> Result<Fit, FitError> {
         .with_gtol(TOLERANCE)
         .with_stepbound(FIRST_STEP);
     let (problem, report) = method.minimize(problem);
-    let evaluations = problem.evaluations();
+    let (evaluations, was_refused) = (problem.evaluations(), problem.was_refused());
     match report.termination {
         // What is left is below the errors of the solutions.
         TerminationReason::NoImprovementPossible(_) => {}
@@ -151,6 +154,11 @@ pub fn fit(task: &Task<'_>) -> Result<Fit, FitError> {
         let why = "the last values tried have no solution".to_owned();
         return Err(FitError::NoMinimum { evaluations, why });
     };
+    // Steps that are taken back one after the other look like convergence.
+    if was_refused && slope(&residuals, &jacobian) > FLAT {
+        let why = "beyond these values cases have no solution, or an unknown runs away".to_owned();
+        return Err(FitError::NoMinimum { evaluations, why });
+    }
     let known_errors = task.measured.errors.is_some();
     let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } =
         statistics(&jacobian, &residuals, known_errors, &task.unknowns)?;
@@ -176,6 +184,15 @@ pub fn fit(task: &Task<'_>) -> Result<Fit, FitError> {
         reduced_chi_squared,
         evaluations,
     })
+}
+
+/// The largest cosine between the residuals and a column of the Jacobian: 0 at a minimum.
+fn slope(residuals: &DVector<f64>, jacobian: &DMatrix<f64>) -> f64 {
+    let cosine = |column: nalgebra::DVectorView<'_, f64>| {
+        let length = column.norm() * residuals.norm();
+        if length > 0.0 { (column.dot(residuals) / length).abs() } else { 0.0 }
+    };
+    jacobian.column_iter().map(cosine).fold(0.0, f64::max)
 }
 
 fn in_words(reason: &TerminationReason) -> String {

@@ -60,6 +60,11 @@ impl<'a> Predictor<'a> {
             if unknowns.iter().any(|unknown| unknown.name() == *name) {
                 return refuse(format!("{name} is a column of the measured points, and cannot be looked for"));
             }
+            if name.ends_with("_modulus") && unknowns.iter().any(|unknown| unknown.name().ends_with("_modulus")) {
+                return refuse(format!(
+                    "{name} is a column of the measured points: the other modulus follows from it and f"
+                ));
+            }
             if *name == "alpha" || *name == "beta" {
                 return refuse(format!("{name} is no quantity of the laboratory; give speed, load and so on"));
             }

@@ -21,6 +21,8 @@ pub(super) struct Problem<'a> {
     logarithms: DVector<f64>,
     prediction: Result<Prediction, Failed>,
     evaluations: usize,
+    /// How often cases had no solution.
+    refused: usize,
 }
 
 /// Where a search ended.
@@ -55,11 +57,16 @@ impl<'a> Problem<'a> {
             return Err(FitError::Start { line: measured.lines[*point], failure: failure.clone() });
         }
         let logarithms = DVector::zeros(start.len());
-        Ok(Self { predictor, measured, start, logarithms, prediction, evaluations: 1 })
+        Ok(Self { predictor, measured, start, logarithms, prediction, evaluations: 1, refused: 0 })
     }
 
     pub(super) fn evaluations(&self) -> usize {
         self.evaluations
+    }
+
+    /// True if a step was taken back because cases had no solution.
+    pub(super) fn was_refused(&self) -> bool {
+        self.refused > 0
     }
 
     /// Where the search ended; `None` if cases failed there.
@@ -92,6 +99,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
             }
         };
         self.evaluations += 1;
+        self.refused += usize::from(self.prediction.is_err());
     }
 
     fn params(&self) -> DVector<f64> {

@@ -52,7 +52,10 @@ pub(super) fn statistics(
         return Err(NotApart { names });
     }
     let degrees_of_freedom = points - count;
-    let reduced_chi_squared = residuals.norm_squared() / degrees_of_freedom as f64;
+    let reduced_chi_squared = match degrees_of_freedom {
+        0 => f64::NAN,
+        degrees => residuals.norm_squared() / degrees as f64,
+    };
     let variance = if known_errors { 1.0 } else { reduced_chi_squared };
     let covariance = |j: usize, k: usize| {
         let sum: f64 = (0..values.len()).map(|i| vectors[(i, j)] * vectors[(i, k)] / values[i].powi(2)).sum();

@@ -133,10 +133,11 @@ fn parts(text: &str) -> (&str, &str) {
     (&text[..end], &text[end..])
 }
 
-/// A unit without what people write differently: spaces and signs of multiplication, letters for micro, powers.
+/// A unit in one way of writing: one · between factors, none beside /, signs for micro and powers.
 fn canonical(unit: &str) -> String {
-    let joined: String = unit.chars().filter(|c| !c.is_whitespace() && !matches!(c, '·' | '⋅' | '*' | '.')).collect();
-    let joined = joined.replace("^2", "²").replace('μ', "µ");
+    let separated = unit.replace(['⋅', '*', '.'], "·").replace("^2", "²").replace('μ', "µ");
+    let words = separated.split(|c: char| c == '·' || c.is_whitespace()).filter(|word| !word.is_empty());
+    let joined = words.collect::<Vec<_>>().join("·").replace("·/", "/").replace("/·", "/");
     match joined.strip_prefix('u') {
         // micro where there is no such letter at hand; no unit known here begins with u
         Some(rest) if !rest.is_empty() => format!("µ{rest}"),
@@ -181,11 +182,13 @@ mod tests {
     /// A unit belongs to one dimension, so that the wrong one can be named.
     #[test]
     fn no_unit_belongs_to_two_dimensions() {
-        for unit in ["m", "mm", "N/m", "Pa", "kPa", "Pas", "P", "s", "ms", "min", "m/s", "mm/s"] {
+        for unit in ["m", "mm", "N/m", "Pa", "kPa", "Pa·s", "P", "s", "ms", "min", "m/s", "mm/s"] {
             let of: Vec<Dimension> = Dimension::ALL.into_iter().filter(|it| it.factor(unit).is_some()).collect();
             assert_eq!(of.len(), 1, "{unit}: {of:?}");
         }
         assert!(Dimension::ALL.into_iter().all(|it| it.factor("parrot").is_none()));
+        // a product is not a prefix
+        assert!(["m s", "m.s", "m in"].into_iter().all(|unit| Dimension::Time.factor_of(unit).is_none()));
         assert!(Dimension::ALL.into_iter().all(|it| it.factor(&canonical(it.unit())) == Some(1.0)));
     }
 

@@ -28,6 +28,8 @@ pub struct AxisWords {
     pub values: Vec<f64>,
     /// What each value stands for, where several quantities are taken together.
     pub combinations: Vec<String>,
+    /// The same as names and values.
+    pub members: Vec<Vec<(String, f64)>>,
 }
 
 impl Axis {
@@ -70,6 +72,7 @@ impl AxisWords {
             unit: empty(),
             values: Vec::new(),
             combinations: Vec::new(),
+            members: Vec::new(),
         }
     }
 
@@ -90,33 +93,34 @@ impl AxisWords {
         };
         let unit = if units == "1" { String::new() } else { units.to_owned() };
         let label = if unit.is_empty() { words.to_owned() } else { format!("{words}  ({unit})") };
-        Self {
-            name: name.to_owned(),
-            symbol: symbol.to_owned(),
-            label,
-            unit,
-            values: values.to_vec(),
-            combinations: vec![],
-        }
+        let [name, symbol] = [name, symbol].map(str::to_owned);
+        Self { name, symbol, label, unit, values: values.to_vec(), ..Self::none() }
     }
 
     /// Several axes as one, the last fastest.
     fn together(axes: Vec<Self>) -> Self {
-        let mut combinations = vec![String::new()];
+        // Indices on the axes.
+        let mut places: Vec<Vec<usize>> = vec![Vec::new()];
         for axis in &axes {
-            let longer = |begun: &String| {
-                let comma = if begun.is_empty() { "" } else { ", " };
-                (0..axis.values.len()).map(|i| format!("{begun}{comma}{}", axis.words(i))).collect::<Vec<_>>()
+            let longer = |begun: &Vec<usize>| {
+                let next = |i| begun.iter().copied().chain([i]).collect();
+                (0..axis.values.len()).map(next).collect::<Vec<Vec<usize>>>()
             };
-            combinations = combinations.iter().flat_map(longer).collect();
+            places = places.iter().flat_map(longer).collect();
         }
+        let words =
+            |place: &Vec<usize>| place.iter().zip(&axes).map(|(i, axis)| axis.words(*i)).collect::<Vec<_>>().join(", ");
+        let members = |place: &Vec<usize>| {
+            place.iter().zip(&axes).map(|(i, axis)| (axis.name.clone(), axis.values[*i])).collect()
+        };
         let symbols: Vec<String> = axes.iter().map(|axis| axis.symbol.clone()).collect();
         Self {
             name: "combination".to_owned(),
             symbol: format!("({})", symbols.join(", ")),
             label: format!("combination of {}", symbols.join(", ")),
-            values: (1..=combinations.len()).map(|number| number as f64).collect(),
-            combinations,
+            values: (1..=places.len()).map(|number| number as f64).collect(),
+            combinations: places.iter().map(words).collect(),
+            members: places.iter().map(members).collect(),
             ..Self::none()
         }
     }

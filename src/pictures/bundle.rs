@@ -45,7 +45,8 @@ pub(super) fn bundles(source: &Source, request: &Request, selection: &Selection,
     let [third, family] = others;
     // At f = 0 nothing depends on α.
     let varies = |axis: Axis, index: &usize| {
-        along != Axis::Middle
+        source.data.laboratory
+            || along != Axis::Middle
             || axis != Axis::F
             || source.value(Axis::F, *index) > 0.0
             || selection.on(Axis::F).len() == 1

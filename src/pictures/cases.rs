@@ -79,7 +79,7 @@ impl Cases {
 }
 
 /// Where an axis is cut if nothing else is asked for: the largest f, the α nearest to 1 (where a substrate dissipates most), the
-/// middle β.
+/// middle β; the middle of quantities of the laboratory.
 pub(super) fn middle(source: &Source, axis: Axis, indices: &[usize]) -> usize {
     let off_one = |index: &usize| {
         let value = source.value(axis, *index);

@@ -22,12 +22,12 @@ pub enum PictureError {
         allowed: String,
     },
     /// A value that lies outside its axis.
-    #[error("{axis} = {value}: the sweep has {axis} {there}; give a value in this range, the nearest one is taken")]
+    #[error("{option}: the sweep has {axis} {there}; give a value in this range, the nearest one is taken")]
     Outside {
+        /// The option with the value.
+        option: String,
         /// The axis.
         axis: String,
-        /// What was asked for.
-        value: f64,
         /// What there is.
         there: String,
     },

@@ -159,7 +159,7 @@ pub(super) fn status(source: &Source, request: &Request) -> Result<Vec<Picture>,
 /// Why there is no plane to draw on.
 pub(super) fn no_plane(source: &Source, axis: Axis, what: &str) -> String {
     match source.axis(axis).name.as_str() {
-        "" => format!("the speed alone varies here, and a {what} needs two axes; try --what curves"),
+        "" => format!("there is no axis between f and the speed here, and a {what} needs one; try --what curves"),
         name => format!("{name} has one value here, and a {what} needs two; try --what curves"),
     }
 }

@@ -38,7 +38,7 @@ pub use axis::{Axis, AxisWords};
 pub use error::PictureError;
 pub use picture::{Chart, Format, Picture};
 pub use quantity::Quantity;
-pub use request::{AxisScale, Kind, Request};
+pub use request::{AxisScale, Kind, Request, nearest};
 pub use source::Source;
 pub use table::Table;
 

@@ -5,9 +5,6 @@ use super::source::Source;
 use crate::figures::{Colour, Curve, Stroke};
 use crate::measured::Measured;
 
-/// Values of a coordinate that differ by less than this part of themselves are the same.
-const SAME: f64 = 0.01;
-
 /// The measured points of a column that belong to the curves of a bundle, with their standard errors: those that were measured
 /// along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
@@ -60,12 +57,12 @@ fn belongs_by(source: &Source, measured: &Measured, bundle: &Bundle) -> bool {
 fn belongs(source: &Source, measured: &Measured, bundle: &Bundle, member: usize, row: usize) -> bool {
     let indices = bundle.at(member, bundle.points[0]);
     let along = &source.axis(bundle.along).name;
-    source.coordinate_names().into_iter().zip(source.coordinates(indices)).filter(|(name, _)| name != along).all(
-        |(name, value)| match measured.coordinate(name) {
-            // What follows from the quantities of the laboratory changes along the curve.
-            Some(_) if source.data.laboratory && (name == "alpha" || name == "beta") => true,
-            Some(values) => values[row] == value || (values[row] / value).ln().abs() < SAME,
-            None => true,
-        },
-    )
+    let fixed = source.data.fixed.iter().map(|(name, value)| (name.as_str(), *value));
+    let known = source.coordinate_names().into_iter().zip(source.coordinates(indices)).chain(fixed);
+    known.filter(|(name, _)| name != along).all(|(name, value)| match measured.coordinate(name) {
+        // What follows from the quantities of the laboratory changes along the curve.
+        Some(_) if source.data.laboratory && (name == "alpha" || name == "beta") => true,
+        Some(values) => Measured::is_same(values[row], value),
+        None => true,
+    })
 }

@@ -1,7 +1,7 @@
 //! A picture: a chart and the numbers behind it.
 
 use super::table::Table;
-use crate::figures::{FigureError, Lines, Map, Relief, Section, WorkPrecision};
+use crate::figures::{Curve, FigureError, Lines, Map, Relief, Section, Stroke, WorkPrecision};
 
 /// A chart with its name and its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +12,14 @@ pub struct Picture {
     pub chart: Chart,
     /// The numbers that are drawn.
     pub table: Table,
+}
+
+impl Picture {
+    /// True if points stand in it that were measured.
+    pub fn shows_points(&self) -> bool {
+        let is_points = |curve: &Curve| curve.stroke == Stroke::Points;
+        matches!(&self.chart, Chart::Lines(lines) if lines.curves.iter().any(is_points))
+    }
 }
 
 /// Any chart.

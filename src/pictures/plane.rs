@@ -62,6 +62,10 @@ impl Plane {
     /// What is not shown, in words; empty if all is.
     pub(super) fn left_out(&self, source: &Source) -> String {
         let values: Vec<String> = self.special.iter().map(|i| rounded(source.value(Axis::Middle, *i))).collect();
-        if values.is_empty() { String::new() } else { format!("not shown: α = {}", values.join(", ")) }
+        if values.is_empty() {
+            String::new()
+        } else {
+            format!("not shown: {} = {}", source.axis(Axis::Middle).symbol, values.join(", "))
+        }
     }
 }

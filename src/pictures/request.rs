@@ -105,7 +105,8 @@ impl Request {
     pub(super) fn along(&self, source: &Source) -> Result<Option<Axis>, PictureError> {
         let Some(name) = &self.along else { return Ok(None) };
         let found = Axis::ALL.into_iter().find(|axis| source.axis(*axis).name == *name);
-        found.map(Some).ok_or_else(|| no_axis(source, format!("--along {name}")))
+        let axes = Axis::ALL.map(|axis| source.axis(axis).name.as_str()).into_iter().filter(|name| !name.is_empty());
+        found.map(Some).ok_or_else(|| no_axis(format!("--along {name}"), axes))
     }
 
     /// True if values of an axis are asked for.
@@ -116,12 +117,16 @@ impl Request {
 }
 
 /// What was asked for by the name of an axis that is not there.
-fn no_axis(source: &Source, option: String) -> PictureError {
-    let mut there: Vec<&str> = source.data.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
-    if there.len() > 3 {
-        there.push("combination");
+fn no_axis<'a>(option: String, there: impl Iterator<Item = &'a str>) -> PictureError {
+    PictureError::NoAxis { option, there: there.collect::<Vec<_>>().join(", ") }
+}
+
+/// The option that asks for values of an axis.
+fn option(axis: &str, value: &str) -> String {
+    match axis {
+        "f" | "alpha" | "beta" => format!("--{axis} {value}"),
+        _ => format!("--at {axis}={value}"),
     }
-    PictureError::NoAxis { option, there: there.join(", ") }
 }
 
 /// Indices chosen on the three axes, ascending.
@@ -140,15 +145,16 @@ impl Selection {
         let dimensions = &source.data.dimensions;
         let known = |name: &String| dimensions.iter().any(|dimension| dimension.name == *name);
         if let Some((name, _)) = request.values.iter().find(|(name, _)| !known(name)) {
-            return Err(no_axis(source, format!("--at {name}=…")));
+            return Err(no_axis(option(name, "…"), dimensions.iter().map(|dimension| dimension.name.as_str())));
         }
         let mut chosen = Vec::new();
         for dimension in dimensions {
-            let wanted = request.values.iter().find(|(name, _)| *name == dimension.name).map(|(_, wanted)| wanted);
+            let own = request.values.iter().filter(|(name, _)| *name == dimension.name);
+            let wanted: Vec<f64> = own.flat_map(|(_, wanted)| wanted.iter().copied()).collect();
             let nearest = |value: &f64| nearest(&dimension.name, &dimension.values, *value);
-            let mut indices = match wanted {
-                None => (0..dimension.values.len()).collect(),
-                Some(wanted) => wanted.iter().map(nearest).collect::<Result<Vec<usize>, _>>()?,
+            let mut indices = match wanted.is_empty() {
+                true => (0..dimension.values.len()).collect(),
+                false => wanted.iter().map(nearest).collect::<Result<Vec<usize>, _>>()?,
             };
             indices.sort_unstable();
             indices.dedup();
@@ -179,13 +185,17 @@ impl Selection {
 }
 
 /// Index of the value nearest to the one wanted, by ratio where that makes sense.
-fn nearest(axis: &str, values: &[f64], wanted: f64) -> Result<usize, PictureError> {
+///
+/// # Errors
+/// [`PictureError::Outside`] for a value beyond the ends of the axis.
+pub fn nearest(axis: &str, values: &[f64], wanted: f64) -> Result<usize, PictureError> {
     let (first, last) = (values[0], values[values.len() - 1]);
     // What was written with a few digits means the end itself.
     if !(wanted >= first * (1.0 - 1e-3) && wanted <= last * (1.0 + 1e-3)) {
         let there =
             if values.len() == 1 { shortest(first) } else { format!("from {} to {}", shortest(first), shortest(last)) };
-        return Err(PictureError::Outside { axis: axis.to_owned(), value: wanted, there });
+        let (option, axis) = (option(axis, &shortest(wanted)), axis.to_owned());
+        return Err(PictureError::Outside { option, axis, there });
     }
     let distance = |value: f64| {
         if value == wanted {

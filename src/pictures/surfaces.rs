@@ -24,7 +24,8 @@ pub(super) fn surfaces(source: &Source, request: &Request) -> Result<Vec<Picture
     let retarded: Vec<usize> = selection.on(Axis::F).to_vec();
     let asked = selection.is_asked(Axis::F);
     // At f = 0 a surface is a cylinder over α: shown if asked for, or if there is nothing else.
-    let varied: Vec<usize> = retarded.iter().copied().filter(|i_f| source.value(Axis::F, *i_f) > 0.0).collect();
+    let varied: Vec<usize> =
+        retarded.iter().copied().filter(|i_f| source.data.laboratory || source.value(Axis::F, *i_f) > 0.0).collect();
     let strengths = if asked || varied.is_empty() { retarded } else { spread(&varied, MOST_PANELS) };
     if strengths.len() > MOST_PANELS {
         return Err(Kind::Surfaces

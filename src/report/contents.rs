@@ -27,6 +27,8 @@ pub(super) struct Contents {
     axis_words: [AxisPart; 3],
     /// True if numbers are in SI units.
     laboratory: bool,
+    /// Quantities of the laboratory that are one number.
+    fixed: BTreeMap<String, f64>,
     /// Measured points.
     measured: Option<MeasuredPart>,
     /// For each place shown the index of its case.
@@ -61,6 +63,8 @@ struct AxisPart {
     unit: String,
     /// What each value shown stands for, where several quantities are taken together.
     combinations: Vec<String>,
+    /// The same as names and values.
+    members: Vec<Vec<(String, f64)>>,
 }
 
 /// Measured points of a quantity.
@@ -130,11 +134,15 @@ impl Contents {
             vec!["Numbers are shown to at most seven digits; summary.csv and results.h5 have all.".to_owned()];
         let (grid, axis_words) = (Grid::of(data), AxisWords::of(data));
         if grid.is_thinned(data) {
-            let words = |shape: [usize; 3]| format!("{} × {} × {}", shape[0], shape[1], shape[2]);
+            let named = |words: [String; 3]| {
+                let kept = words.into_iter().zip(&axis_words).filter(|(_, axis)| !axis.symbol.is_empty());
+                kept.map(|(word, _)| word).collect::<Vec<_>>().join(" × ")
+            };
+            let words = |shape: [usize; 3]| named(shape.map(|length| length.to_string()));
             notes.push(format!(
                 "Of the {} places of the sweep ({}) {} are shown, spread evenly with both ends of each axis.",
                 words(data.shape()),
-                axis_words.iter().map(|axis| axis.symbol.as_str()).collect::<Vec<_>>().join(" × "),
+                named(axis_words.each_ref().map(|axis| axis.symbol.clone())),
                 words(std::array::from_fn(|axis| grid.0[axis].len()))
             ));
         }
@@ -171,6 +179,15 @@ impl Contents {
         if fields.is_none() {
             notes.push("The sweep has no fields: `fields` below [output] of the sweep file asks for them.".to_owned());
         }
+        if let Some(measured) = measured {
+            let is_along = |axis: &AxisWords| axis.values.len() > 1 && measured.coordinate(&axis.name).is_some();
+            if !axis_words[1..].iter().any(is_along) {
+                notes.push(
+                    "No measured points are shown: their file has no column of an axis that curves run along here."
+                        .to_owned(),
+                );
+            }
+        }
         let failures = FailurePart::of(data, &places, &statuses, &reasons, &mut notes);
         let axis = |axis: usize| grid.0[axis].iter().map(|i| axis_words[axis].values[*i].into()).collect();
         Ok(Self {
@@ -180,6 +197,7 @@ impl Contents {
             shape: data.shape(),
             axes: [axis(0), axis(1), axis(2)],
             laboratory: data.laboratory,
+            fixed: data.fixed.iter().cloned().collect(),
             measured: measured.map(MeasuredPart::of),
             case_of: integers(case_of),
             cases: words.words,
@@ -190,10 +208,11 @@ impl Contents {
             failures,
             notes,
             axis_words: std::array::from_fn(|axis| {
-                let AxisWords { name, symbol, label, unit, combinations, .. } = &axis_words[axis];
+                let AxisWords { name, symbol, label, unit, combinations, members, .. } = &axis_words[axis];
                 let combinations = grid.0[axis].iter().filter_map(|i| combinations.get(*i).cloned()).collect();
+                let members = grid.0[axis].iter().filter_map(|i| members.get(*i).cloned()).collect();
                 let [name, symbol, label, unit] = [name, symbol, label, unit].map(Clone::clone);
-                AxisPart { name, symbol, label, unit, combinations }
+                AxisPart { name, symbol, label, unit, combinations, members }
             }),
         })
     }

@@ -12,7 +12,7 @@ use super::hdf5_file::{get_text, open};
 use super::holdings::{Inspection, LogContent, fault, read_claims};
 use super::results::DIMENSIONS;
 use super::{Status, StoreError};
-use crate::model::Dimension;
+use crate::model::{Dimension, LaboratoryQuantity};
 
 /// A published data set. Numbers are read when they are asked for, so that memory does not depend on the size of the fields.
 ///
@@ -36,6 +36,8 @@ pub struct DataSet {
     pub dimensions: Vec<Dimension>,
     /// True if numbers are in SI units and quantities of the laboratory given.
     pub laboratory: bool,
+    /// The quantities of the laboratory that are no dimension, by their names.
+    pub fixed: Vec<(String, f64)>,
     /// Where the fields are given, ascending, over a₀; empty if there are none.
     pub x: Vec<f64>,
     /// Names of the fields that are there.
@@ -102,8 +104,14 @@ impl DataSet {
             Ok(Dimension { name: name.to_owned(), units, long_name, values })
         };
         let dimensions: Vec<Dimension> = names.split_whitespace().map(dimension).collect::<hdf5::Result<_>>()?;
-        if dimensions.len() < 2 {
-            return Err(format!("its dimensions are {names}, and there are at least two").into());
+        check_dimensions(&dimensions, laboratory)?;
+        let mut fixed = Vec::new();
+        if laboratory {
+            let is_dimension = |name: &str| dimensions.iter().any(|dimension| dimension.name == name);
+            let names = LaboratoryQuantity::ALL.map(LaboratoryQuantity::name).into_iter();
+            for name in names.filter(|name| !is_dimension(name) && file.link_exists(name)) {
+                fixed.push((name.to_owned(), file.dataset(name)?.read_scalar::<f64>()?));
+            }
         }
         let fields: Vec<&'static str> =
             FIELDS.iter().map(|field| field.name).filter(|name| file.link_exists(name)).collect();
@@ -114,6 +122,7 @@ impl DataSet {
             outdated,
             dimensions,
             laboratory,
+            fixed,
             x: if fields.is_empty() { Vec::new() } else { axis("x")? },
             fields,
             path: path.to_owned(),
@@ -271,5 +280,33 @@ impl DataSet {
 
     fn variable<T>(&self, name: &str, read: impl FnOnce(&Dataset) -> hdf5::Result<T>) -> Result<T, StoreError> {
         self.file.dataset(name).and_then(|variable| read(&variable)).map_err(StoreError::hdf5(&self.path, "read"))
+    }
+}
+
+/// Most places of a data set: more are none that this program has written.
+const MOST_PLACES: usize = 1_000_000_000;
+
+/// Checks that dimensions are some that this program writes: a file that was passed on may be anyone's.
+fn check_dimensions(dimensions: &[Dimension], laboratory: bool) -> hdf5::Result<()> {
+    let refuse = |what: String| Err(hdf5::Error::Internal(what));
+    if laboratory {
+        let is_quantity = |dimension: &Dimension| LaboratoryQuantity::named(&dimension.name).is_some();
+        let (first, rest) = (dimensions.first().map(|it| it.name.as_str()), dimensions.get(1..).unwrap_or_default());
+        let repeated = rest.iter().enumerate().any(|(i, one)| rest[..i].iter().any(|other| other.name == one.name));
+        let last = rest.last().map(|it| it.name.as_str());
+        if first != Some("f") || last != Some("speed") || repeated || !rest.iter().all(is_quantity) {
+            return refuse("its dimensions are not f, quantities of the laboratory and the speed".to_owned());
+        }
+    }
+    for Dimension { name, values, .. } in dimensions {
+        let ascends = values.is_sorted_by(|a, b| a < b) && values[0] >= 0.0;
+        if !ascends {
+            return refuse(format!("its axis {name} does not ascend from 0 or above"));
+        }
+    }
+    let places = dimensions.iter().try_fold(1_usize, |places, it| places.checked_mul(it.values.len()));
+    match places.filter(|places| *places <= MOST_PLACES) {
+        Some(_) => Ok(()),
+        None => refuse("its axes have more places than a sweep may have".to_owned()),
     }
 }

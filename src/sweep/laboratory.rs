@@ -122,11 +122,12 @@ pub(super) fn read(
         });
     }
     let axes = LaboratoryAxes { f, given };
-    let places = axes.dimensions().iter().map(|dimension| dimension.values.len() as u128).product::<u128>();
+    let lengths = axes.dimensions().into_iter().map(|dimension| dimension.values.len() as u128);
+    let places = lengths.fold(1, u128::saturating_mul);
     if places > MOST_PLACES {
         let what = format!("a sweep over quantities of the laboratory may have at most {MOST_PLACES} cases");
         let help = "take fewer points, or split the sweep into several";
-        return Err(section.fault(what, format!("{places} cases"), help));
+        return Err(section.fault(what, format!("{:.1e} cases", places as f64), help));
     }
     Ok(axes)
 }
@@ -196,8 +197,8 @@ fn read_quantity(
         Q::RelaxedModulus if section.get(Q::InstantaneousModulus.name()).is_some() => return Ok(None),
         Q::RelaxedModulus => material.relaxed_modulus,
         Q::InstantaneousModulus => return Ok(None),
-        // An elastic substrate has no time; α is not looked at.
-        Q::RetardationTime => material.retardation_time.or((f == [0.0]).then_some(1.0)),
+        // An elastic substrate responds at once: α = ∞.
+        Q::RetardationTime => material.retardation_time.or((f == [0.0]).then_some(0.0)),
         _ => None,
     };
     match default {

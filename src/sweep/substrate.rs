@@ -9,6 +9,9 @@ use crate::model::{RetardationMode, Substrate};
 /// The keys of `[substrate]`.
 pub(super) const KEYS: [&str; 4] = ["modes", "relaxation", "relaxed_modulus", "instantaneous_modulus"];
 
+/// Most terms of a relaxation.
+const MOST_TERMS: usize = 1000;
+
 const MODES: &str = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, time = 100.0 }]";
 const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, { modulus = \"0.1 MPa\", time = \"10 s\" }], \
                      or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
@@ -87,7 +90,13 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
         };
         Ok((part, time))
     };
-    let terms = entry.require_list(TERMS)?.map(read_term).collect::<Result<Vec<_>, _>>()?;
+    let list = entry.require_list(TERMS)?;
+    if list.len() > MOST_TERMS {
+        let what = format!("`substrate.relaxation` may have at most {MOST_TERMS} terms, not {}", list.len());
+        let help = "one or two for each decade of time describe any material";
+        return Err(entry.fault(what, "too many terms", help).unquoted());
+    }
+    let terms = list.map(read_term).collect::<Result<Vec<_>, _>>()?;
     let fractions = terms.iter().filter(|(part, _)| matches!(part, Part::Fraction(_))).count();
     if fractions != 0 && fractions != terms.len() {
         return Err(entry
