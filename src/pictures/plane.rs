@@ -23,11 +23,11 @@ impl Plane {
         let betas = selection.on(Axis::Inner).to_vec();
         for (axis, indices) in [(Axis::Middle, &alphas), (Axis::Inner, &betas)] {
             if indices.len() < 2 {
-                return Err(kind.missing(match indices.len() {
-                    1 => no_plane(source, axis, "surface"),
-                    _ => format!(
-                        "{} has no value here with a place on a logarithmic axis, and a surface needs two; try --what curves",
-                        source.axis(axis).name
+                return Err(kind.missing(match source.axis(axis).name.as_str() {
+                    "" => no_plane(source, axis, "surface"),
+                    name => format!(
+                        "{name} has {} value here with a place on a logarithmic axis, and a surface needs two; try --what curves",
+                        indices.len()
                     ),
                 }));
             }
