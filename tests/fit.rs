@@ -120,7 +120,7 @@ fn what_is_found_is_within_the_stated_errors() {
         for _ in 0..SETS {
             let noisy: Vec<f64> = exact.iter().map(|mu| mu * (0.02 * noise.normal()).exp()).collect();
             let errors = known.then(|| exact.iter().map(|mu| 0.02 * mu).collect());
-            let start = Experiment { modulus: Modulus::Relaxed(2e5), retardation_time: 0.06, ..TRUTH };
+            let start = Experiment { modulus: Modulus::Relaxed(1.2e5), ..TRUTH };
             let fit = fitted(&points(&speeds, noisy, errors), start, &substrate, &names).unwrap();
             for ((sum, estimate), truth) in squares.iter_mut().zip(&fit.estimates).zip([1e5, 5.1, 0.02]) {
                 *sum += ((estimate.value - truth) / estimate.error).powi(2) / SETS as f64;
@@ -199,6 +199,15 @@ fn what_cannot_be_fitted_is_refused() {
     let error = refused(&extreme, &["viscosity"]);
     assert!(error.contains("the point on line 2 has no solution at the start of the fit"), "{error}");
     assert!(Unknown::named("poisson_ratio").is_none() && Unknown::all().count() == LaboratoryQuantity::ALL.len());
+}
+
+/// Friction that no f can make: the search runs after it, and says that there is no minimum.
+#[test]
+fn a_search_that_runs_away_is_no_fit() {
+    let (speeds, substrate) = (speeds(8, 1e-3, 0.3), Substrate::default());
+    let friction: Vec<f64> = exact(&speeds, TRUTH, &substrate).iter().map(|mu| 50.0 * mu).collect();
+    let error = fitted(&points(&speeds, friction, None), TRUTH, &substrate, &["f"]).unwrap_err();
+    assert!(matches!(error, FitError::NoMinimum { .. }), "{error}");
 }
 
 const SWEEP: &str = "[laboratory]\nradius = \"2 mm\"\nload = [100.0, 119.0]\nrelaxed_modulus = \"150 kPa\"\npoisson_ratio = 0.5\n\

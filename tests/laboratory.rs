@@ -440,3 +440,30 @@ fn scripts_refuse_what_has_other_axes() {
         assert!(message.contains("its dimensions are f load speed") && message.contains("`stribeck plot"), "{message}");
     }
 }
+
+/// A file that was passed on may say anything of its dimensions.
+#[test]
+fn dimensions_that_are_none_are_refused() {
+    let directory = with_results(EXAMPLE);
+    let passed_on = directory.path().join("passed-on");
+    fs::create_dir(&passed_on).unwrap();
+    let file = passed_on.join("results.h5");
+    fs::copy(directory.path().join("results/small/results.h5"), &file).unwrap();
+    let rename =
+        "import sys, h5py\nwith h5py.File(sys.argv[1], 'a') as file: file.attrs['stribeck_dimensions'] = sys.argv[2]";
+    for (dimensions, is_right) in [
+        ("f f f", false),
+        ("f alpha speed", false),
+        ("f load", false),
+        ("load f speed", false),
+        ("", false),
+        ("f load speed", true),
+    ] {
+        check(&Command::new(python()).args(["-c", rename]).arg(&file).arg(dimensions).output().unwrap());
+        let said = say(directory.path(), &["plot", "passed-on", "--what", "curves", "--of", "c"]);
+        assert_eq!(code(&said), if is_right { 0 } else { 4 }, "{dimensions}: {}", err(&said));
+        assert!(
+            is_right || err(&said).contains("its dimensions are not f, quantities of the laboratory and the speed")
+        );
+    }
+}
