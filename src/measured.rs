@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::model::{Experiment, LaboratoryQuantity};
 use crate::shown::{printable, shown};
-use crate::sweep::unit_factor;
+use crate::sweep::{in_si, unit_factor};
 
 /// Names of columns that hold friction coefficients, with the column of the results that they are compared with.
 const FRICTION: [(&str, &str); 5] =
@@ -162,7 +162,7 @@ impl Measured {
                 Role::Coordinate(..) => ("it is a number above 0", |value| value > 0.0 && value.is_finite()),
             };
             let factor = if let Role::Coordinate(_, factor) = role { *factor } else { 1.0 };
-            let Some(value) = value.map(|value| value * factor).filter(|value| fits(*value)) else {
+            let Some(value) = value.map(|value| in_si(value, factor)).filter(|value| fits(*value)) else {
                 let (path, column, value) = (self.path.clone(), printable(name).into_owned(), text.to_owned());
                 return Err(MeasuredError::Value { path, line, column, value, allowed });
             };

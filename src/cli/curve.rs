@@ -158,13 +158,18 @@ fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> 
     Ok(solved.collect())
 }
 
+/// A number with at most five digits.
+fn five_digits(value: f64) -> String {
+    shortest(format!("{value:.4e}").parse().expect("{:e} writes a number"))
+}
+
 /// What all cases of a curve have in common.
 fn in_words(experiment: &Experiment) -> String {
     let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Speed).map(|quantity| {
-        let value = shortest(experiment.value(quantity));
+        let value = five_digits(experiment.value(quantity));
         format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
     });
-    let strength = format!("f = {}", shortest(experiment.f));
+    let strength = format!("f = {}", five_digits(experiment.f));
     given.chain([strength]).collect::<Vec<_>>().join(", ")
 }
 

@@ -21,4 +21,4 @@ pub(crate) use entry::{Entry, Section};
 pub(crate) use error::Fault;
 pub use error::{InputError, Invalid};
 pub(crate) use file::{Kind, document, parse, read};
-pub(crate) use units::Dimension;
+pub(crate) use units::{Dimension, product};

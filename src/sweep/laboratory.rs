@@ -151,6 +151,11 @@ pub(crate) fn unit_factor(quantity: LaboratoryQuantity, unit: &str) -> Option<f6
     dimension(quantity)?.factor_of(unit)
 }
 
+/// A value in a unit of so many SI units.
+pub(crate) fn in_si(value: f64, factor: f64) -> f64 {
+    input::product(value, factor)
+}
+
 /// f, from `[laboratory]`, from `[axes]`, or that of the material.
 fn read_strengths(
     section: &Section<'_>,
