@@ -9,9 +9,11 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use faer::linalg::solvers::PartialPivLu;
-use stribeck::collocation::{CollocationSolver, Settings, Stages, Workspace};
-use stribeck::continuation::{CaseSolver, Halt, Interrupt, Seed, Solution, SolvedCase, StepControl, Work, solve_chain};
-use stribeck::model::{Failure, FieldSelection, Output, Parameters};
+use stribeck_solver::collocation::{CollocationSolver, Settings, Stages, Workspace};
+use stribeck_solver::continuation::{
+    CaseSolver, Halt, Interrupt, Seed, Solution, SolvedCase, StepControl, Work, solve_chain,
+};
+use stribeck_solver::{Failure, FieldSelection, Output, Parameters};
 
 const REPEATS: usize = 5;
 

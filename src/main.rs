@@ -1,9 +1,9 @@
-//! The program `stribeck`; everything is in [`stribeck::cli`].
+//! The program `stribeck`; everything is in [`stribeck::commands`].
 
 use std::process::ExitCode;
 
 use clap::Parser;
-use stribeck::cli::{Cli, execute};
+use stribeck::commands::{Cli, execute};
 
 fn main() -> ExitCode {
     execute(&Cli::parse(), &peak_bytes)

@@ -3,8 +3,6 @@
 
 #![cfg(unix)]
 
-mod program;
-
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
@@ -13,7 +11,7 @@ use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use program::{code, err, out, stribeck};
+use crate::program::{code, err, out, stribeck};
 use tempfile::{TempDir, tempdir};
 
 /// Address space of the program in kB: all that it maps, itself and its threads included.
@@ -258,7 +256,7 @@ fn a_directory_that_hdf5_cannot_name_is_refused_before_anything_is_solved() {
         assert_eq!(code(&output), 4);
         assert!(err(&output).contains("choose another directory with -o"), "{}", err(&output));
         assert_eq!(err(&output).lines().count(), 1);
-        assert_eq!(program::paths(directory.path()).len(), 1, "nothing is made");
+        assert_eq!(crate::program::paths(directory.path()).len(), 1, "nothing is made");
     }
 }
 

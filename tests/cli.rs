@@ -1,17 +1,14 @@
 //! The program from outside: help, exit codes, messages, and what each command says and leaves alone.
 
-mod bad_sweeps;
-mod program;
-
 use std::fs;
 use std::path::Path;
 use std::process::Stdio;
 
-use program::{code, err, out, paths, say, stribeck};
-use stribeck::collocation::{self, CollocationSolver};
-use stribeck::continuation::{CaseSolver, Interrupt, solve_chain};
-use stribeck::model::{COLUMNS, Output, Parameters, Sensitivities};
-use stribeck::relaxation::{RelaxationSolver, Settings};
+use crate::program::{code, err, out, paths, say, stribeck};
+use stribeck_solver::collocation::{self, CollocationSolver};
+use stribeck_solver::continuation::{CaseSolver, Interrupt, solve_chain};
+use stribeck_solver::relaxation::{RelaxationSolver, Settings};
+use stribeck_solver::{COLUMNS, Output, Parameters, Sensitivities};
 use tempfile::{TempDir, tempdir};
 
 /// Three rows, the elastic one at two places.
@@ -110,7 +107,7 @@ fn examples_in_help_texts_are_valid_command_lines() {
 #[test]
 fn bad_sweep_files_end_with_2_place_and_remedy_and_write_nothing() {
     let directory = tempdir().expect("a temporary directory");
-    let table = bad_sweeps::bad_files();
+    let table = crate::bad_sweeps::bad_files();
     assert!(table.len() >= 25);
     for (text, place, message, remedy) in table {
         fs::write(directory.path().join("bad.toml"), &text).expect("written");
@@ -469,7 +466,7 @@ fn solved_json(arguments: &str) -> serde_json::Value {
 
 /// Whether an object of `solve --json` says what the library gives for the same case.
 fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &S, parameters: Parameters) {
-    let solved = solve_chain(solver, &[parameters], &stribeck::model::Output::default(), &Interrupt::new());
+    let solved = solve_chain(solver, &[parameters], &stribeck_solver::Output::default(), &Interrupt::new());
     let case = solved.expect("not interrupted").remove(0);
     let solution = case.outcome.expect("converged");
     let row = solution.quantities.row(&solution.errors, &case.limits);

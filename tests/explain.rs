@@ -1,13 +1,11 @@
 //! `stribeck explain`: what it says of a case is what is stored, what it does again leads to the same bits, and the command
 //! it gives solves the same case.
 
-mod program;
-
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use program::{code, err, out, paths, say};
+use crate::program::{code, err, out, paths, say};
 use tempfile::{TempDir, tempdir};
 
 const SMALL: &str = r#"

@@ -1,16 +1,15 @@
 //! A sweep that is changed after it was run: what is solved is used again where it can be, byte for byte; what cannot be is
 //! told with its reason; and what is new agrees with a run of the changed sweep from scratch.
 
-mod program;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use program::{code, err, out, say};
-use stribeck::model::{CaseId, Output};
-use stribeck::store::{CaseEntry, Holdings, Inspection, Status, Store, Timing};
-use stribeck::sweep::{Fingerprint, Plan, Recipe, SolverRecipe, Sweep};
+use crate::program::{code, err, out, say};
+use stribeck_solver::Output;
+use stribeck_sweep::CaseId;
+use stribeck_sweep::store::{CaseEntry, Holdings, Inspection, Status, Store, Timing};
+use stribeck_sweep::{Fingerprint, Plan, Recipe, SolverRecipe, Sweep};
 use tempfile::{TempDir, tempdir};
 
 /// The tolerance of [`BASE`].
@@ -218,8 +217,8 @@ fn stored_by_an_earlier_version(directory: &Path, sweep: &Sweep) -> usize {
         id,
         outcome: Status::Failed,
         reason: "an earlier version".to_owned(),
-        values: [f64::NAN; stribeck::model::COLUMNS.len()],
-        fields: stribeck::model::Fields::default(),
+        values: [f64::NAN; stribeck_solver::COLUMNS.len()],
+        fields: stribeck_solver::Fields::default(),
         sensitivities: None,
         timing: Timing::default(),
     };
@@ -329,7 +328,7 @@ fn an_extension_that_is_killed_and_resumed_loses_nothing() {
     };
     let had = held(&results);
     for _ in 0..3 {
-        let mut child = program::stribeck(directory.path())
+        let mut child = crate::program::stribeck(directory.path())
             .args(["run", "sweep.toml", "-o", "out", "--quiet", "--threads", "1"])
             .stdout(std::process::Stdio::null())
             .stderr(std::process::Stdio::null())

@@ -1,20 +1,16 @@
 //! Fits to measured friction: what they find of points that were made, and what they refuse.
 
-mod program;
-
 use std::fs;
 use std::path::Path;
 
-use program::{code, err, out, say};
+use crate::program::{code, err, out, say};
 use serde_json::Value;
-use stribeck::collocation::{CollocationSolver, Settings};
-use stribeck::continuation::{Interrupt, solve_chain};
-use stribeck::fit::{Fit, FitError, SolverChoice, Task, Unknown, fit};
-use stribeck::measured::Measured;
-use stribeck::model::{
-    CavityShear, Experiment, FieldSelection, LaboratoryQuantity, Modulus, Output, Parameters, RetardationMode,
-    Substrate,
-};
+use stribeck_lab::Measured;
+use stribeck_lab::fit::{Fit, FitError, SolverChoice, Task, Unknown, fit};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus};
+use stribeck_solver::collocation::{CollocationSolver, Settings};
+use stribeck_solver::continuation::{Interrupt, solve_chain};
+use stribeck_solver::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
 
 const TRUTH: Experiment = Experiment {
     radius: 2e-3,

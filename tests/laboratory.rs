@@ -1,20 +1,17 @@
 //! Sweeps over quantities of the laboratory: from their files to results in SI units, curves, measured points and fits.
 
-mod in_python;
-mod program;
-
 use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::PI;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use in_python::{check, python};
-use program::{code, err, out, say, with_results};
+use crate::in_python::{check, python};
+use crate::program::{code, err, out, say, with_results};
 use proptest::prelude::*;
 use serde_json::Value;
-use stribeck::model::Parameters;
-use stribeck::sweep::{MAX_CHAIN, Plan, Sweep};
+use stribeck_solver::Parameters;
+use stribeck_sweep::{MAX_CHAIN, Plan, Sweep};
 
 /// The paper's example (β ≈ 1.9·10³), at three speeds, with two loads.
 const EXAMPLE: &str = "\

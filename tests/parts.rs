@@ -1,15 +1,14 @@
 //! A sweep in parts: solved anywhere, in any order, interrupted or not, and merged to the bytes of a sweep that was run whole.
 
-mod program;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
-use program::{code, err, out, paths, say, stribeck};
-use stribeck::model::{COLUMNS, CaseId, Output};
-use stribeck::store::{Holdings, Inspection, Status, Store};
-use stribeck::sweep::{Part, Plan, Sweep};
+use crate::program::{code, err, out, paths, say, stribeck};
+use stribeck_solver::{COLUMNS, Output};
+use stribeck_sweep::CaseId;
+use stribeck_sweep::store::{Holdings, Inspection, Status, Store};
+use stribeck_sweep::{Part, Plan, Sweep};
 use tempfile::{TempDir, tempdir};
 
 /// 13 chains: the elastic row and six others have as many cases, the last chain of each being short.

@@ -1,15 +1,13 @@
 //! `stribeck plot` from outside: what is drawn is what was published, and what cannot be drawn is said.
 
-mod program;
-
 use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use program::{code, err, out, say, with_results};
+use crate::program::{code, err, out, say, with_results};
 use roxmltree::Document;
-use stribeck::store::DataSet;
+use stribeck_sweep::store::DataSet;
 use tempfile::tempdir;
 
 const SMALL: &str = r#"

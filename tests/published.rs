@@ -2,15 +2,12 @@
 //!
 //! Needs Python with the packages of `scripts/requirements.txt` and h5dump; `./scripts/prerequisites` installs both.
 
-mod in_python;
-mod synthetic;
-
 use std::path::Path;
 use std::process::Command;
 
-use in_python::{REMEDY, check, file_of_python, python};
-use stribeck::store::Store;
-use synthetic::{ALPHA, BETA, F, SWEEP, chains, finished, output, publish_as, row};
+use crate::in_python::{REMEDY, check, file_of_python, python};
+use crate::synthetic::{ALPHA, BETA, F, SWEEP, chains, finished, output, publish_as, row};
+use stribeck_sweep::store::Store;
 use tempfile::tempdir;
 
 fn open_with(engine: &str) {

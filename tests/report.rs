@@ -1,21 +1,18 @@
 //! `stribeck report` from outside: the page holds what was published, says what it leaves out, and works in a browser.
 
-mod grids;
-mod in_python;
-mod program;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use crate::in_python::{check, file_of_python};
+use crate::program::{code, err, out, say, with_results};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use in_python::{check, file_of_python};
-use program::{code, err, out, say, with_results};
 use serde_json::Value;
-use stribeck::model::{COLUMNS, CaseId, Fields, Output};
 use stribeck::report::page;
-use stribeck::store::{CaseEntry, DataSet, Status, Store, Timing};
+use stribeck_solver::{COLUMNS, Fields, Output};
+use stribeck_sweep::CaseId;
+use stribeck_sweep::store::{CaseEntry, DataSet, Status, Store, Timing};
 use tempfile::tempdir;
 
 /// All that is awkward: no dissipation, infinite α, cases that fail, a title that looks like a page.
@@ -101,7 +98,7 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
         }
     }
     let cases = |i_f: usize, i_alpha: usize| (0..shape[2]).map(|i_beta| id(place(i_f, i_alpha, i_beta))).collect();
-    grids::publish(&mut store, ["made up", "# none\n"], [&f, &alpha, &beta], &cases).unwrap();
+    crate::grids::publish(&mut store, ["made up", "# none\n"], [&f, &alpha, &beta], &cases).unwrap();
     drop(store);
     DataSet::open(directory).unwrap()
 }

@@ -1,7 +1,5 @@
 //! The published bytes do not depend on threads, interruptions or the order of events, and nothing is solved twice.
 
-mod program;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -9,10 +7,10 @@ use std::sync::OnceLock;
 use std::thread::sleep;
 use std::time::{Duration, Instant, SystemTime};
 
-use program::{code, err, out, paths, say, stribeck};
-use stribeck::model::Output;
-use stribeck::store::{Holdings, Inspection};
-use stribeck::sweep::{Plan, Sweep};
+use crate::program::{code, err, out, paths, say, stribeck};
+use stribeck_solver::Output;
+use stribeck_sweep::store::{Holdings, Inspection};
+use stribeck_sweep::{Plan, Sweep};
 use tempfile::{TempDir, tempdir};
 
 /// 4 rows (the elastic one stands at 3 places) of 4 chains each; a tolerance that takes some time.

@@ -2,16 +2,13 @@
 //!
 //! Needs Python with the packages of `scripts/requirements.txt`; `./scripts/prerequisites --tests` installs them.
 
-mod in_python;
-mod synthetic;
-
 use std::path::Path;
 use std::process::{Command, Output};
 
-use in_python::{check, file_of_python};
-use stribeck::model::FieldSelection;
-use stribeck::store::{CaseEntry, Status, Store};
-use synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
+use crate::in_python::{check, file_of_python};
+use crate::synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
+use stribeck_solver::FieldSelection;
+use stribeck_sweep::store::{CaseEntry, Status, Store};
 use tempfile::{TempDir, tempdir};
 
 /// The synthetic results.
@@ -24,12 +21,12 @@ fn results() -> TempDir {
 /// The synthetic results, each case changed as told.
 fn changed(change: impl Fn(&mut CaseEntry)) -> TempDir {
     let directory = tempdir().unwrap();
-    let mut store = synthetic::open(directory.path());
+    let mut store = crate::synthetic::open(directory.path());
     for mut chain in chains(&output()) {
         chain.iter_mut().for_each(&change);
         store.commit(&chain).unwrap();
     }
-    synthetic::publish(&mut store).unwrap();
+    crate::synthetic::publish(&mut store).unwrap();
     directory
 }
 
@@ -78,7 +75,7 @@ fn surfaces_are_drawn_and_say_what_they_leave_out() {
 #[test]
 fn a_surface_needs_two_values_of_each_axis() {
     let directory = tempdir().unwrap();
-    let mut store = synthetic::open(directory.path());
+    let mut store = crate::synthetic::open(directory.path());
     for chain in chains(&output()) {
         store.commit(&chain).unwrap();
     }
@@ -126,12 +123,12 @@ fn a_profile_is_drawn_of_the_nearest_case() {
 fn profiles_need_fields_a_window_or_a_file_and_numbers() {
     let directory = tempdir().unwrap();
     let none = FieldSelection { pressure: false, film_thickness: false, displacement: false };
-    let without = stribeck::model::Output { fields: none, x: Vec::new().into(), ..output() };
+    let without = stribeck_solver::Output { fields: none, x: Vec::new().into(), ..output() };
     let mut store = Store::open(directory.path(), SWEEP, &without).unwrap();
     for chain in chains(&without) {
         store.commit(&chain).unwrap();
     }
-    synthetic::publish(&mut store).unwrap();
+    crate::synthetic::publish(&mut store).unwrap();
     let message = refuses("profiles", &[directory.path()], &["-o", "never.png"]);
     assert!(message.contains("keeps no fields") && message.contains("fields = [\"pressure\""), "{message}");
     let message = refuses("profiles", &[results().path()], &[]);
@@ -174,7 +171,7 @@ fn a_sweep_compared_with_itself_is_equal() {
 #[test]
 fn a_changed_number_and_a_changed_status_are_found() {
     let directory = results();
-    let p_max = stribeck::model::COLUMNS.iter().position(|column| column.name == "p_max").unwrap();
+    let p_max = stribeck_solver::COLUMNS.iter().position(|column| column.name == "p_max").unwrap();
     let other = changed(|entry| {
         if entry.id == case_id(100.0, 10.0, BETA[1]) {
             entry.values[p_max] *= 1.01;
@@ -199,7 +196,7 @@ fn a_changed_number_and_a_changed_status_are_found() {
 #[test]
 fn places_that_one_sweep_has_alone_are_listed() {
     let (directory, fewer, table) = (results(), tempdir().unwrap(), tempdir().unwrap());
-    let mut store = synthetic::open(fewer.path());
+    let mut store = crate::synthetic::open(fewer.path());
     for chain in chains(&output()) {
         store.commit(&chain).unwrap();
     }
@@ -214,7 +211,7 @@ fn places_that_one_sweep_has_alone_are_listed() {
     assert_eq!(text.lines().count(), 1 + 40);
     assert_eq!(text.lines().filter(|line| line.contains(",10.0,A,converged,,")).count(), 8, "{text}");
     let disjoint = tempdir().unwrap();
-    let mut store = synthetic::open(disjoint.path());
+    let mut store = crate::synthetic::open(disjoint.path());
     for chain in chains(&output()) {
         store.commit(&chain).unwrap();
     }

@@ -1,8 +1,6 @@
 //! Sweeps on a cluster: a real Slurm with four nodes on this machine (`scripts/slurm-local`), whose nodes die and whose time
 //! limits are reached. What is merged has the bytes of a run on one machine.
 
-mod program;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +8,7 @@ use std::process::{Command, Output};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use program::{code, err, out, say};
+use crate::program::{code, err, out, say};
 use tempfile::{TempDir, tempdir};
 
 /// Nothing here takes longer, or it hangs.

@@ -1,6 +1,6 @@
 //! The three axes of a sweep as pictures show them.
 
-use crate::store::DataSet;
+use stribeck_sweep::store::DataSet;
 
 /// An axis of a sweep, in the order of the indices of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::request::{Kind, Request, Selection, spread};
 use super::source::Source;
 use super::{Axis, PictureError};
-use crate::store::Status;
+use stribeck_sweep::store::Status;
 
 /// Most cases in one picture.
 const MOST_CASES: usize = 7;

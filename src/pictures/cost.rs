@@ -8,8 +8,8 @@ use super::request::{Kind, Request, Selection};
 use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::figures::{MethodLine, Outcome, SettingPoint, WorkPrecision};
-use crate::store::Status;
+use stribeck_charts::{MethodLine, Outcome, SettingPoint, WorkPrecision};
+use stribeck_sweep::store::Status;
 
 /// Each case once, however often it stands in the sweep; a line for each f.
 pub(super) fn cost(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {

@@ -10,8 +10,8 @@ use super::request::{Kind, Request, Selection};
 use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::figures::{Colour, Curve, LineAxis, Lines, Stroke};
-use crate::store::Status;
+use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
+use stribeck_sweep::store::Status;
 
 /// Curves with more points than this have no markers.
 const MOST_MARKED: usize = 45;

@@ -1,8 +1,8 @@
 //! Why there is no picture.
 
-use crate::figures::FigureError;
-use crate::shown::printable;
-use crate::store::StoreError;
+use stribeck_charts::FigureError;
+use stribeck_input::printable;
+use stribeck_sweep::store::StoreError;
 
 /// What was asked for is not in the data set, or cannot be drawn.
 #[derive(Debug, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! Curves that belong together, with what is known beside them.
 
-use crate::figures::{Colour, Curve, Stroke};
+use stribeck_charts::{Colour, Curve, Stroke};
 
 /// The colour of the `index`-th of `count` curves of a family.
 pub(super) fn colour(index: usize, count: usize) -> Colour {

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::exact::{DryContact, LargeBeta, approx_elastic_film};
-use crate::figures::Stroke;
-use crate::model::Parameters;
+use stribeck_charts::Stroke;
+use stribeck_solver::Parameters;
+use stribeck_solver::exact::{DryContact, LargeBeta, approx_elastic_film};
 
 /// A curve that is known without solving anything.
 #[derive(Clone, Copy)]

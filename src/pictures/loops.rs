@@ -11,8 +11,8 @@ use super::request::{Kind, Request};
 use super::source::{Source, rounded};
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::exact::DryContact;
-use crate::figures::{Curve, LineAxis, Lines, Stroke};
+use stribeck_charts::{Curve, LineAxis, Lines, Stroke};
+use stribeck_solver::exact::DryContact;
 
 /// The loops of chosen cases in one picture.
 ///

@@ -7,8 +7,8 @@ use super::request::{Kind, Request, Selection, spread};
 use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::figures::{Cell, ColourScale, Map, Panel};
-use crate::store::Status;
+use stribeck_charts::{Cell, ColourScale, Map, Panel};
+use stribeck_sweep::store::Status;
 
 /// What maps show where nothing else is asked for.
 const COLUMNS: [&str; 4] = ["mu_tot", "mu_v", "mu_h", "film_min"];

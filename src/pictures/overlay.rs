@@ -2,8 +2,8 @@
 
 use super::bundle::Bundle;
 use super::source::Source;
-use crate::figures::{Colour, Curve, Stroke};
-use crate::measured::Measured;
+use stribeck_charts::{Colour, Curve, Stroke};
+use stribeck_lab::Measured;
 
 /// The measured points of a column that belong to the curves of a bundle, with their standard errors: those that were measured
 /// along its axis, and whose other coordinates, as far as the file has them, are those of a member.

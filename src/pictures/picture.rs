@@ -1,7 +1,7 @@
 //! A picture: a chart and the numbers behind it.
 
 use super::table::Table;
-use crate::figures::{Curve, FigureError, Lines, Map, Relief, Section, Stroke, WorkPrecision};
+use stribeck_charts::{Curve, FigureError, Lines, Map, Relief, Section, Stroke, WorkPrecision};
 
 /// A chart with its name and its numbers.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use super::request::{Kind, Request};
 use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::figures::{Curve, LineAxis, Lines, Stroke};
+use stribeck_charts::{Curve, LineAxis, Lines, Stroke};
 
 /// A profile for each field asked for that is there.
 pub(super) fn profiles(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {

@@ -1,6 +1,7 @@
 //! What a column of the data set is called in a picture.
 
-use crate::model::{COLUMNS, si_units};
+use stribeck_lab::si_units;
+use stribeck_solver::COLUMNS;
 
 /// A column or a field as pictures show it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::source::Source;
 use super::{Axis, PictureError};
-use crate::model::shortest;
+use stribeck_solver::shortest;
 
 /// A kind of picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]

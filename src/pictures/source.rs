@@ -3,9 +3,10 @@
 use super::Axis;
 use super::axis::AxisWords;
 use super::quantity::Quantity;
-use crate::measured::Measured;
-use crate::model::{Parameters, Scales, Substrate, shortest};
-use crate::store::{DataSet, StoreError};
+use stribeck_lab::Measured;
+use stribeck_lab::Scales;
+use stribeck_solver::{Parameters, Substrate, shortest};
+use stribeck_sweep::store::{DataSet, StoreError};
 
 /// A published data set, and what else pictures of it need.
 #[derive(Debug)]

@@ -7,8 +7,8 @@ use super::request::{Kind, Request};
 use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::figures::{ColourScale, Section, SectionPanel};
-use crate::model::stress::normal_stress;
+use stribeck_charts::{ColourScale, Section, SectionPanel};
+use stribeck_solver::stress::normal_stress;
 
 /// Points across and downwards.
 const ACROSS: usize = 141;

@@ -8,7 +8,7 @@ use super::request::{Kind, Request, Selection, spread};
 use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
-use crate::figures::{Relief, ReliefPanel};
+use stribeck_charts::{Relief, ReliefPanel};
 
 /// What surfaces show where nothing else is asked for.
 const COLUMNS: [&str; 3] = ["mu_tot", "mu_v", "mu_h"];

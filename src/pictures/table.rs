@@ -1,6 +1,6 @@
 //! The numbers behind a picture, as CSV.
 
-use crate::model::shortest;
+use stribeck_solver::shortest;
 
 /// A table with one header line.
 #[derive(Clone, Debug, Default, PartialEq)]

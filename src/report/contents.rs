@@ -8,10 +8,11 @@ use super::encoding::{floats, integers};
 use super::failures::FailurePart;
 use super::fields::{CasePlace, FieldsPart, fields};
 use super::thinning::Grid;
-use crate::measured::Measured;
-use crate::model::{COLUMNS, si_units};
 use crate::pictures::AxisWords;
-use crate::store::{Cost, DataSet, StoreError};
+use stribeck_lab::Measured;
+use stribeck_lab::si_units;
+use stribeck_solver::COLUMNS;
+use stribeck_sweep::store::{Cost, DataSet, StoreError};
 
 /// All that the page shows. Lists of numbers are base64 (`encoding`).
 #[derive(Debug, Serialize)]

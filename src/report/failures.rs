@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::contents::{AxisValue, Words};
 use super::encoding::integers;
 use crate::pictures::AxisWords;
-use crate::store::{DataSet, Status, kind_of_reason};
+use stribeck_sweep::store::{DataSet, Status, kind_of_reason};
 
 /// Most failed places that are listed.
 const MOST_LISTED: usize = 1000;

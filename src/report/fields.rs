@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::encoding::{Quantised, floats, integers, shorts};
 use super::thinning::{deviation, shape_points};
-use crate::store::{DataSet, Status, StoreError};
+use stribeck_sweep::store::{DataSet, Status, StoreError};
 
 /// Bytes that all fields together may take in the page.
 const BUDGET: usize = 6_000_000;

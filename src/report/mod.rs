@@ -21,8 +21,8 @@ mod thinning;
 use contents::Contents;
 use encoding::{html, json};
 
-use crate::measured::Measured;
-use crate::store::{DataSet, StoreError};
+use stribeck_lab::Measured;
+use stribeck_sweep::store::{DataSet, StoreError};
 
 /// How a page begins. A file that does not is none of ours, and is not replaced.
 pub const BEGINNING: &str = "<!DOCTYPE html>\n<!-- made by stribeck report -->\n";

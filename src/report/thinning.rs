@@ -1,6 +1,6 @@
 //! What of a large sweep is shown.
 
-use crate::store::DataSet;
+use stribeck_sweep::store::DataSet;
 
 /// More places of the grid than this make the page slow, and larger than 15 MB.
 const MOST_PLACES: usize = 30_000;

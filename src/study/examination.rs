@@ -3,10 +3,10 @@
 use faer::Mat;
 
 use super::condition::condition;
-use crate::collocation::CollocationSolver;
-use crate::continuation::CaseSolver;
-use crate::model::Parameters;
-use crate::relaxation::RelaxationSolver;
+use stribeck_solver::Parameters;
+use stribeck_solver::collocation::CollocationSolver;
+use stribeck_solver::continuation::CaseSolver;
+use stribeck_solver::relaxation::RelaxationSolver;
 
 /// Most equations that a condition number is computed of: that takes a time in proportion to their cube, a second or two for
 /// so many.

@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use super::{Measure, Setting, Start, Study, Variant};
-use crate::collocation::{self, Settings};
-use crate::input::{self, Entry, Fault, InputError, Section};
-use crate::model::{Parameters, Substrate};
-use crate::relaxation::{self, Acceleration};
-use crate::shown::printable;
-use crate::sweep::{Axes, Method, read_axes, read_error, read_points, read_substrate, read_title};
+use stribeck_input::printable;
+use stribeck_input::{Entry, Fault, InputError, Section};
+use stribeck_solver::collocation::{self, Settings};
+use stribeck_solver::relaxation::{self, Acceleration};
+use stribeck_solver::{Parameters, Substrate};
+use stribeck_sweep::{Axes, Method, read_axes, read_error, read_points, read_substrate, read_title};
 
 /// What the file is called in messages.
-const KIND: input::Kind = "study file";
+const KIND: stribeck_input::Kind = "study file";
 
 /// The keys of the top level.
 const KEYS: [&str; 8] = ["title", "measure", "repeats", "start", "axes", "case", "substrate", "method"];
@@ -37,7 +37,7 @@ impl Study {
     /// # Errors
     /// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8 or not a valid study.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
-        input::read(KIND, path.as_ref(), interpret)
+        stribeck_input::read(KIND, path.as_ref(), interpret)
     }
 
     /// Takes the text of a study file called `name`.toml.
@@ -45,12 +45,12 @@ impl Study {
     /// # Errors
     /// [`InputError::Invalid`] if the text is not a valid study.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
-        input::parse(name, text, interpret)
+        stribeck_input::parse(name, text, interpret)
     }
 }
 
 fn interpret(name: &str, text: &str) -> Result<Study, Fault> {
-    let document = input::document(text)?;
+    let document = stribeck_input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), &KEYS, home)?;
     let read_substrate = root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?;
     let (substrate, own_f) = read_substrate.map(|read| (read.substrate, read.material.f)).unwrap_or_default();

@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use super::{Row, Study, Variant};
-use crate::figures::{Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision};
-use crate::model::shortest;
-use crate::sweep::Axes;
+use stribeck_charts::{Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision};
+use stribeck_solver::shortest;
+use stribeck_sweep::Axes;
 
 /// A picture in both formats.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,9 @@
 
 use super::variant::guarded;
 use super::{Setting, Variant};
-use crate::collocation::{CollocationSolver, Settings};
-use crate::continuation::{Interrupt, Interrupted, solve_chain};
-use crate::model::{Output, Parameters, Quantities, RelativeErrors};
+use stribeck_solver::collocation::{CollocationSolver, Settings};
+use stribeck_solver::continuation::{Interrupt, Interrupted, solve_chain};
+use stribeck_solver::{Output, Parameters, Quantities, RelativeErrors};
 
 /// How much tighter a reference is than the tightest setting.
 const TIGHTER: f64 = 1e-2;

@@ -4,8 +4,8 @@ use super::reference::Reference;
 use super::stability::Examined;
 use super::timing::Timed;
 use super::{Study, Variant};
-use crate::continuation::SolvedCase;
-use crate::model::Parameters;
+use stribeck_solver::Parameters;
+use stribeck_solver::continuation::SolvedCase;
 
 /// One case solved by one variant.
 #[derive(Clone, Debug)]

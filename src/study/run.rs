@@ -10,9 +10,9 @@ use super::row::{Cost, Row, Stability};
 use super::stability::{Examined, examine};
 use super::timing::time;
 use super::{Meter, Study};
-use crate::continuation::{Interrupt, Interrupted};
-use crate::engine::{ThreadsError, solver_threads};
-use crate::model::{FieldSelection, Output};
+use stribeck_solver::continuation::{Interrupt, Interrupted};
+use stribeck_solver::{FieldSelection, Output};
+use stribeck_sweep::engine::{ThreadsError, solver_threads};
 
 /// What came of a study.
 #[derive(Clone, Debug)]

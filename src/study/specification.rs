@@ -1,8 +1,8 @@
 //! A validated study: cases, methods, and what is measured.
 
 use super::Variant;
-use crate::model::Parameters;
-use crate::sweep::Axes;
+use stribeck_solver::Parameters;
+use stribeck_sweep::Axes;
 
 /// A study: every method at every setting solves every case.
 ///

@@ -3,8 +3,8 @@
 use super::reference::Errors;
 use super::variant::guarded;
 use super::{Examination, Setting, Variant};
-use crate::continuation::{Interrupt, Interrupted, Seed, Solution, SolvedCase};
-use crate::model::{Failure, Output, Parameters};
+use stribeck_solver::continuation::{Interrupt, Interrupted, Seed, Solution, SolvedCase};
+use stribeck_solver::{Failure, Output, Parameters};
 
 /// β of the neighbours that a case is solved from once more, over its own: first from above, where films are thinner, for
 /// every other way to a case comes from thicker ones.

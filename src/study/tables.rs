@@ -5,8 +5,8 @@ use std::fmt::Write;
 
 use super::reference::{Errors, settings};
 use super::{Reference, Row, Start, Study};
-use crate::figures::geometric_median;
-use crate::model::shortest;
+use stribeck_charts::geometric_median;
+use stribeck_solver::shortest;
 
 /// Failed cases that are listed for each variant.
 const LISTED: usize = 5;

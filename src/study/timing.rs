@@ -2,8 +2,8 @@
 
 use super::variant::guarded;
 use super::{Meter, Variant};
-use crate::continuation::{Interrupt, Interrupted, SolvedCase};
-use crate::model::{Output, Parameters};
+use stribeck_solver::continuation::{Interrupt, Interrupted, SolvedCase};
+use stribeck_solver::{Output, Parameters};
 
 /// What one variant did with one case.
 #[derive(Clone, Debug)]

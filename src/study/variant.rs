@@ -4,10 +4,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use super::examination::{Examination, Examine, examine};
-use crate::collocation::{self, CollocationSolver};
-use crate::continuation::{Chain, Effort, Interrupt, Interrupted, SolvedCase, panic_message, solve_chain};
-use crate::model::{Failure, Limits, Output, Parameters};
-use crate::relaxation::{self, RelaxationSolver};
+use stribeck_solver::collocation::{self, CollocationSolver};
+use stribeck_solver::continuation::{Chain, Effort, Interrupt, Interrupted, SolvedCase, panic_message, solve_chain};
+use stribeck_solver::relaxation::{self, RelaxationSolver};
+use stribeck_solver::{Failure, Limits, Output, Parameters};
 
 /// A method at one of its settings.
 #[derive(Clone, Debug, PartialEq)]

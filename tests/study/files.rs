@@ -7,7 +7,7 @@ use miette::Diagnostic;
 use proptest::prelude::*;
 use stribeck::study::{Measure, Setting, Start, Study};
 
-use crate::study;
+use crate::study::study;
 
 const BOX: &str = "[axes]\nf = [0.0, 10.0]\nalpha = [1.0]\nbeta = [10.0, 100.0]\n";
 const METHOD: &str = "[[method]]\nmethod = \"collocation\"\ntolerance = [1e-3, 1e-5]\n";

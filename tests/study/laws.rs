@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use stribeck::continuation::Interrupt;
+use stribeck_solver::continuation::Interrupt;
 use stribeck::study::{Row, run};
 
 use crate::{findings, of, study};

@@ -8,9 +8,9 @@ use std::time::SystemTime;
 
 use tempfile::NamedTempFile;
 
-use crate::place::{Place, Run};
-use crate::random::Random;
-use crate::witness::{assert_ended, assert_kept};
+use crate::torture::place::{Place, Run};
+use crate::torture::random::Random;
+use crate::torture::witness::{assert_ended, assert_kept};
 
 /// Seconds.
 const YEAR: u64 = 365 * 86_400;

@@ -2,10 +2,12 @@
 
 use std::fs;
 
-use crate::place::{Place, Run};
-use crate::random::Random;
-use crate::stops::TOO_LATE;
-use crate::witness::{assert_complete, assert_ended, assert_kept, assert_refused, assert_told, assert_told_of};
+use crate::torture::place::{Place, Run};
+use crate::torture::random::Random;
+use crate::torture::stops::TOO_LATE;
+use crate::torture::witness::{
+    assert_complete, assert_ended, assert_kept, assert_refused, assert_told, assert_told_of,
+};
 
 /// A second run at the same moment as the first, or while the first is at work.
 pub fn second_run(place: &Place, random: &mut Random) -> &'static str {

@@ -2,10 +2,10 @@
 
 use std::fs;
 
-use crate::place::Place;
-use crate::random::Random;
-use crate::stored::logs;
-use crate::witness::assert_kept;
+use crate::torture::place::Place;
+use crate::torture::random::Random;
+use crate::torture::stored::logs;
+use crate::torture::witness::assert_kept;
 
 /// The place becomes a copy of itself, made while a run is at work there or not.
 pub fn copied(place: &mut Place, random: &mut Random) -> &'static str {

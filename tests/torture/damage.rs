@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::place::Place;
-use crate::random::Random;
-use crate::stored::{Commit, Line, logs};
+use crate::torture::place::Place;
+use crate::torture::random::Random;
+use crate::torture::stored::{Commit, Line, logs};
 
 /// The word for a fault that found nothing to harm.
 const NOTHING: &str = "nothing there";

@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use tempfile::TempDir;
 
-use crate::place::copy;
+use crate::torture::place::copy;
 
 /// What the smallest file takes.
 pub const PAGE: u64 = 4096;

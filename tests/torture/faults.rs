@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use crate::place::Place;
-use crate::random::Random;
-use crate::stops::Moment;
-use crate::witness::assert_told;
+use crate::torture::place::Place;
+use crate::torture::random::Random;
+use crate::torture::stops::Moment;
+use crate::torture::witness::assert_told;
 use crate::{clock, company, copies, damage, room, stops};
 
 /// A kind of harm.

@@ -10,14 +10,14 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 use crate::program::{say, stribeck};
-use crate::stored::{Cases, Stored, logs};
-use crate::sweep::Sweep;
+use crate::torture::stored::{Cases, Stored, logs};
+use crate::torture::sweep::Sweep;
 
 /// A directory with `sweep.toml` and its results in `out`.
 pub struct Place {
     pub sweep: Sweep,
     home: PathBuf,
-    /// Removes the directory at the end; a place on a [`Disk`](crate::disk::Disk) goes with the disk.
+    /// Removes the directory at the end; a place on a [`Disk`](crate::torture::disk::Disk) goes with the disk.
     own: Option<TempDir>,
 }
 

@@ -4,11 +4,13 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::process::Command;
 
-use crate::disk::{Disk, Room};
-use crate::place::{End, Place, Run};
-use crate::random::Random;
-use crate::sweep::SAME_IN_EVERY_RUN;
-use crate::witness::{assert_complete, assert_completes, assert_ended, assert_kept, assert_resumable, assert_told};
+use crate::torture::disk::{Disk, Room};
+use crate::torture::place::{End, Place, Run};
+use crate::torture::random::Random;
+use crate::torture::sweep::SAME_IN_EVERY_RUN;
+use crate::torture::witness::{
+    assert_complete, assert_completes, assert_ended, assert_kept, assert_resumable, assert_told,
+};
 
 /// How it comes out where nothing was short.
 const ENOUGH: &str = "there was room enough";

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::damage;
-use crate::faults::Fault;
-use crate::place::Place;
-use crate::random::Random;
-use crate::sweep::Sweep;
-use crate::witness::assert_completes;
+use crate::torture::damage;
+use crate::torture::faults::Fault;
+use crate::torture::place::Place;
+use crate::torture::random::Random;
+use crate::torture::sweep::Sweep;
+use crate::torture::witness::assert_completes;
 
 /// How often each fault came out in each way.
 pub type Counts = BTreeMap<(Fault, &'static str), usize>;

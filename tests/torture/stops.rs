@@ -3,9 +3,9 @@
 use std::thread::sleep;
 use std::time::Duration;
 
-use crate::place::{Place, Run};
-use crate::random::Random;
-use crate::witness::{assert_ended, assert_kept, assert_resumable};
+use crate::torture::place::{Place, Run};
+use crate::torture::random::Random;
+use crate::torture::witness::{assert_ended, assert_kept, assert_resumable};
 
 /// The word for a run that had ended when it was to be stopped.
 pub const TOO_LATE: &str = "too late";

@@ -5,8 +5,8 @@ use std::fs;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-use crate::place::Place;
-use crate::stored::{Cases, Commit, Stored};
+use crate::torture::place::Place;
+use crate::torture::stored::{Cases, Commit, Stored};
 
 /// A sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use crate::place::{End, Place};
 use crate::program::{code, err, out};
-use crate::stored::{Cases, Line, Start, Stored};
-use crate::sweep::SAME_IN_EVERY_RUN;
+use crate::torture::place::{End, Place};
+use crate::torture::stored::{Cases, Line, Start, Stored};
+use crate::torture::sweep::SAME_IN_EVERY_RUN;
 
 /// Starts that `status` lists.
 const LISTED_STARTS: usize = 10;

@@ -1,0 +1,66 @@
+//! Reading charts, for the tests that draw them.
+
+#![allow(dead_code)]
+
+use roxmltree::{Document, Node};
+use stribeck_charts::{FigureError, WIDTH};
+
+/// All text of a picture, each text trimmed.
+pub fn texts(document: &Document) -> Vec<String> {
+    document
+        .descendants()
+        .filter(|n| n.has_tag_name("text"))
+        .filter_map(|n| n.text())
+        .map(|t| t.trim().to_string())
+        .collect()
+}
+
+/// The elements with these attributes.
+pub fn with<'a>(document: &'a Document, attributes: &'a [(&str, &str)]) -> impl Iterator<Item = Node<'a, 'a>> {
+    document.descendants().filter(|node| attributes.iter().all(|(name, value)| node.attribute(*name) == Some(*value)))
+}
+
+/// A number that stands in an attribute.
+pub fn number(node: &Node, name: &str) -> f64 {
+    node.attribute(name).unwrap().parse().unwrap()
+}
+
+/// Width and height of a PNG, which is decoded to its end.
+fn decoded(bytes: &[u8]) -> (u32, u32) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let frame = reader.next_frame(&mut pixels).unwrap();
+    assert!(pixels.iter().any(|place| *place != pixels[0]), "the picture is empty");
+    (frame.width, frame.height)
+}
+
+/// Both formats of a chart are well formed, of one size, and the same when drawn again.
+pub fn check_formats(
+    svg: impl Fn() -> Result<String, FigureError>,
+    png: impl Fn() -> Result<Vec<u8>, FigureError>,
+) -> String {
+    let text = svg().unwrap();
+    let document = Document::parse(&text).unwrap();
+    let (width, height) = (number(&document.root_element(), "width"), number(&document.root_element(), "height"));
+    assert_eq!(width, f64::from(WIDTH));
+    let bytes = png().unwrap();
+    assert_eq!(decoded(&bytes), (WIDTH, height as u32));
+    assert_eq!(svg().unwrap(), text);
+    assert_eq!(png().unwrap(), bytes);
+    text
+}
+
+/// The points of a polygon or polyline.
+pub fn points(node: &Node) -> Vec<(f64, f64)> {
+    let pair = |point: &str| {
+        let (x, y) = point.split_once(',').unwrap();
+        (x.parse().unwrap(), y.parse().unwrap())
+    };
+    node.attribute("points").unwrap().split_whitespace().map(pair).collect()
+}
+
+/// The polygons, but for the walls behind a surface in space.
+pub fn polygons<'a>(document: &'a Document) -> impl Iterator<Item = Node<'a, 'a>> {
+    const WALL: &str = "#F7F7F7";
+    document.descendants().filter(|node| node.has_tag_name("polygon") && node.attribute("fill") != Some(WALL))
+}

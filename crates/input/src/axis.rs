@@ -1,0 +1,220 @@
+//! Axes: lists and ranges of numbers.
+
+use super::entry::{Entry, Section};
+use super::error::Fault;
+use super::units::Dimension;
+
+/// Which quantity an axis holds: decides what numbers it may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// f: finite, at least 0.
+    Strength,
+    /// α: at least 0, or +∞ in a list.
+    SlideTime,
+    /// β: finite, above 0.
+    InverseHersey,
+    /// x of the fields: finite.
+    Position,
+    /// A quantity with a unit: finite, above 0.
+    Measured(Dimension),
+    /// Poisson's ratio: from 0 to 0.5.
+    PoissonRatio,
+}
+
+/// A number, or an axis of them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Varying {
+    /// One number.
+    Fixed(f64),
+    /// An axis: not empty, ascending.
+    Axis(Vec<f64>),
+}
+
+/// Spacing of a range.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Scale {
+    #[default]
+    Linear,
+    Log,
+}
+
+const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "scale"];
+
+impl Quantity {
+    fn admits(self, value: f64) -> bool {
+        match self {
+            Quantity::Strength => value.is_finite() && value >= 0.0,
+            Quantity::SlideTime => value >= 0.0,
+            Quantity::InverseHersey | Quantity::Measured(_) => value.is_finite() && value > 0.0,
+            Quantity::Position => value.is_finite(),
+            Quantity::PoissonRatio => (0.0..=0.5).contains(&value),
+        }
+    }
+
+    fn allowed(self) -> &'static str {
+        match self {
+            Quantity::Strength => "finite and at least 0",
+            Quantity::SlideTime => "at least 0, or inf",
+            Quantity::InverseHersey | Quantity::Measured(_) => "finite and above 0",
+            Quantity::Position => "finite",
+            Quantity::PoissonRatio => "from 0 to 0.5",
+        }
+    }
+
+    fn remedy(self) -> &'static str {
+        match self {
+            Quantity::Strength => "f = E0/Einf - 1 is 0 for an elastic substrate and positive for a viscoelastic one",
+            Quantity::SlideTime => {
+                "alpha = a0/(V tau) is positive; 0 is the stiff elastic limit (fast), inf the relaxed one (slow)"
+            }
+            Quantity::InverseHersey => "beta is positive; dry sliding is the limit of large beta: 1e4, say, is near it",
+            Quantity::Position => "x is a place in units of a0, as in -3.0",
+            Quantity::Measured(_) => "write it in SI units as in 1e-3, or with its unit in quotes",
+            Quantity::PoissonRatio => "soft solids hardly change their volume: 0.5 is usual, 0.3 for a stiff polymer",
+        }
+    }
+
+    /// Most values of such an axis.
+    fn limit(self) -> usize {
+        match self {
+            Quantity::Position => 10_001,
+            _ => 1_000_000,
+        }
+    }
+
+    /// Reads one value.
+    pub fn read(self, entry: &Entry<'_>) -> Result<f64, Fault> {
+        let value = match self {
+            Quantity::Measured(dimension) => dimension.read(entry)?,
+            _ => entry.number()?,
+        };
+        match self.admits(value) {
+            true => Ok(value),
+            false => {
+                let what = format!("a value of `{}` must be {}", entry.path(), self.allowed());
+                Err(entry.fault(what, "not allowed", self.remedy()))
+            }
+        }
+    }
+}
+
+/// Reads an axis: a list or a range.
+pub fn read(entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
+    if let Some(items) = entry.list() {
+        read_list(entry, items, quantity)
+    } else if entry.is_section() {
+        read_range(&entry.section(&RANGE_KEYS, |_| None)?, entry, quantity)
+    } else {
+        let help = match entry.number() {
+            Ok(value) => format!("a single value is a list too: write [{value:?}]"),
+            Err(_) => "write a list as in [10.0, 100.0], or { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }"
+                .to_owned(),
+        };
+        let what = format!("`{}` must be a list or a range {{ from, to, points, scale }}", entry.path());
+        Err(entry.fault(what, "neither list nor range", help))
+    }
+}
+
+/// Reads a number, or an axis.
+pub fn read_varying(entry: &Entry<'_>, quantity: Quantity) -> Result<Varying, Fault> {
+    if entry.list().is_some() || entry.is_section() {
+        read(entry, quantity).map(Varying::Axis)
+    } else {
+        quantity.read(entry).map(Varying::Fixed)
+    }
+}
+
+fn read_list<'t>(
+    entry: &Entry<'t>,
+    items: impl ExactSizeIterator<Item = Entry<'t>>,
+    quantity: Quantity,
+) -> Result<Vec<f64>, Fault> {
+    if items.len() == 0 {
+        let what = format!("`{}` must have at least one value", entry.path());
+        return Err(entry.fault(what, "empty", "write at least one value, as in [100.0]"));
+    }
+    if items.len() > quantity.limit() {
+        let what = format!("`{}` may have at most {} values, not {}", entry.path(), quantity.limit(), items.len());
+        return Err(entry.fault(what, "too many values", "split the sweep into several files").unquoted());
+    }
+    let mut values: Vec<f64> = Vec::with_capacity(items.len());
+    for item in items {
+        let value = quantity.read(&item)?;
+        match values.last() {
+            Some(&last) if value == last => {
+                let what = format!("a value of `{}` may stand there only once", entry.path());
+                return Err(item.fault(what, "the same as the value before it", "remove one of the two"));
+            }
+            Some(&last) if value < last => {
+                let what = format!("the values of `{}` must ascend", entry.path());
+                return Err(item.fault(
+                    what,
+                    format!("below the value before it, {last:?}"),
+                    "sort the list, smallest value first",
+                ));
+            }
+            _ => values.push(value),
+        }
+    }
+    Ok(values)
+}
+
+fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
+    let help = "a range is { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }";
+    let [from_entry, to_entry] = [range.require("from", help)?, range.require("to", help)?];
+    let points = range.require("points", help)?.whole(2..=quantity.limit())?;
+    let choices = [("linear", Scale::Linear), ("log", Scale::Log)];
+    let scale = range.get("scale").map(|scale| scale.choice(&choices)).transpose()?.unwrap_or_default();
+
+    let finite = |end: &Entry<'_>| match quantity.read(end)? {
+        value if value.is_finite() => Ok(value),
+        _ => {
+            let help = "take finite end points; inf may stand at the end of a list, as in [1.0, 10.0, inf]";
+            Err(end.fault(format!("`{}` must be finite", end.path()), "a range cannot reach it", help))
+        }
+    };
+    let (from, to) = (finite(&from_entry)?, finite(&to_entry)?);
+    if scale == Scale::Log && from <= 0.0 {
+        let what = format!("`{}` must be above 0 on a log scale", from_entry.path());
+        let help = "begin above 0, as in 1e-3, or take scale = \"linear\"; a list can hold 0 and any other values";
+        return Err(from_entry.fault(what, "has no logarithm", help));
+    }
+    if from >= to {
+        let what = format!("`{}` must be above `{}` = {from:?}", to_entry.path(), from_entry.path());
+        let help = "swap the two; for a single value write a list, as in [100.0]";
+        return Err(to_entry.fault(what, "not above the start", help));
+    }
+    let values = range_values(from, to, points, scale);
+    if values.is_sorted_by(|left, right| left < right) && values.iter().all(|value| value.is_finite()) {
+        Ok(values)
+    } else {
+        let what = format!("the {points} points of `{}` are not distinct numbers of double precision", entry.path());
+        Err(entry.fault(what, "too many points for this range", "take fewer points or a wider range"))
+    }
+}
+
+/// `points` ≥ 2 values with exact end points.
+///
+/// Point i of n stands at the fraction i/(n−1) in lowest terms. So the points that a refined range shares with the
+/// range before are the same numbers to the last bit, and their results are reused; logarithm and power are the
+/// program's own, not the system's, so that they are also the same on every machine.
+fn range_values(from: f64, to: f64, points: usize, scale: Scale) -> Vec<f64> {
+    let intervals = points - 1;
+    let between = |i: usize| {
+        let divisor = greatest_common_divisor(i, intervals);
+        let (part, whole) = ((i / divisor) as f64, (intervals / divisor) as f64);
+        let interpolate = |a: f64, b: f64| (a * (whole - part) + b * part) / whole;
+        match scale {
+            Scale::Linear => interpolate(from, to),
+            Scale::Log => pxfm::f_exp10(interpolate(pxfm::f_log10(from), pxfm::f_log10(to))),
+        }
+    };
+    let mut values: Vec<f64> = (0..points).map(between).collect();
+    values[0] = from;
+    values[intervals] = to;
+    values
+}
+
+fn greatest_common_divisor(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
+}

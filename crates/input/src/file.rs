@@ -1,0 +1,56 @@
+//! From a path to the text of a TOML file, and from there to a document.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::DeTable;
+
+use super::error::{Fault, InputError};
+use super::extent;
+
+/// Most bytes of a file.
+const LARGEST_FILE: u64 = 8 << 20;
+
+/// What kind of file it is, in words, as in `sweep file`.
+pub type Kind = &'static str;
+
+/// Reads a file and makes of its stem and text what `interpret` does.
+///
+/// # Errors
+/// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8, or `interpret` finds a fault.
+pub fn read<T>(kind: Kind, path: &Path, interpret: impl Fn(&str, &str) -> Result<T, Fault>) -> Result<T, InputError> {
+    let unreadable = |cause| InputError::Unreadable { kind, path: path.to_owned(), cause };
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(unreadable)?;
+    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(InputError::TooLarge { kind, path: path.to_owned(), limit: LARGEST_FILE });
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let valid_up_to = error.utf8_error().valid_up_to();
+        InputError::not_text(kind, path.to_owned(), error.as_bytes(), valid_up_to)
+    })?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    interpret(&name, &text).map_err(|fault| fault.located(&path.display().to_string(), &text))
+}
+
+/// Makes of the text of a file called `name`.toml what `interpret` does.
+///
+/// # Errors
+/// [`InputError::Invalid`] if `interpret` finds a fault.
+pub fn parse<T>(name: &str, text: &str, interpret: impl Fn(&str, &str) -> Result<T, Fault>) -> Result<T, InputError> {
+    interpret(name, text).map_err(|fault| fault.located(&format!("{name}.toml"), text))
+}
+
+/// The TOML document of a text.
+pub fn document(text: &str) -> Result<Spanned<DeTable<'_>>, Fault> {
+    extent::check(text)?;
+    DeTable::parse(text).map_err(|error| {
+        let span = error.span().unwrap_or(text.len()..text.len());
+        let help = "TOML has lines `key = value` under headers [section]; texts stand in double quotes, lists in \
+                    brackets; a key may stand only once";
+        Fault::new(span, format!("not valid TOML: {}", error.message()), "here", help)
+    })
+}

@@ -1,0 +1,378 @@
+//! Quantities of the laboratory: what an experiment has instead of α and β, and the scales that lead back.
+
+use std::f64::consts::PI;
+
+/// A quantity of an experiment, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LaboratoryQuantity {
+    /// R, radius of the cylinder.
+    Radius,
+    /// N, load per length of the cylinder.
+    Load,
+    /// E∞, modulus after a long time.
+    RelaxedModulus,
+    /// E₀ = (1 + f) E∞, modulus at once.
+    InstantaneousModulus,
+    /// ν, Poisson's ratio of the substrate.
+    PoissonRatio,
+    /// η, viscosity of the fluid.
+    Viscosity,
+    /// τ, retardation time of the substrate.
+    RetardationTime,
+    /// V, speed of the cylinder.
+    Speed,
+}
+
+impl LaboratoryQuantity {
+    /// All, in the order in which results have them: the speed, along which chains run, is the last.
+    pub const ALL: [Self; 8] = [
+        Self::Radius,
+        Self::Load,
+        Self::RelaxedModulus,
+        Self::InstantaneousModulus,
+        Self::PoissonRatio,
+        Self::Viscosity,
+        Self::RetardationTime,
+        Self::Speed,
+    ];
+
+    /// Name in sweep files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Radius => "radius",
+            Self::Load => "load",
+            Self::RelaxedModulus => "relaxed_modulus",
+            Self::InstantaneousModulus => "instantaneous_modulus",
+            Self::PoissonRatio => "poisson_ratio",
+            Self::Viscosity => "viscosity",
+            Self::RetardationTime => "retardation_time",
+            Self::Speed => "speed",
+        }
+    }
+
+    /// The quantity of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
+    }
+
+    /// SI unit.
+    pub fn units(self) -> &'static str {
+        match self {
+            Self::Radius => "m",
+            Self::Load => "N/m",
+            Self::RelaxedModulus | Self::InstantaneousModulus => "Pa",
+            Self::PoissonRatio => "1",
+            Self::Viscosity => "Pa s",
+            Self::RetardationTime => "s",
+            Self::Speed => "m/s",
+        }
+    }
+
+    /// What it is, in words.
+    pub fn long_name(self) -> &'static str {
+        match self {
+            Self::Radius => "radius of the cylinder",
+            Self::Load => "load per length of the cylinder",
+            Self::RelaxedModulus => "relaxed modulus of the substrate",
+            Self::InstantaneousModulus => "instantaneous modulus of the substrate",
+            Self::PoissonRatio => "Poisson's ratio of the substrate",
+            Self::Viscosity => "viscosity of the fluid",
+            Self::RetardationTime => "retardation time of the substrate",
+            Self::Speed => "speed of the cylinder",
+        }
+    }
+}
+
+/// Which of the two moduli of a substrate is given, in Pa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Modulus {
+    /// E∞.
+    Relaxed(f64),
+    /// E₀ = (1 + f) E∞.
+    Instantaneous(f64),
+}
+
+/// An experiment: a cylinder, a fluid and a substrate, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Experiment {
+    /// R (m).
+    pub radius: f64,
+    /// N (N/m).
+    pub load: f64,
+    /// E∞ or E₀ (Pa).
+    pub modulus: Modulus,
+    /// ν.
+    pub poisson_ratio: f64,
+    /// η (Pa s).
+    pub viscosity: f64,
+    /// τ (s), the time that α is made of.
+    pub retardation_time: f64,
+    /// V (m/s).
+    pub speed: f64,
+    /// f = E₀/E∞ − 1.
+    pub f: f64,
+}
+
+/// The units of a dimensionless solution, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales {
+    /// a₀ (m), of x.
+    pub length: f64,
+    /// a₀²/R (m), of h, w and u.
+    pub height: f64,
+    /// 2N/(πa₀) (Pa), of p.
+    pub pressure: f64,
+    /// a₀/R, of friction coefficients.
+    pub friction: f64,
+}
+
+impl Scales {
+    /// Names of the data set's variables that hold the scales, with unit and description, in the order of [`Scales::values`].
+    pub const VARIABLES: [(&'static str, &'static str, &'static str); 4] = [
+        ("a0", "m", "half width of the relaxed dry contact, the unit of x"),
+        ("film_scale", "m", "a0^2/R, the scale of film thickness and displacement"),
+        ("pressure_scale", "Pa", "2N/(pi a0), the scale of the pressure"),
+        ("friction_scale", "1", "a0/R, the scale of friction coefficients"),
+    ];
+
+    /// The scales in the order of [`Scales::VARIABLES`].
+    pub fn values(&self) -> [f64; 4] {
+        [self.length, self.height, self.pressure, self.friction]
+    }
+
+    /// What a number in one of the units of dimensionless results is in SI units.
+    ///
+    /// # Panics
+    /// If there is no such unit.
+    pub fn factor(&self, units: &str) -> f64 {
+        match units {
+            "a0" => self.length,
+            "a0^2/R" => self.height,
+            "2N/(pi a0)" => self.pressure,
+            "a0/R" => self.friction,
+            "1" => 1.0,
+            other => panic!("{other} is no unit of results"),
+        }
+    }
+}
+
+/// The SI unit in place of a unit of dimensionless results.
+///
+/// # Panics
+/// If there is no such unit.
+pub fn si_units(units: &str) -> &'static str {
+    match units {
+        "a0" | "a0^2/R" => "m",
+        "2N/(pi a0)" => "Pa",
+        "a0/R" | "1" => "1",
+        other => panic!("{other} is no unit of results"),
+    }
+}
+
+/// By which power α, β and the friction scale a₀/R change with a quantity: d ln/d ln q.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Powers {
+    /// Of α (Eq. 13).
+    pub alpha: f64,
+    /// Of β (Eq. 14).
+    pub beta: f64,
+    /// Of a₀/R.
+    pub friction: f64,
+}
+
+impl Experiment {
+    /// E∞* = E∞/(1 − ν²) (Pa), the relaxed modulus in plane strain.
+    pub fn plane_strain_modulus(&self) -> f64 {
+        let relaxed = match self.modulus {
+            Modulus::Relaxed(modulus) => modulus,
+            Modulus::Instantaneous(modulus) => modulus / (1.0 + self.f),
+        };
+        relaxed / (1.0 - self.poisson_ratio * self.poisson_ratio)
+    }
+
+    /// a₀ = √(4NR/(πE∞*)) (m), half the width of the relaxed dry contact.
+    pub fn contact_length(&self) -> f64 {
+        (4.0 * self.load * self.radius / (PI * self.plane_strain_modulus())).sqrt()
+    }
+
+    /// α = a₀/(Vτ) (Eq. 13).
+    pub fn alpha(&self) -> f64 {
+        self.contact_length() / (self.speed * self.retardation_time)
+    }
+
+    /// β = E∞* a₀⁴/(12 η V R³) (Eq. 14).
+    pub fn beta(&self) -> f64 {
+        let slenderness = self.contact_length() / self.radius;
+        self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length() / (12.0 * self.viscosity * self.speed)
+    }
+
+    /// The units of its solution.
+    pub fn scales(&self) -> Scales {
+        let length = self.contact_length();
+        Scales {
+            length,
+            height: length * length / self.radius,
+            pressure: 2.0 * self.load / (PI * length),
+            friction: length / self.radius,
+        }
+    }
+
+    /// The value of a quantity; of the modulus that was not given, by way of f.
+    pub fn value(&self, quantity: LaboratoryQuantity) -> f64 {
+        match (quantity, self.modulus) {
+            (LaboratoryQuantity::Radius, _) => self.radius,
+            (LaboratoryQuantity::Load, _) => self.load,
+            (LaboratoryQuantity::RelaxedModulus, Modulus::Relaxed(modulus))
+            | (LaboratoryQuantity::InstantaneousModulus, Modulus::Instantaneous(modulus)) => modulus,
+            (LaboratoryQuantity::RelaxedModulus, Modulus::Instantaneous(modulus)) => modulus / (1.0 + self.f),
+            (LaboratoryQuantity::InstantaneousModulus, Modulus::Relaxed(modulus)) => modulus * (1.0 + self.f),
+            (LaboratoryQuantity::PoissonRatio, _) => self.poisson_ratio,
+            (LaboratoryQuantity::Viscosity, _) => self.viscosity,
+            (LaboratoryQuantity::RetardationTime, _) => self.retardation_time,
+            (LaboratoryQuantity::Speed, _) => self.speed,
+        }
+    }
+
+    /// The quantities that are given, in the order of [`LaboratoryQuantity::ALL`]: all but one of the moduli.
+    pub fn given(&self) -> impl Iterator<Item = LaboratoryQuantity> {
+        let other = match self.modulus {
+            Modulus::Relaxed(_) => LaboratoryQuantity::InstantaneousModulus,
+            Modulus::Instantaneous(_) => LaboratoryQuantity::RelaxedModulus,
+        };
+        LaboratoryQuantity::ALL.into_iter().filter(move |quantity| *quantity != other)
+    }
+
+    /// Gives a quantity another value; a modulus becomes the one that is given.
+    pub fn set(&mut self, quantity: LaboratoryQuantity, value: f64) {
+        match quantity {
+            LaboratoryQuantity::Radius => self.radius = value,
+            LaboratoryQuantity::Load => self.load = value,
+            LaboratoryQuantity::RelaxedModulus => self.modulus = Modulus::Relaxed(value),
+            LaboratoryQuantity::InstantaneousModulus => self.modulus = Modulus::Instantaneous(value),
+            LaboratoryQuantity::PoissonRatio => self.poisson_ratio = value,
+            LaboratoryQuantity::Viscosity => self.viscosity = value,
+            LaboratoryQuantity::RetardationTime => self.retardation_time = value,
+            LaboratoryQuantity::Speed => self.speed = value,
+        }
+    }
+
+    /// By which powers α, β and a₀/R change with a quantity, all others given as they are.
+    ///
+    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η V R).
+    pub fn powers(&self, quantity: LaboratoryQuantity) -> Powers {
+        let powers = |alpha, beta, friction| Powers { alpha, beta, friction };
+        match quantity {
+            LaboratoryQuantity::Radius => powers(0.5, -1.0, -0.5),
+            LaboratoryQuantity::Load => powers(0.5, 2.0, 0.5),
+            LaboratoryQuantity::RelaxedModulus | LaboratoryQuantity::InstantaneousModulus => {
+                Self::powers_of_modulus(1.0)
+            }
+            LaboratoryQuantity::PoissonRatio => {
+                let square = self.poisson_ratio * self.poisson_ratio;
+                Self::powers_of_modulus(2.0 * square / (1.0 - square))
+            }
+            LaboratoryQuantity::Viscosity => powers(0.0, -1.0, 0.0),
+            LaboratoryQuantity::RetardationTime => powers(-1.0, 0.0, 0.0),
+            LaboratoryQuantity::Speed => powers(-1.0, -1.0, 0.0),
+        }
+    }
+
+    /// The same with f: where the instantaneous modulus is given, the relaxed one falls as 1/(1 + f).
+    pub fn powers_of_strength(&self) -> Powers {
+        match self.modulus {
+            Modulus::Relaxed(_) => Self::powers_of_modulus(0.0),
+            Modulus::Instantaneous(_) => Self::powers_of_modulus(-self.f / (1.0 + self.f)),
+        }
+    }
+
+    /// The powers of something that E∞* grows with by the given power.
+    fn powers_of_modulus(power: f64) -> Powers {
+        Powers { alpha: -0.5 * power, beta: -power, friction: -0.5 * power }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The example of the paper: R = 2 mm, E∞* = 10⁵ Pa, η = 5.1 Pa s, N = 119 N/m, V = 1 mm/s gives β ≈ 1.9·10³.
+    const EXAMPLE: Experiment = Experiment {
+        radius: 2e-3,
+        load: 119.0,
+        modulus: Modulus::Relaxed(1e5),
+        poisson_ratio: 0.0,
+        viscosity: 5.1,
+        retardation_time: 0.1,
+        speed: 1e-3,
+        f: 10.0,
+    };
+
+    #[test]
+    fn the_example_of_the_paper_has_its_beta() {
+        // 4N²/(3π² E∞* η V R)
+        let expected = 4.0 * 119.0_f64.powi(2) / (3.0 * PI * PI * 1e5 * 5.1 * 1e-3 * 2e-3);
+        assert!((EXAMPLE.beta() / expected - 1.0).abs() < 1e-14);
+        assert!((EXAMPLE.beta() - 1.9e3).abs() < 0.05e3, "{}", EXAMPLE.beta());
+        assert!((EXAMPLE.contact_length() - 1.741e-3).abs() < 1e-6);
+        assert!((EXAMPLE.alpha() - 17.41).abs() < 0.01);
+    }
+
+    /// N² = (π/4) E∞* p₀² R, p₀ = 2N/(πa₀): Hertz.
+    #[test]
+    fn the_scale_of_the_pressure_is_that_of_hertz() {
+        let scales = EXAMPLE.scales();
+        let modulus = EXAMPLE.plane_strain_modulus();
+        assert!((scales.pressure - modulus * scales.friction / 2.0).abs() < 1e-9 * scales.pressure);
+        assert_eq!(scales.height, scales.length * scales.length / EXAMPLE.radius);
+    }
+
+    #[test]
+    fn every_column_has_a_unit_in_si() {
+        for column in stribeck_solver::COLUMNS {
+            assert!(EXAMPLE.scales().factor(column.units) > 0.0, "{}", si_units(column.units));
+        }
+    }
+
+    #[test]
+    fn both_moduli_give_the_same_experiment() {
+        for f in [0.0, 1.0, 100.0] {
+            let relaxed = Experiment { f, ..EXAMPLE };
+            let mut instantaneous = relaxed;
+            let value = relaxed.value(LaboratoryQuantity::InstantaneousModulus);
+            instantaneous.set(LaboratoryQuantity::InstantaneousModulus, value);
+            assert!((instantaneous.beta() / relaxed.beta() - 1.0).abs() < 1e-14);
+            assert!((instantaneous.value(LaboratoryQuantity::RelaxedModulus) - 1e5).abs() < 1e-9);
+        }
+    }
+
+    /// Powers against differences, for each quantity and for f.
+    #[test]
+    fn powers_are_logarithmic_derivatives() {
+        let logarithms = |experiment: &Experiment| {
+            [experiment.alpha().ln(), experiment.beta().ln(), experiment.scales().friction.ln()]
+        };
+        let compare = |powers: Powers, below: Experiment, above: Experiment, step: f64| {
+            let (low, high) = (logarithms(&below), logarithms(&above));
+            for (power, (low, high)) in
+                [powers.alpha, powers.beta, powers.friction].into_iter().zip(low.into_iter().zip(high))
+            {
+                assert!((power - (high - low) / step).abs() < 1e-8, "{power} {}", (high - low) / step);
+            }
+        };
+        let step: f64 = 1e-4;
+        for modulus in [Modulus::Relaxed(1e5), Modulus::Instantaneous(1e6)] {
+            let at = Experiment { modulus, poisson_ratio: 0.45, ..EXAMPLE };
+            for quantity in LaboratoryQuantity::ALL {
+                assert_eq!(LaboratoryQuantity::named(quantity.name()), Some(quantity));
+                let moved = |by: f64| {
+                    let mut other = at;
+                    other.set(quantity, at.value(quantity) * by.exp());
+                    other
+                };
+                compare(at.powers(quantity), moved(-0.5 * step), moved(0.5 * step), step);
+            }
+            let moved = |by: f64| Experiment { f: at.f * by.exp(), ..at };
+            compare(at.powers_of_strength(), moved(-0.5 * step), moved(0.5 * step), step);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! A material by its relaxation: what a step of strain leaves of the stress, and how it answers to oscillation.
+
+use super::{Material, MaterialError};
+use stribeck_solver::exact::{Line, Spectrum};
+use stribeck_solver::{Parameters, RetardationMode, Substrate};
+
+/// One relaxation term (a Maxwell element).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RelaxationTerm {
+    /// E_i, in Pa.
+    pub modulus: f64,
+    /// τ_i, in s.
+    pub time: f64,
+}
+
+/// E(t) = E∞ + Σ_i E_i e^{−t/τ_i} (T47), a generalized Maxwell solid ("Prony series").
+///
+/// All moduli may be those of another kind (shear, plane strain) if all are: with Poisson's ratio constant, f and the times are the
+/// same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relaxation {
+    pub(super) relaxed_modulus: f64,
+    pub(super) terms: Vec<RelaxationTerm>,
+}
+
+impl Relaxation {
+    /// The material with relaxed modulus E∞, in Pa, and these terms, in any order.
+    ///
+    /// # Errors
+    /// [`MaterialError`] if there is no term, or a modulus or time is not a number from 1e-50 to 1e50.
+    pub fn new(relaxed_modulus: f64, terms: Vec<RelaxationTerm>) -> Result<Self, MaterialError> {
+        let allowed = |value: f64| Parameters::MAGNITUDES.contains(&value);
+        if terms.is_empty() {
+            return Err(MaterialError::Empty);
+        }
+        if !allowed(relaxed_modulus) {
+            return Err(MaterialError::RelaxedModulus { value: relaxed_modulus });
+        }
+        for (i, &RelaxationTerm { modulus, time }) in terms.iter().enumerate() {
+            if !allowed(modulus) {
+                return Err(MaterialError::Modulus { term: i + 1, value: modulus });
+            }
+            if !allowed(time) {
+                return Err(MaterialError::Time { term: i + 1, value: time });
+            }
+        }
+        Ok(Self { relaxed_modulus, terms })
+    }
+
+    /// E∞, in Pa.
+    pub fn relaxed_modulus(&self) -> f64 {
+        self.relaxed_modulus
+    }
+
+    /// The terms, in the order they were given in.
+    pub fn terms(&self) -> &[RelaxationTerm] {
+        &self.terms
+    }
+
+    /// E₀ = E∞ + Σ E_i, in Pa.
+    pub fn instantaneous_modulus(&self) -> f64 {
+        self.relaxed_modulus + self.terms.iter().map(|term| term.modulus).sum::<f64>()
+    }
+
+    /// (E′, E″) in Pa at the angular frequency ω in rad/s (T47).
+    pub fn storage_and_loss(&self, omega: f64) -> (f64, f64) {
+        let start = (self.relaxed_modulus, 0.0);
+        self.terms.iter().fold(start, |(storage, loss), term| {
+            let (stored, lost) = term.response(omega);
+            (storage + term.modulus * stored, loss + term.modulus * lost)
+        })
+    }
+
+    /// The same material by its creep (T40), (T41).
+    pub fn material(&self) -> Material {
+        let line = |term: &RelaxationTerm| Line { strength: term.modulus / self.relaxed_modulus, place: term.time };
+        let spectrum = Spectrum::new(self.terms.iter().map(line));
+        let retardation = spectrum.conjugate().spectrum;
+        // Their own sum, so that the shares add up to 1.
+        let f = retardation.total();
+        let shares = || retardation.lines().iter().map(|line| (line.strength / f, line.place));
+        let retardation_time = shares().map(|(share, time)| share * time).sum();
+        let modes = shares().map(|(share, time)| RetardationMode { share, time: time / retardation_time });
+        let substrate = Substrate::new(modes.collect()).expect("positive shares of a sum, positive times");
+        Material { relaxed_modulus: self.relaxed_modulus, f, retardation_time, substrate }
+    }
+}
+
+impl RelaxationTerm {
+    /// Storage and loss modulus over E_i: x²/(1 + x²) and x/(1 + x²) with x = ωτ_i, written so that no x² overflows.
+    pub(super) fn response(&self, omega: f64) -> (f64, f64) {
+        let x = omega * self.time;
+        (x / (x + 1.0 / x), 1.0 / (x + 1.0 / x))
+    }
+}

@@ -1,0 +1,3 @@
+//! Laws of materials, units and fits: one module a subject.
+
+mod material;

@@ -1,0 +1,151 @@
+//! Fits to moduli that are known.
+
+use std::fs;
+
+use proptest::prelude::*;
+use stribeck_lab::material::{Fit, FitError, MOST_TERMS, Measurements, Relaxation, RelaxationTerm};
+use tempfile::tempdir;
+
+/// The table of a material at these angular frequencies.
+fn table(relaxation: &Relaxation, omegas: impl IntoIterator<Item = f64>) -> String {
+    let mut text = "omega,storage,loss\n".to_owned();
+    for omega in omegas {
+        let (storage, loss) = relaxation.storage_and_loss(omega);
+        text += &format!("{omega:?},{storage:?},{loss:?}\n");
+    }
+    text
+}
+
+fn measurements(text: &str) -> Measurements {
+    let directory = tempdir().expect("a temporary directory");
+    let file = directory.path().join("data.csv");
+    fs::write(&file, text).expect("written");
+    Measurements::read(&file).expect("a table")
+}
+
+/// Angular frequencies over these decades, ten in each.
+fn decades(from: i32, to: i32) -> impl Iterator<Item = f64> {
+    (10 * from..=10 * to).map(|tenth| 10_f64.powf(f64::from(tenth) / 10.0))
+}
+
+fn solid(relaxed_modulus: f64, terms: &[(f64, f64)]) -> Relaxation {
+    let terms = terms.iter().map(|&(modulus, time)| RelaxationTerm { modulus, time }).collect();
+    Relaxation::new(relaxed_modulus, terms).expect("a material")
+}
+
+/// Offered its own times, a fit finds the material and drops the others.
+#[test]
+fn a_material_is_found_again() {
+    let material = solid(1e6, &[(3e8, 1e-3), (2e7, 1e-1), (5e5, 1e2)]);
+    let fit = Fit::new(&measurements(&table(&material, decades(-3, 4))), 8).expect("a fit");
+    assert!(fit.largest_residual < 1e-10 && fit.rms_residual <= fit.largest_residual, "{fit:?}");
+    assert!((fit.relaxation.relaxed_modulus() / 1e6 - 1.0).abs() < 1e-9);
+    for term in fit.relaxation.terms() {
+        let near = material.terms().iter().find(|exact| (term.time / exact.time - 1.0).abs() < 1e-9);
+        match near {
+            Some(exact) => assert!((term.modulus / exact.modulus - 1.0).abs() < 1e-9, "{term:?}"),
+            None => assert!(term.modulus < 1e-3, "{term:?} is of rounding"),
+        }
+    }
+}
+
+/// Times between those offered are made up by their neighbours, the better the closer these are.
+#[test]
+fn more_terms_fit_better() {
+    let material = solid(2e6, &[(1e8, 3e-4), (4e7, 0.07), (3e6, 20.0)]);
+    let measurements = measurements(&table(&material, decades(-3, 5)));
+    let residuals = [5, 9, 17, 33].map(|terms| Fit::new(&measurements, terms).expect("a fit").rms_residual);
+    assert!(residuals[3] < 0.02 && residuals.windows(2).all(|pair| pair[1] < 0.7 * pair[0]), "{residuals:?}");
+}
+
+/// The residual is what is minimized: no change of a modulus makes it smaller.
+#[test]
+fn no_neighbour_is_better() {
+    let material = solid(2e6, &[(1e8, 3e-4), (4e7, 0.07), (3e6, 20.0)]);
+    let measurements = measurements(&table(&material, decades(-3, 5)));
+    let fit = Fit::new(&measurements, 7).expect("a fit");
+    let residual = |relaxation: &Relaxation| -> f64 {
+        let square = |row: &stribeck_lab::material::Measurement| {
+            let (storage, loss) = relaxation.storage_and_loss(row.omega);
+            ((storage - row.storage).powi(2) + (loss - row.loss).powi(2)) / (row.storage.powi(2) + row.loss.powi(2))
+        };
+        let rows = measurements.rows();
+        (rows.iter().map(square).sum::<f64>() / rows.len() as f64).sqrt()
+    };
+    assert!((residual(&fit.relaxation) / fit.rms_residual - 1.0).abs() < 1e-12);
+    let (relaxed_modulus, terms) = (fit.relaxation.relaxed_modulus(), fit.relaxation.terms());
+    for factor in [0.999, 1.001] {
+        assert!(
+            residual(&solid(
+                relaxed_modulus * factor,
+                &terms.iter().map(|term| (term.modulus, term.time)).collect::<Vec<_>>()
+            )) > fit.rms_residual
+        );
+        for i in 0..terms.len() {
+            let changed = |(j, term): (usize, &RelaxationTerm)| {
+                (if i == j { factor * term.modulus } else { term.modulus }, term.time)
+            };
+            let changed: Vec<_> = terms.iter().enumerate().map(changed).collect();
+            assert!(residual(&solid(relaxed_modulus, &changed)) > fit.rms_residual, "term {i}");
+        }
+    }
+}
+
+#[test]
+fn frequencies_and_order_of_columns_and_rows_are_free() {
+    let material = solid(1e6, &[(3e8, 1e-3), (2e7, 1e-1)]);
+    let plain = table(&material, decades(-2, 4));
+    let mut rows: Vec<&str> = plain.lines().skip(1).collect();
+    rows.reverse();
+    let columns = |row: &&str| {
+        let numbers: Vec<&str> = row.split(',').collect();
+        let omega: f64 = numbers[0].parse().expect("a number");
+        format!("{} , {:?},{}\r\n", numbers[2], omega / std::f64::consts::TAU, numbers[1])
+    };
+    let other = format!("\u{feff}loss, frequency,storage\r\n\n{}", rows.iter().map(columns).collect::<String>());
+    let (plain, other) = (measurements(&plain), measurements(&other));
+    for (a, b) in plain.rows().iter().zip(other.rows()) {
+        assert!((a.omega / b.omega - 1.0).abs() < 1e-15);
+        assert_eq!((a.storage, a.loss), (b.storage, b.loss));
+    }
+    assert_eq!(plain.rows().len(), other.rows().len());
+}
+
+#[test]
+fn what_no_material_fits_is_told() {
+    let rows = measurements("omega,storage,loss\n1,100,10\n2,110,12\n");
+    for (terms, error) in [
+        (0, FitError::Terms { terms: 0 }),
+        (4, FitError::TooFewRows { terms: 4, rows: 2 }),
+        (101, FitError::Terms { terms: 101 }),
+    ] {
+        assert_eq!(Fit::new(&rows, terms), Err(error));
+    }
+    assert_eq!(MOST_TERMS, 100);
+    assert!(Fit::new(&rows, 3).is_ok());
+    // A Maxwell liquid: E″ falls in proportion to ω, E′ to its square.
+    let liquid: String = decades(-3, 0).map(|omega| format!("{omega:?},{:?},{omega:?}\n", omega * omega)).collect();
+    assert_eq!(Fit::new(&measurements(&format!("omega,storage,loss\n{liquid}")), 6), Err(FitError::Liquid));
+    let elastic = measurements("omega,storage,loss\n1,100,0\n10,100,0\n100,100,0\n");
+    assert_eq!(Fit::new(&elastic, 3), Err(FitError::Elastic));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    /// Noise, few rows, many terms: a fit ends, with a material or a reason.
+    #[test]
+    fn any_table_has_an_answer(
+        rows in prop::collection::vec((-3.0..6.0_f64, 3.0..9.0_f64, 0.0..9.0_f64), 2..40),
+        terms in 1..40_usize,
+    ) {
+        let text: String = rows.iter().map(|(omega, storage, loss)| {
+            format!("{:?},{:?},{:?}\n", 10_f64.powf(*omega), 10_f64.powf(*storage), 10_f64.powf(*loss))
+        }).collect();
+        if let Ok(fit) = Fit::new(&measurements(&format!("omega,storage,loss\n{text}")), terms) {
+            prop_assert!(fit.rms_residual <= fit.largest_residual && fit.rms_residual <= 1.0);
+            prop_assert!(fit.relaxation.terms().len() <= terms);
+            prop_assert!(fit.relaxation.material().f > 0.0);
+        }
+    }
+}

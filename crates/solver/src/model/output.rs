@@ -1,0 +1,85 @@
+//! What a sweep wants to know of each case.
+
+use std::fmt;
+use std::sync::Arc;
+
+/// What fills the gap behind the outlet (θ in the cavity's part of F_h).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum CavityShear {
+    /// The gap is full of fluid: θ = 1 (Eq. 20 as printed).
+    #[default]
+    Full,
+    /// Streamers that keep the flow: θ = c/u.
+    Streamers,
+    /// No shear behind the outlet: θ = 0.
+    None,
+}
+
+impl fmt::Display for CavityShear {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            CavityShear::Full => "full",
+            CavityShear::Streamers => "streamers",
+            CavityShear::None => "none",
+        })
+    }
+}
+
+/// Which fields to evaluate. What is not asked for is not computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct FieldSelection {
+    /// p(x).
+    pub pressure: bool,
+    /// u(x).
+    pub film_thickness: bool,
+    /// w(x).
+    pub displacement: bool,
+}
+
+impl FieldSelection {
+    /// Every field.
+    pub const ALL: Self = Self { pressure: true, film_thickness: true, displacement: true };
+
+    /// True if no field is asked for.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// True if all that `other` asks for is here.
+    pub fn covers(&self, other: &Self) -> bool {
+        (self.pressure || !other.pressure)
+            && (self.film_thickness || !other.film_thickness)
+            && (self.displacement || !other.displacement)
+    }
+
+    /// Names of the fields selected, in the order in which they are stored.
+    pub fn names(&self) -> Vec<&'static str> {
+        let all =
+            [(self.pressure, "pressure"), (self.film_thickness, "film_thickness"), (self.displacement, "displacement")];
+        all.into_iter().filter(|(selected, _)| *selected).map(|(_, name)| name).collect()
+    }
+}
+
+/// What to evaluate once a case is solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// The fields wanted.
+    pub fields: FieldSelection,
+    /// Where the fields are wanted, ascending, in units of a₀.
+    pub x: Arc<[f64]>,
+    /// Whether the dry limit and the large-β approximation are wanted.
+    pub limits: bool,
+    /// What fills the gap behind the outlet.
+    pub cavity_shear: CavityShear,
+    /// Whether the derivatives of friction with respect to α, β and f are wanted; only the collocation method has them.
+    pub sensitivities: bool,
+}
+
+impl Default for Output {
+    /// All fields at 601 points from −3 to 3, limits, a full cavity, no sensitivities.
+    fn default() -> Self {
+        let x = (0..=600).map(|i| f64::from(i - 300) / 100.0).collect();
+        Self { fields: FieldSelection::ALL, x, limits: true, cavity_shear: CavityShear::Full, sensitivities: false }
+    }
+}

@@ -1,0 +1,94 @@
+//! Settings of the relaxation solver.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use crate::model::shortest;
+
+/// Where the uniform grid lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Domain {
+    /// On the dry contact of each case: from x_trail − 2ā to x_lead + 3ā.
+    #[default]
+    Auto,
+    /// The same [x_min, x_max] for every case.
+    Fixed {
+        /// Left end, behind the outlet.
+        x_min: f64,
+        /// Right end, ahead of the inlet.
+        x_max: f64,
+    },
+}
+
+impl Domain {
+    /// How far a fixed domain may reach to either side, in units of a₀; the contact lies within ±1.
+    pub const ENDS: RangeInclusive<f64> = -100.0..=100.0;
+}
+
+impl fmt::Display for Domain {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Domain::Auto => formatter.write_str("auto"),
+            Domain::Fixed { x_min, x_max } => write!(formatter, "[{}, {}]", shortest(*x_min), shortest(*x_max)),
+        }
+    }
+}
+
+/// What speeds the iteration up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+pub enum Acceleration {
+    /// Anderson acceleration of the map (p, h₀) → (p, h₀), with the plain iteration to fall back on.
+    #[default]
+    Anderson,
+    /// The paper's plain iteration.
+    None,
+}
+
+impl fmt::Display for Acceleration {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Acceleration::Anderson => "anderson",
+            Acceleration::None => "none",
+        })
+    }
+}
+
+/// Settings of the relaxation solver that change its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Settings {
+    /// Where the grid lies.
+    pub domain: Domain,
+    /// Grid points; odd, so that the grid of half as many intervals exists.
+    pub points: usize,
+    /// Residuals of the Reynolds equation and the load at which a case is converged.
+    pub tolerance: f64,
+    /// Acceleration of the iteration.
+    pub acceleration: Acceleration,
+    /// Whether Richardson's error estimate from the grid of half as many intervals is wanted.
+    pub estimate: bool,
+}
+
+impl Settings {
+    /// Grid points that make sense: enough for a film, few enough for a computer.
+    pub const POINTS: RangeInclusive<usize> = 51..=20_001;
+    /// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101 points
+    /// it is of no use.
+    pub const ESTIMATE_POINTS: usize = 201;
+    /// Tolerances that double precision can meet and that deserve the name.
+    pub const TOLERANCE: RangeInclusive<f64> = 1e-12..=1e-2;
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            domain: Domain::Auto,
+            points: 801,
+            tolerance: 1e-8,
+            acceleration: Acceleration::Anderson,
+            estimate: false,
+        }
+    }
+}

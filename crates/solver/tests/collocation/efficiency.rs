@@ -1,0 +1,35 @@
+//! What a fixed sweep costs, in counts and not in seconds: efficiency cannot be lost unseen.
+
+use stribeck_solver::Parameters;
+use stribeck_solver::continuation::Seed;
+
+use crate::collocation::cases::{numbers, outcomes, settings};
+
+/// The chains of `benches/collocation.rs`: f = 100, seven α, 20 β a decade, tolerance 1e-5. A bound is some percent above
+/// what was counted; who makes the method cheaper lowers it.
+#[test]
+fn a_fixed_sweep_costs_no_more_than_it_did() {
+    let (mut cases, mut predicted) = (0.0, 0.0);
+    let (mut iterations, mut factorisations, mut meshes, mut unknowns) = (0.0, 0.0, 0.0, 0.0);
+    for alpha in (-3..=3).map(|i| 10_f64.powi(i)) {
+        let beta = (0..=60).map(|i| 10_f64.powf(1.0 + f64::from(i) / 20.0));
+        let chain: Vec<Parameters> = beta.map(|beta| Parameters::new(alpha, beta, 100.0)).collect();
+        for case in outcomes(settings(1e-5), &chain, &numbers()) {
+            assert!(case.outcome.is_ok(), "{case:?}");
+            cases += 1.0;
+            predicted += f64::from(u8::from(case.seed == Seed::Predictor));
+            iterations += case.effort.iterations as f64;
+            factorisations += case.effort.factorisations as f64;
+            meshes += case.effort.meshes as f64;
+            unknowns += case.effort.unknowns as f64;
+        }
+    }
+    let counts = [iterations / cases, factorisations / cases, meshes / cases, unknowns / cases];
+    println!("iterations, factorisations, meshes and unknowns a case: {counts:.3?}");
+    // all but the first two of a chain come from the predictor
+    assert_eq!(cases - predicted, 14.0);
+    for (count, bound) in counts.into_iter().zip([3.0, 2.25, 0.3, 113.0]) {
+        assert!(count <= bound, "{counts:?}");
+        assert!(count > 0.8 * bound, "cheaper than it was: lower the bounds: {counts:?}");
+    }
+}

@@ -1,0 +1,7 @@
+//! Laws of the solvers: one module a subject.
+
+mod collocation;
+mod continuation;
+mod exact;
+mod kernel;
+mod relaxation;

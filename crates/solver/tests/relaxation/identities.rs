@@ -1,0 +1,161 @@
+//! What holds for any solution, computed from the published fields.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use stribeck_solver::continuation::Solution;
+use stribeck_solver::relaxation::{Domain, Settings};
+use stribeck_solver::{DisplacementKernel, Limits, Parameters, RetardationMode, Substrate};
+
+use crate::relaxation::cases::{
+    Ahead, Solved, chain, fields_at, grid, no_fields, on_any_grid, on_both_grids, on_grid, relative, settings,
+    solutions, uniform,
+};
+
+/// ∫ g dx over the grid by the trapezoidal rule.
+fn integral(x: &[f64], g: impl Fn(usize) -> f64) -> f64 {
+    (1..x.len()).map(|i| 0.5 * (g(i - 1) + g(i)) * (x[i] - x[i - 1])).sum()
+}
+
+/// The film at any point of the domain is the gap between cylinder and surface (T3).
+#[test]
+fn the_film_is_the_gap() {
+    for case in on_any_grid() {
+        let fields = case.film().iter().zip(case.displacement());
+        for ((u, w), x) in fields.zip(&case.x) {
+            let gap = case.quantities().separation + 0.5 * x * x - w;
+            assert!((u - gap).abs() < 1e-14 * (1.0 + x * x), "{:?} at {x}: {u} and {gap}", case.reference.parameters);
+        }
+    }
+}
+
+/// (T4) with the published pressure and what lies ahead of the grid: without it, 0.3 % is missing at β = 10.
+#[test]
+fn the_pressure_carries_the_load() {
+    for case in on_any_grid() {
+        let inside = integral(&case.x, |i| case.pressure()[i]);
+        let ahead: f64 = case.ahead().iter().map(|ahead| -ahead.weight * ahead.gradient * (ahead.x - case.end())).sum();
+        let error = ((inside + ahead) / FRAC_PI_2 - 1.0).abs();
+        let parameters = &case.reference.parameters;
+        assert!(error < 1e-6, "{parameters:?}: load off by {error:.1e}");
+        assert!(parameters.beta > 10.0 || (1.0 - inside / FRAC_PI_2) > 1e-3, "{parameters:?}");
+    }
+}
+
+/// (T2) between the points of the grid and with the fields as they are published, at places that have nothing to do with
+/// the grid: the error is that of the scheme, of second order.
+#[test]
+fn the_flow_is_conserved_between_the_points() {
+    for (alpha, beta, f) in [(1.0, 10.0, 0.0), (1.0, 100.0, 10.0), (10.0, 100.0, 100.0)] {
+        let parameters = Parameters::new(alpha, beta, f);
+        let domain = grid(&parameters, 2);
+        let worst = [401, 801].map(|points| {
+            let step = 1e-3 * (domain[1] - domain[0]);
+            let x: Vec<f64> = uniform(domain[0] + 3.0 * step, domain[1] - 3.0 * step, 2331);
+            let solution =
+                solutions(settings(points), std::slice::from_ref(&parameters), &fields_at(x.clone())).remove(0);
+            let (p, u) = (solution.fields.pressure.unwrap(), solution.fields.film_thickness.unwrap());
+            let quantities = solution.quantities;
+            // the interpolated pressure has a kink at the outlet
+            let inside = (1..x.len()).filter(|&i| x[i - 1] > quantities.x_outlet + 2.0 * 7.0 / 400.0);
+            let error = inside.map(|i| {
+                let film = 0.5 * (u[i] + u[i - 1]);
+                let flow = beta * (p[i] - p[i - 1]) / (x[i] - x[i - 1]) * film.powi(3) + film;
+                (flow - quantities.c).abs() / film
+            });
+            error.fold(0.0, f64::max)
+        });
+        assert!(worst[0] < 2e-2 && worst[1] < 0.5 * worst[0], "{parameters:?}: {worst:?}");
+    }
+}
+
+/// (T27): shear on the cylinder and pressure on it, against dissipation in the substrate and in the film. The two routes use
+/// different fields, so they agree within the error of the scheme alone.
+#[test]
+fn both_routes_to_the_drag_agree() {
+    let difference = |case: &Solved| {
+        let (p, u) = (case.pressure(), case.film());
+        let inside: f64 = (1..p.len()).map(|i| 0.5 * (p[i] - p[i - 1]) * (u[i] + u[i - 1])).sum();
+        let ahead: f64 = case.ahead().iter().map(|ahead| ahead.weight * ahead.gradient * ahead.film).sum();
+        let friction = &case.quantities().friction;
+        relative(friction.total() - 2.0 / PI * (inside + ahead), friction.drag)
+    };
+    for (coarse, fine) in on_both_grids() {
+        let case = &coarse.reference.parameters;
+        let (coarse, fine) = (difference(coarse), difference(fine));
+        assert!(coarse < 2e-3, "{case:?}: {coarse:.1e}");
+        assert!(fine < 0.35 * coarse + 2e-5, "{case:?}: {coarse:.1e}, then {fine:.1e}");
+    }
+}
+
+/// The drag is the shear on the cylinder and the moment of the load, with the moment from the published pressure.
+#[test]
+fn the_drag_is_shear_and_moment() {
+    for case in on_any_grid() {
+        let (quantities, x, end) = (case.quantities(), &case.x, case.end());
+        let inside = integral(x, |i| case.pressure()[i] * x[i]);
+        let moment = |ahead: &Ahead| -0.5 * ahead.weight * ahead.gradient * (ahead.x * ahead.x - end * end);
+        let moment = 2.0 / PI * (inside + case.ahead().iter().map(moment).sum::<f64>());
+        let error = (moment + quantities.friction.hydrodynamic() - quantities.friction.drag).abs();
+        assert!(error < 2e-5 * quantities.friction.drag, "{:?}: {error:.1e}", case.reference.parameters);
+        assert!((moment - quantities.centroid).abs() < 2e-5 * quantities.friction.drag);
+    }
+}
+
+/// F_v from the published pressure and displacement (Eq. 22), by central differences.
+#[test]
+fn friction_of_the_substrate_is_work_on_its_slope() {
+    for case in on_any_grid() {
+        let (p, w, last) = (case.pressure(), case.displacement(), case.x.len() - 1);
+        let inside: f64 = (1..last).map(|i| 0.5 * p[i] * (w[i + 1] - w[i - 1])).sum();
+        let half_cell = 0.5 * p[last] * (w[last] - w[last - 1]);
+        let separation = case.quantities().separation;
+        let rise = |ahead: &Ahead| separation + 0.5 * ahead.x * ahead.x - ahead.film - w[last];
+        let beyond: f64 = case.ahead().iter().map(|ahead| -ahead.weight * ahead.gradient * rise(ahead)).sum();
+        let friction = &case.quantities().friction;
+        let error = (2.0 / PI * (inside + half_cell + beyond) - friction.viscoelastic).abs();
+        assert!(error < 1e-6 * friction.total(), "{:?}: {error:.1e}", case.reference.parameters);
+    }
+}
+
+fn with_modes(alpha: f64, beta: f64, f: f64, modes: &[(f64, f64)]) -> Parameters {
+    let modes = modes.iter().map(|&(share, time)| RetardationMode { share, time }).collect();
+    Parameters { substrate: Substrate::new(modes).unwrap(), ..Parameters::new(alpha, beta, f) }
+}
+
+/// A mode and its two halves are the same material.
+#[test]
+fn a_mode_split_in_two_changes_nothing() {
+    for (alpha, beta, f) in [(1.0, 10.0, 10.0), (10.0, 100.0, 100.0)] {
+        let one = on_grid(401, &Parameters::new(alpha, beta, f)).1;
+        for shares in [[0.5, 0.5], [0.3, 0.7]] {
+            let two = with_modes(alpha, beta, f, &[(shares[0], 1.0), (shares[1], 1.0)]);
+            for x in [-3.0, -0.1, 0.0, 0.01, 2.0] {
+                let average = |parameters| DisplacementKernel::new(parameters).cell_average(x, 0.02);
+                assert!((average(&two) - average(&Parameters::new(alpha, beta, f))).abs() < 1e-13);
+            }
+            // what is left is where the iteration stops
+            let two = on_grid(401, &two).1;
+            let row = |solution: &Solution| solution.quantities.row(&solution.errors, &Limits::UNKNOWN);
+            for (one, two) in row(&one)[..9].iter().zip(&row(&two)[..9]) {
+                assert!((one - two).abs() <= 1e-7 * one.abs(), "{one} and {two}");
+            }
+        }
+    }
+}
+
+/// A mode whose share vanishes does not count, whatever its time.
+#[test]
+fn a_mode_without_a_share_does_not_count() {
+    // the automatic domain would follow the second mode
+    let domain = Domain::Fixed { x_min: -3.0, x_max: 4.0 };
+    let fixed = Settings { domain, ..settings(401) };
+    let one = solutions(fixed, &chain(1.0, 1.0, &[10.0]), &no_fields()).remove(0).quantities;
+    let mut last = f64::INFINITY;
+    for share in [1e-1, 1e-3, 1e-6] {
+        let two = [with_modes(1.0, 10.0, 1.0, &[(1.0 - share, 1.0), (share, 0.05)])];
+        let two = solutions(fixed, &two, &no_fields()).remove(0).quantities;
+        let difference = relative(two.friction.viscoelastic, one.friction.viscoelastic).max(relative(two.c, one.c));
+        assert!(difference < 3.0 * share + 1e-7 && difference < last, "share {share}: {difference:.1e}");
+        last = difference;
+    }
+}

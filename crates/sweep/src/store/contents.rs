@@ -1,0 +1,161 @@
+//! Which numbers of a case a shard holds, in a form that is cheap to compare.
+
+use stribeck_solver::{COLUMNS, FieldSelection, Fields, Output};
+
+/// What a shard holds beside the columns: fields, the x they are on, and whether limits and sensitivities were computed.
+///
+/// `cavity_shear` is not here: it changes the numbers, so it is part of the case's id.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Contents {
+    /// The fields stored.
+    pub fields: FieldSelection,
+    /// Hash of the bits of x; 0 without fields.
+    pub x: u64,
+    /// True if the limits beside the solution were computed.
+    pub limits: bool,
+    /// True if the sensitivities of friction were computed.
+    pub sensitivities: bool,
+    /// Hash of the names of the columns, which another version of the program may have others of.
+    pub columns: u64,
+}
+
+impl Contents {
+    /// What a shard holds that was written for `output`.
+    pub fn of(output: &Output) -> Self {
+        let x = if output.fields.is_empty() { 0 } else { x_key(&output.x) };
+        let &Output { fields, limits, sensitivities, .. } = output;
+        Self { fields, x, limits, sensitivities, columns: columns_key() }
+    }
+
+    /// True if a shard with these contents has all that `wanted` asks for; it may hold more.
+    pub fn covers(&self, wanted: &Self) -> bool {
+        self.lacks(wanted).is_empty()
+    }
+
+    /// What `wanted` asks for and a shard with these contents has not, in words.
+    pub fn lacks(&self, wanted: &Self) -> Vec<&'static str> {
+        let mut lacks = Vec::new();
+        if self.columns != wanted.columns {
+            lacks.push("the columns of this version of the program");
+        }
+        if !wanted.fields.is_empty() && !self.fields.is_empty() && self.x != wanted.x {
+            lacks.push("fields on this x");
+        } else {
+            lacks.extend(
+                places(wanted.fields).filter(|&place| !selected(&self.fields, place)).map(|place| FIELDS[place].name),
+            );
+        }
+        if wanted.limits && !self.limits {
+            lacks.push("limits");
+        }
+        if wanted.sensitivities && !self.sensitivities {
+            lacks.push("sensitivities");
+        }
+        lacks
+    }
+}
+
+/// The names of [`COLUMNS`], as a shard lists them.
+pub(super) fn column_names() -> String {
+    COLUMNS.map(|column| column.name).join(" ")
+}
+
+/// Hash of the names of the columns of this version.
+pub(super) fn columns_key() -> u64 {
+    first_eight(&blake3::hash(column_names().as_bytes()))
+}
+
+fn first_eight(hash: &blake3::Hash) -> u64 {
+    u64::from_le_bytes(*hash.as_bytes().first_chunk().expect("a BLAKE3 hash has 32 bytes"))
+}
+
+/// Hash of the bits of x, never 0.
+pub(super) fn x_key(x: &[f64]) -> u64 {
+    let mut hasher = blake3::Hasher::new();
+    for value in x {
+        hasher.update(&value.to_bits().to_le_bytes());
+    }
+    first_eight(&hasher.finalize()).max(1)
+}
+
+/// A field as the files name it.
+pub(super) struct FieldName {
+    pub name: &'static str,
+    pub units: &'static str,
+    pub long_name: &'static str,
+}
+
+/// The fields in the order of [`FieldSelection::names`].
+pub(super) const FIELDS: [FieldName; 3] = [
+    FieldName { name: "pressure", units: "2N/(pi a0)", long_name: "pressure in the film" },
+    FieldName { name: "film_thickness", units: "a0^2/R", long_name: "film thickness" },
+    FieldName { name: "displacement", units: "a0^2/R", long_name: "normal displacement of the surface" },
+];
+
+/// The field at a place in [`FIELDS`].
+pub(super) fn field(fields: &Fields, place: usize) -> Option<&Vec<f64>> {
+    [&fields.pressure, &fields.film_thickness, &fields.displacement][place].as_ref()
+}
+
+/// The same, to be filled.
+pub(super) fn field_mut(fields: &mut Fields, place: usize) -> &mut Option<Vec<f64>> {
+    match place {
+        0 => &mut fields.pressure,
+        1 => &mut fields.film_thickness,
+        _ => &mut fields.displacement,
+    }
+}
+
+/// Whether the field at a place in [`FIELDS`] is selected.
+pub(super) fn selected(selection: &FieldSelection, place: usize) -> bool {
+    [selection.pressure, selection.film_thickness, selection.displacement][place]
+}
+
+/// The places in [`FIELDS`] that are selected.
+pub(super) fn places(selection: FieldSelection) -> impl Iterator<Item = usize> {
+    (0..FIELDS.len()).filter(move |&place| selected(&selection, place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn more_covers_less_and_never_the_other_way() {
+        let all = Contents::of(&Output::default());
+        let none = Contents::of(&Output { fields: FieldSelection::default(), limits: false, ..Output::default() });
+        assert!(all.covers(&all) && all.covers(&none) && none.covers(&none));
+        assert!(!none.covers(&all));
+        let moved = Output { x: [0.0, 1.0].into(), ..Output::default() };
+        assert!(!all.covers(&Contents::of(&moved)), "fields on another x are other fields");
+        let without_limits = Contents { limits: false, ..all };
+        assert!(all.covers(&without_limits) && !without_limits.covers(&all));
+        let with_sensitivities = Contents { sensitivities: true, ..all };
+        assert!(with_sensitivities.covers(&all) && !all.covers(&with_sensitivities));
+        let other_columns = Contents { columns: all.columns ^ 1, ..all };
+        assert!(!all.covers(&other_columns) && !other_columns.covers(&all));
+    }
+
+    #[test]
+    fn what_is_lacking_is_named() {
+        let all = Contents::of(&Output::default());
+        let pressure = FieldSelection { pressure: true, ..FieldSelection::default() };
+        let modest = Contents::of(&Output { fields: pressure, limits: false, ..Output::default() });
+        assert_eq!(modest.lacks(&all), ["film_thickness", "displacement", "limits"]);
+        let more = Contents::of(&Output { sensitivities: true, ..Output::default() });
+        assert_eq!(all.lacks(&more), ["sensitivities"]);
+        let moved = Contents::of(&Output { x: [0.0, 1.0].into(), ..Output::default() });
+        assert_eq!(moved.lacks(&all), ["fields on this x"]);
+        assert_eq!(all.lacks(&all), [""; 0]);
+    }
+
+    #[test]
+    fn the_places_of_fields_agree_with_their_names() {
+        for bits in 0..8 {
+            let selection =
+                FieldSelection { pressure: bits & 1 != 0, film_thickness: bits & 2 != 0, displacement: bits & 4 != 0 };
+            let names: Vec<_> = places(selection).map(|place| FIELDS[place].name).collect();
+            assert_eq!(names, selection.names());
+        }
+    }
+}

@@ -1,0 +1,313 @@
+//! `results.h5` read back, for pictures and pages.
+
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+use hdf5::types::{FixedAscii, VarLenUnicode};
+use hdf5::{Dataset, Hyperslab, SliceOrIndex};
+
+use super::contents::FIELDS;
+use super::directory::{Directory, PUBLISHED};
+use super::hdf5_file::{get_text, open};
+use super::holdings::{Inspection, LogContent, fault, read_claims};
+use super::results::DIMENSIONS;
+use super::{Status, StoreError};
+use crate::Dimension;
+use stribeck_lab::LaboratoryQuantity;
+
+/// A published data set. Numbers are read when they are asked for, so that memory does not depend on the size of the fields.
+///
+/// A *place* is a point of the grid. Its indices are that of f, that of a row with this f, and that along the row: α and β in a
+/// dimensionless data set; over quantities of the laboratory those between f and the speed, taken together, and the speed.
+/// Places are counted in the order of the plan, the last index fastest.
+#[derive(Debug)]
+pub struct DataSet {
+    path: PathBuf,
+    file: hdf5::File,
+    directory: Directory,
+    /// Title of the sweep.
+    pub title: String,
+    /// The sweep file, whole.
+    pub sweep_text: String,
+    /// Version of the program that wrote the file.
+    pub version: String,
+    /// True if cases were stored after the file was published.
+    pub outdated: bool,
+    /// The dimensions but x, in their order: f, α and β, or f, quantities of the laboratory and the speed.
+    pub dimensions: Vec<Dimension>,
+    /// True if numbers are in SI units and quantities of the laboratory given.
+    pub laboratory: bool,
+    /// The quantities of the laboratory that are no dimension, by their names.
+    pub fixed: Vec<(String, f64)>,
+    /// Where the fields are given, ascending, over a₀; empty if there are none.
+    pub x: Vec<f64>,
+    /// Names of the fields that are there.
+    pub fields: Vec<&'static str>,
+}
+
+/// What a place of the grid cost, from `timings.csv`.
+#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+pub struct Cost {
+    /// Id of the case.
+    pub case: String,
+    /// Wall-clock time of the case on its thread.
+    pub seconds: f64,
+    /// Newton iterations or passes.
+    pub iterations: u64,
+    /// Matrix factorisations.
+    pub factorisations: u64,
+    /// Where the first guess came from.
+    pub seed: String,
+}
+
+impl DataSet {
+    /// Opens the data set of a results directory.
+    ///
+    /// Where the log is there, every byte is compared with its record before the HDF5 library sees it. A directory that has
+    /// only the published files, as they are passed on to others, is read as it is.
+    ///
+    /// # Errors
+    /// [`StoreError::Unpublished`] if nothing is published there, [`StoreError::Altered`] if it is not as it was written,
+    /// others if it cannot be read.
+    pub fn open(path: &Path) -> Result<Self, StoreError> {
+        let directory = Directory::new(path);
+        if !path.is_dir() {
+            return Err(StoreError::NotResults { path: path.to_owned(), what: "there is no such directory" });
+        }
+        let results = directory.published(PUBLISHED[0]);
+        if !results.exists() {
+            return Err(StoreError::Unpublished { path: path.to_owned(), sweep: directory.sweep() });
+        }
+        let mut outdated = false;
+        if directory.logs().is_dir() {
+            let LogContent { published, history, .. } = read_claims(&directory)?;
+            outdated = history.unpublished;
+            for record in published.iter().flat_map(|last| &last.files).filter(|record| record.file == PUBLISHED[0]) {
+                if let Some(what) = fault(&results, record, Inspection::Bytes)? {
+                    return Err(StoreError::Altered { path: results, what, sweep: directory.sweep() });
+                }
+            }
+        }
+        Self::read(&results, directory, outdated).map_err(StoreError::hdf5(&results, "read"))
+    }
+
+    fn read(path: &Path, directory: Directory, outdated: bool) -> hdf5::Result<Self> {
+        let file = open(path)?;
+        let axis = |name: &str| -> hdf5::Result<Vec<f64>> {
+            let values = file.dataset(name)?.read_raw::<f64>()?;
+            if values.is_empty() { Err(format!("its axis {name} is empty").into()) } else { Ok(values) }
+        };
+        let laboratory = file.attr_names()?.iter().any(|name| name == DIMENSIONS);
+        let names = if laboratory { get_text(&file, DIMENSIONS)? } else { "f alpha beta".to_owned() };
+        let dimension = |name: &str| -> hdf5::Result<Dimension> {
+            let (values, variable) = (axis(name)?, file.dataset(name)?);
+            let [units, long_name] = [get_text(&variable, "units")?, get_text(&variable, "long_name")?];
+            Ok(Dimension { name: name.to_owned(), units, long_name, values })
+        };
+        let dimensions: Vec<Dimension> = names.split_whitespace().map(dimension).collect::<hdf5::Result<_>>()?;
+        check_dimensions(&dimensions, laboratory)?;
+        let mut fixed = Vec::new();
+        if laboratory {
+            let is_dimension = |name: &str| dimensions.iter().any(|dimension| dimension.name == name);
+            let names = LaboratoryQuantity::ALL.map(LaboratoryQuantity::name).into_iter();
+            for name in names.filter(|name| !is_dimension(name) && file.link_exists(name)) {
+                fixed.push((name.to_owned(), file.dataset(name)?.read_scalar::<f64>()?));
+            }
+        }
+        let fields: Vec<&'static str> =
+            FIELDS.iter().map(|field| field.name).filter(|name| file.link_exists(name)).collect();
+        Ok(Self {
+            title: get_text(&file, "title")?,
+            sweep_text: get_text(&file, "sweep")?,
+            version: get_text(&file, "stribeck_version")?,
+            outdated,
+            dimensions,
+            laboratory,
+            fixed,
+            x: if fields.is_empty() { Vec::new() } else { axis("x")? },
+            fields,
+            path: path.to_owned(),
+            directory,
+            file,
+        })
+    }
+
+    /// The directory that was opened.
+    pub fn directory(&self) -> &Path {
+        self.directory.root()
+    }
+
+    /// Values of f, rows with each f, places along a row.
+    pub fn shape(&self) -> [usize; 3] {
+        let (last, before) = self.dimensions.split_last().expect("there are at least two dimensions");
+        [before[0].values.len(), before[1..].iter().map(|it| it.values.len()).product(), last.values.len()]
+    }
+
+    /// The place with these indices.
+    pub fn place(&self, [i_f, i_row, along]: [usize; 3]) -> usize {
+        let [_, rows, length] = self.shape();
+        (i_f * rows + i_row) * length + along
+    }
+
+    /// The indices of a place on all dimensions.
+    pub fn indices(&self, [i_f, i_row, along]: [usize; 3]) -> Vec<usize> {
+        let between = &self.dimensions[1..self.dimensions.len() - 1];
+        let mut rest = i_row;
+        let mut indices = vec![along];
+        for dimension in between.iter().rev() {
+            indices.push(rest % dimension.values.len());
+            rest /= dimension.values.len();
+        }
+        indices.push(i_f);
+        indices.reverse();
+        indices
+    }
+
+    /// f, α and β of every place, in SI data sets as they follow from the quantities there.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read.
+    pub fn numbers(&self) -> Result<Vec<[f64; 3]>, StoreError> {
+        let [strengths, rows, length] = self.shape();
+        let f = &self.dimensions[0].values;
+        if self.laboratory {
+            let (alpha, beta) = (self.column("alpha")?, self.column("beta")?);
+            return Ok((0..alpha.len()).map(|place| [f[place / (rows * length)], alpha[place], beta[place]]).collect());
+        }
+        let (alpha, beta) = (&self.dimensions[1].values, &self.dimensions[2].values);
+        let mut numbers = Vec::with_capacity(strengths * rows * length);
+        for f in f {
+            for alpha in alpha {
+                numbers.extend(beta.iter().map(|beta| [*f, *alpha, *beta]));
+            }
+        }
+        Ok(numbers)
+    }
+
+    /// The values of a column, one for each place; NaN where there is none.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file has no such column or cannot be read.
+    pub fn column(&self, name: &str) -> Result<Vec<f64>, StoreError> {
+        self.on_grid(name, |variable| variable.read_raw())
+    }
+
+    /// What became of each place.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read or has an unknown status.
+    pub fn statuses(&self) -> Result<Vec<Status>, StoreError> {
+        self.on_grid("status", |variable| {
+            let known = |code| {
+                Status::from_code(code)
+                    .ok_or_else(|| hdf5::Error::Internal(format!("it has the unknown status {code}")))
+            };
+            variable.read_raw::<i8>()?.into_iter().map(known).collect()
+        })
+    }
+
+    /// Why each place failed; empty where it converged.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read.
+    pub fn reasons(&self) -> Result<Vec<String>, StoreError> {
+        self.on_grid("reason", |variable| {
+            Ok(variable.read_raw::<VarLenUnicode>()?.iter().map(|reason| reason.as_str().to_owned()).collect())
+        })
+    }
+
+    /// The id of the case at each place.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read.
+    pub fn cases(&self) -> Result<Vec<String>, StoreError> {
+        self.on_grid("case", |variable| {
+            Ok(variable.read_raw::<FixedAscii<16>>()?.iter().map(|case| case.as_str().to_owned()).collect())
+        })
+    }
+
+    /// A field on [`DataSet::x`] at the indices of a place; NaN where the case failed.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file has no such field or cannot be read.
+    pub fn field(&self, name: &str, indices: [usize; 3]) -> Result<Vec<f64>, StoreError> {
+        let all = SliceOrIndex::SliceCount { start: 0, step: 1, count: self.x.len(), block: 1 };
+        let indices = self.indices(indices).into_iter().map(SliceOrIndex::Index);
+        let selection: Vec<SliceOrIndex> = indices.chain([all]).collect();
+        let values: Vec<f64> =
+            self.variable(name, |variable| Ok(variable.read_slice_1d(Hyperslab::from(selection))?.to_vec()))?;
+        self.expect_length(name, values.len(), self.x.len())?;
+        Ok(values)
+    }
+
+    /// What each place cost; `None` if `timings.csv` is not there.
+    ///
+    /// # Errors
+    /// [`StoreError`] if it is there and cannot be read, or is not of the cases of this data set.
+    pub fn costs(&self) -> Result<Option<Vec<Cost>>, StoreError> {
+        let path = self.directory.published(PUBLISHED[2]);
+        let file = match File::open(&path) {
+            Ok(file) => file,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => return Err(StoreError::file(&path, "open")(error)),
+        };
+        let altered = |what: String| StoreError::Altered { path: path.clone(), what, sweep: self.directory.sweep() };
+        let rows = csv::Reader::from_reader(file).into_deserialize().collect::<Result<Vec<Cost>, _>>();
+        let costs = rows.map_err(|error| altered(error.to_string()))?;
+        if !costs.iter().map(|cost| &cost.case).eq(&self.cases()?) {
+            return Err(altered("its cases are not those of results.h5".to_owned()));
+        }
+        Ok(Some(costs))
+    }
+
+    /// A variable with one value for each place. A file that was passed on without its log may be anyone's.
+    fn on_grid<T>(
+        &self,
+        name: &str,
+        read: impl FnOnce(&Dataset) -> hdf5::Result<Vec<T>>,
+    ) -> Result<Vec<T>, StoreError> {
+        let values = self.variable(name, read)?;
+        self.expect_length(name, values.len(), self.shape().iter().product())?;
+        Ok(values)
+    }
+
+    fn expect_length(&self, name: &str, found: usize, wanted: usize) -> Result<(), StoreError> {
+        if found == wanted {
+            return Ok(());
+        }
+        let what = format!("{name} has {found} values, its axes ask for {wanted}");
+        Err(StoreError::Altered { path: self.path.clone(), what, sweep: self.directory.sweep() })
+    }
+
+    fn variable<T>(&self, name: &str, read: impl FnOnce(&Dataset) -> hdf5::Result<T>) -> Result<T, StoreError> {
+        self.file.dataset(name).and_then(|variable| read(&variable)).map_err(StoreError::hdf5(&self.path, "read"))
+    }
+}
+
+/// Most places of a data set: more are none that this program has written.
+const MOST_PLACES: usize = 1_000_000_000;
+
+/// Checks that dimensions are some that this program writes: a file that was passed on may be anyone's.
+fn check_dimensions(dimensions: &[Dimension], laboratory: bool) -> hdf5::Result<()> {
+    let refuse = |what: String| Err(hdf5::Error::Internal(what));
+    if laboratory {
+        let is_quantity = |dimension: &Dimension| LaboratoryQuantity::named(&dimension.name).is_some();
+        let (first, rest) = (dimensions.first().map(|it| it.name.as_str()), dimensions.get(1..).unwrap_or_default());
+        let repeated = rest.iter().enumerate().any(|(i, one)| rest[..i].iter().any(|other| other.name == one.name));
+        let last = rest.last().map(|it| it.name.as_str());
+        if first != Some("f") || last != Some("speed") || repeated || !rest.iter().all(is_quantity) {
+            return refuse("its dimensions are not f, quantities of the laboratory and the speed".to_owned());
+        }
+    }
+    for Dimension { name, values, .. } in dimensions {
+        let ascends = values.is_sorted_by(|a, b| a < b) && values[0] >= 0.0;
+        if !ascends {
+            return refuse(format!("its axis {name} does not ascend from 0 or above"));
+        }
+    }
+    let places = dimensions.iter().try_fold(1_usize, |places, it| places.checked_mul(it.values.len()));
+    match places.filter(|places| *places <= MOST_PLACES) {
+        Some(_) => Ok(()),
+        None => refuse("its axes have more places than a sweep may have".to_owned()),
+    }
+}

@@ -1,0 +1,68 @@
+//! The results directory: what is done, and how it reaches the user. The only place that touches HDF5.
+//!
+//! ```text
+//! sweep.toml      the sweep file as it was run
+//! lock            held by the run that works here; the system lets go of it when the run dies
+//! log/            one file per start, a record per line with a checksum
+//! shards/         immutable HDF5 files, each with one or several chains
+//! results.h5      published: one labelled data set
+//! summary.csv     published: one row per place of the sweep
+//! timings.csv     published: what each case cost
+//! ```
+//!
+//! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. Chains are committed in this order: their
+//! shard is written under a temporary name, brought to the disk, renamed, the directory brought to the disk, and only
+//! then a record is appended to the log and brought to the disk. Whatever the moment at which a run is killed, all
+//! chains with a record are whole, and all others are solved again.
+//!
+//! The store knows no equations: it gets plain numbers in the order of [`stribeck_solver::COLUMNS`]. Every file, data set
+//! and column is described in `docs/output.md`.
+
+mod contents;
+mod damage;
+mod data_set;
+mod dimension_scales;
+mod directory;
+mod entry;
+mod error;
+mod hdf5_file;
+mod history;
+mod holdings;
+mod index;
+mod joining;
+mod log;
+mod open_shards;
+mod publication;
+mod reason;
+mod record;
+mod results;
+mod sensitivity_columns;
+mod shard;
+mod tables;
+mod verify;
+mod warning;
+mod writing;
+
+pub use contents::Contents;
+pub use data_set::{Cost, DataSet};
+pub use directory::holds_text;
+pub use directory::write_whole;
+pub use entry::{CaseEntry, Status, Timing};
+pub use error::StoreError;
+pub use history::{Beginning, History, Start};
+pub use holdings::{Counts, Holdings, Inspection, Origin};
+pub use joining::{Agreement, Joined};
+pub use publication::{Point, Publication, Published};
+pub use reason::kind_of_reason;
+pub use record::Ending;
+pub use verify::{Problem, VerifyReport, verify};
+pub use warning::Warning;
+pub use writing::Store;
+
+/// The program that writes, as it signs log and published files.
+const PROGRAM: &str = concat!("stribeck ", env!("CARGO_PKG_VERSION"));
+
+/// Seconds since 1970. A clock set before that counts as 1970: times are for people to read, nothing depends on them.
+fn clock() -> u64 {
+    std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map_or(0, |time| time.as_secs())
+}

@@ -1,0 +1,283 @@
+//! `results.h5`: one labelled data set in the style of netCDF-4.
+
+use std::ops::Range;
+use std::path::Path;
+
+use hdf5::types::VarLenUnicode;
+use hdf5::{Dataset, H5Type, Hyperslab, Result, SliceOrIndex};
+use ndarray::{Array2, arr0, aview1};
+
+use super::contents::{FIELDS, places};
+use super::dimension_scales::{attach, make_scale};
+use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
+use super::publication::{Place, Publication};
+use super::sensitivity_columns::SensitivityColumn;
+use super::shard::{CaseText, case_text};
+use super::{PROGRAM, Status};
+use crate::Dimension;
+use stribeck_lab::{Experiment, Scales, si_units};
+use stribeck_solver::{COLUMNS, Output};
+
+/// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f, alpha, beta.
+pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
+
+/// `results.h5` while it is written.
+pub(super) struct Results {
+    shape: Vec<usize>,
+    columns: Vec<Dataset>,
+    sensitivities: Vec<Dataset>,
+    laboratory: Option<LaboratoryVariables>,
+    case: Dataset,
+    status: Dataset,
+    reason: Dataset,
+    fields: [Option<Dataset>; FIELDS.len()],
+    file: NewFile,
+}
+
+/// What follows from the quantities of the laboratory at each place.
+struct LaboratoryVariables {
+    alpha: Dataset,
+    beta: Dataset,
+    /// As in [`Scales::VARIABLES`].
+    scales: Vec<Dataset>,
+}
+
+impl Results {
+    /// Lays the file out: coordinates, and every variable with its attributes and still without values. With an experiment
+    /// units are SI.
+    pub(super) fn create(
+        path: &Path,
+        publication: &Publication<'_>,
+        experiment: Option<&Experiment>,
+        more: &[SensitivityColumn],
+        output: &Output,
+    ) -> Result<Self> {
+        let mut file = NewFile::create(path)?;
+        file.set_text("Conventions", "CF-1.10")?;
+        file.set_text("title", publication.title)?;
+        file.set_text("history", &format!("{PROGRAM}: run sweep.toml"))?;
+        file.set_text(
+            "source",
+            "numerical solution of the lubricated sliding of a rigid cylinder on a viscoelastic half space",
+        )?;
+        file.set_text("sweep", publication.sweep_text)?;
+        file.set_text("stribeck_version", env!("CARGO_PKG_VERSION"))?;
+        let names: Vec<&str> = publication.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
+        if experiment.is_some() {
+            file.set_text(DIMENSIONS, &names.join(" "))?;
+        }
+
+        let mut layout = Layout { shape: publication.shape(), grid: Vec::new(), coordinates: None };
+        for Dimension { name, units, long_name, values } in publication.dimensions {
+            layout.grid.push(coordinate(&mut file, name, units, long_name, values)?);
+        }
+        let laboratory = experiment.map(|experiment| layout.laboratory(&mut file, experiment, &names)).transpose()?;
+        let units = |units: &'static str| if experiment.is_some() { si_units(units) } else { units };
+
+        let case = layout.variable::<CaseText>(&mut file, "case", None, "id of the case, as in summary.csv")?;
+        let status = layout.variable::<i8>(&mut file, "status", None, "what became of the case")?;
+        status.new_attr_builder().with_data(&Status::ALL.map(Status::code)).create("flag_values")?;
+        set_text(&status, "flag_meanings", &Status::ALL.map(Status::name).join(" "))?;
+        let why = "why the case failed; empty if it converged";
+        let reason = layout.variable::<VarLenUnicode>(&mut file, "reason", None, why)?;
+        let mut columns = Vec::with_capacity(COLUMNS.len());
+        for column in &COLUMNS {
+            columns.push(layout.number(&mut file, column.name, units(column.units), column.long_name)?);
+        }
+        let sensitivities = more
+            .iter()
+            .map(|column| layout.number(&mut file, &column.name, "1", &column.long_name))
+            .collect::<Result<Vec<_>>>()?;
+
+        let mut fields = [const { None }; FIELDS.len()];
+        if !output.fields.is_empty() {
+            let place = "position along the surface; the inlet is at x > 0";
+            layout.grid.push(coordinate(&mut file, "x", "a0", place, &output.x)?);
+        }
+        let shape: Vec<usize> = layout.shape.iter().copied().chain([output.x.len()]).collect();
+        let chunk: Vec<usize> = layout.shape.iter().map(|_| 1).chain([output.x.len()]).collect();
+        for place in places(output.fields) {
+            let field = file
+                .dataset()
+                .chunk(chunk.as_slice())
+                .shuffle()
+                .deflate(DEFLATE)
+                .fill_value(f64::NAN)
+                .empty::<f64>()
+                .shape(shape.as_slice())
+                .create(FIELDS[place].name)?;
+            let field = file.keep(field);
+            layout.describe(&field, Some(units(FIELDS[place].units)), FIELDS[place].long_name)?;
+            set_fill(&field)?;
+            fields[place] = Some(field);
+        }
+        Ok(Self { shape: layout.shape, columns, sensitivities, laboratory, case, status, reason, fields, file })
+    }
+
+    /// Writes all but the fields of neighbouring rows: those of a range of the last dimension but one, in a block of the
+    /// dimensions before it.
+    pub(super) fn rows(&mut self, block: usize, range: Range<usize>, places: &[Place]) -> Result<()> {
+        let write = Write { shape: &self.shape, block, range };
+        for (i, variable) in self.columns.iter().enumerate() {
+            write.to(variable, places.iter().map(|place| place.values[i]))?;
+        }
+        for (i, variable) in self.sensitivities.iter().enumerate() {
+            write.to(variable, places.iter().map(|place| place.sensitivities[i]))?;
+        }
+        if let Some(LaboratoryVariables { alpha, beta, scales }) = &self.laboratory {
+            write.to(alpha, places.iter().map(|place| place.point.numbers[1]))?;
+            write.to(beta, places.iter().map(|place| place.point.numbers[2]))?;
+            let values = |place: &Place| place.point.experiment.map_or([f64::NAN; 4], |it| it.scales().values());
+            for (i, variable) in scales.iter().enumerate() {
+                write.to(variable, places.iter().map(|place| values(place)[i]))?;
+            }
+        }
+        write.to(&self.case, places.iter().map(|place| case_text(place.point.case)))?;
+        write.to(&self.status, places.iter().map(|place| place.status.code()))?;
+        let reasons = places.iter().map(|place| text(&place.reason)).collect::<Result<Vec<_>>>()?;
+        write.to(&self.reason, reasons.into_iter())
+    }
+
+    /// Writes a field of one place, counted with the last dimension fastest. Where this is not called the field is NaN.
+    pub(super) fn field(&mut self, field: usize, place: usize, values: &[f64]) -> Result<()> {
+        let Some(variable) = &self.fields[field] else {
+            return Err(format!("{} is not part of this publication", FIELDS[field].name).into());
+        };
+        let indices = indices(&self.shape, place);
+        let selection: Vec<SliceOrIndex> =
+            indices.into_iter().map(SliceOrIndex::Index).chain([all(values.len())]).collect();
+        variable.write_slice(aview1(values), Hyperslab::from(selection))
+    }
+
+    /// Brings everything to the file.
+    pub(super) fn finish(self) -> Result<()> {
+        self.file.finish()
+    }
+}
+
+/// The dimensions of the variables, and what describes them beside.
+struct Layout {
+    shape: Vec<usize>,
+    /// The scales of the dimensions.
+    grid: Vec<Dataset>,
+    /// Names of further coordinates, as CF has them in an attribute.
+    coordinates: Option<String>,
+}
+
+impl Layout {
+    /// Lays out what belongs to the quantities of the laboratory: those that are no dimension as numbers, and α, β and the
+    /// scales at each place.
+    fn laboratory(
+        &mut self,
+        file: &mut NewFile,
+        experiment: &Experiment,
+        dimensions: &[&str],
+    ) -> Result<LaboratoryVariables> {
+        let mut names: Vec<&str> = vec!["alpha", "beta"];
+        for quantity in experiment.given().filter(|quantity| !dimensions.contains(&quantity.name())) {
+            let number = file.write(quantity.name(), &arr0(experiment.value(quantity)))?;
+            set_text(&number, "units", quantity.units())?;
+            set_text(&number, "long_name", quantity.long_name())?;
+            names.push(quantity.name());
+        }
+        let alpha = self.number(file, "alpha", "1", "slide time over a contact length / retardation time")?;
+        let beta = self.number(file, "beta", "1", "inverse Hersey number")?;
+        let mut scales = Vec::new();
+        for (name, units, long_name) in Scales::VARIABLES {
+            scales.push(self.number(file, name, units, long_name)?);
+            names.push(name);
+        }
+        self.coordinates = Some(names.join(" "));
+        Ok(LaboratoryVariables { alpha, beta, scales })
+    }
+
+    /// A variable of numbers on the grid, NaN where none is written.
+    fn number(&self, file: &mut NewFile, name: &str, units: &str, long_name: &str) -> Result<Dataset> {
+        let variable = file.dataset().fill_value(f64::NAN).empty::<f64>().shape(self.shape.as_slice()).create(name)?;
+        let variable = file.keep(variable);
+        self.describe(&variable, Some(units), long_name)?;
+        set_fill(&variable)?;
+        Ok(variable)
+    }
+
+    /// A variable on the grid.
+    fn variable<T: H5Type>(
+        &self,
+        file: &mut NewFile,
+        name: &str,
+        units: Option<&str>,
+        long_name: &str,
+    ) -> Result<Dataset> {
+        let variable = file.keep(file.dataset().empty::<T>().shape(self.shape.as_slice()).create(name)?);
+        self.describe(&variable, units, long_name)?;
+        Ok(variable)
+    }
+
+    /// Gives a variable its attributes, and each of its dimensions the coordinate that belongs to it.
+    fn describe(&self, variable: &Dataset, units: Option<&str>, long_name: &str) -> Result<()> {
+        for (dimension, scale) in (0..).zip(&self.grid) {
+            attach(variable, scale, dimension)?;
+        }
+        if let Some(units) = units {
+            set_text(variable, "units", units)?;
+        }
+        if let Some(coordinates) = &self.coordinates {
+            set_text(variable, "coordinates", coordinates)?;
+        }
+        set_text(variable, "long_name", long_name)
+    }
+}
+
+/// Neighbouring rows of a grid.
+struct Write<'a> {
+    shape: &'a [usize],
+    block: usize,
+    range: Range<usize>,
+}
+
+impl Write<'_> {
+    /// Writes one value for each place.
+    fn to<T: H5Type>(&self, variable: &Dataset, values: impl Iterator<Item = T>) -> Result<()> {
+        let Self { shape, block, range } = self;
+        let (outer, inner) = shape.split_at(shape.len() - 2);
+        let rows = SliceOrIndex::SliceCount { start: range.start, step: 1, count: range.len(), block: 1 };
+        let selection = indices(outer, *block).into_iter().map(SliceOrIndex::Index).chain([rows, all(inner[1])]);
+        let values = Array2::from_shape_vec((range.len(), inner[1]), values.collect())?;
+        variable.write_slice(&values, Hyperslab::from(selection.collect::<Vec<_>>()))
+    }
+}
+
+/// All of a dimension with so many values.
+fn all(length: usize) -> SliceOrIndex {
+    SliceOrIndex::SliceCount { start: 0, step: 1, count: length, block: 1 }
+}
+
+/// The indices of a place, counted with the last dimension fastest.
+fn indices(shape: &[usize], place: usize) -> Vec<usize> {
+    let mut rest = place;
+    let mut indices: Vec<usize> = shape
+        .iter()
+        .rev()
+        .map(|length| {
+            let index = rest % length;
+            rest /= length;
+            index
+        })
+        .collect();
+    indices.reverse();
+    indices
+}
+
+/// A coordinate: a one-dimensional variable that is the scale of the dimension of its name.
+fn coordinate(file: &mut NewFile, name: &str, units: &str, long_name: &str, values: &[f64]) -> Result<Dataset> {
+    let scale = file.write(name, values)?;
+    make_scale(&scale, name)?;
+    set_text(&scale, "units", units)?;
+    set_text(&scale, "long_name", long_name)?;
+    Ok(scale)
+}
+
+/// NaN as the netCDF fill value; the HDF5 fill value of the data set says the same.
+fn set_fill(variable: &Dataset) -> Result<()> {
+    variable.new_attr_builder().with_data(&[f64::NAN]).create("_FillValue").map(drop)
+}

@@ -1,0 +1,132 @@
+//! The columns of published sensitivities: d ln μ/d ln q for each input q of a case.
+
+use stribeck_lab::{Experiment, LaboratoryQuantity, Powers};
+use stribeck_solver::Sensitivities;
+
+/// The friction coefficients that have sensitivities.
+const FRICTION: [&str; 3] = ["mu_v", "mu_h", "mu_tot"];
+
+/// An input of a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Input {
+    Alpha,
+    Beta,
+    Strength,
+    Quantity(LaboratoryQuantity),
+}
+
+impl Input {
+    /// Those of a dimensionless case, or of one over quantities of the laboratory.
+    fn all(experiment: Option<&Experiment>) -> Vec<Self> {
+        match experiment {
+            None => vec![Self::Alpha, Self::Beta, Self::Strength],
+            Some(experiment) => std::iter::once(Self::Strength).chain(experiment.given().map(Self::Quantity)).collect(),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Alpha => "alpha",
+            Self::Beta => "beta",
+            Self::Strength => "f",
+            Self::Quantity(quantity) => quantity.name(),
+        }
+    }
+
+    /// By which powers α, β and the scale of friction change with it.
+    fn powers(self, experiment: Option<&Experiment>) -> Powers {
+        let alone = |alpha, beta| Powers { alpha, beta, friction: 0.0 };
+        match (self, experiment) {
+            (Self::Alpha, _) => alone(1.0, 0.0),
+            (Self::Beta, _) => alone(0.0, 1.0),
+            (Self::Strength, Some(experiment)) => experiment.powers_of_strength(),
+            (Self::Quantity(quantity), Some(experiment)) => experiment.powers(quantity),
+            (Self::Strength | Self::Quantity(_), None) => alone(0.0, 0.0),
+        }
+    }
+}
+
+/// A published column.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SensitivityColumn {
+    pub(super) name: String,
+    pub(super) long_name: String,
+}
+
+/// The columns of a sweep, those of one friction coefficient together.
+pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<SensitivityColumn> {
+    let inputs = Input::all(experiment);
+    let column = |mu: &str, input: &Input| SensitivityColumn {
+        name: format!("dln_{mu}_dln_{}", input.name()),
+        long_name: format!("relative change of {mu} over that of {}", input.name()),
+    };
+    FRICTION.iter().flat_map(|mu| inputs.iter().map(|input| column(mu, input)).collect::<Vec<_>>()).collect()
+}
+
+/// Their values for a case with these μ_v and μ_h over a₀/R; NaN without sensitivities, and where μ = 0.
+pub(super) fn values(
+    sensitivities: Option<&Sensitivities>,
+    [mu_v, mu_h]: [f64; 2],
+    experiment: Option<&Experiment>,
+) -> Vec<f64> {
+    let inputs = Input::all(experiment);
+    let Some(sensitivities) = sensitivities else { return vec![f64::NAN; FRICTION.len() * inputs.len()] };
+    let relative = |[with_alpha, with_beta, with_f]: [f64; 3], input: &Input| {
+        let powers = input.powers(experiment);
+        let own = if *input == Input::Strength { with_f } else { 0.0 };
+        with_alpha * powers.alpha + with_beta * powers.beta + own + powers.friction
+    };
+    let rows = sensitivities.logarithmic(mu_v, mu_h);
+    rows.iter().flat_map(|row| inputs.iter().map(|input| relative(*row, input)).collect::<Vec<_>>()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stribeck_lab::Modulus;
+
+    /// Twice the viscosity at half the speed is the same film at another α.
+    #[test]
+    fn speed_is_viscosity_and_retardation_time_together() {
+        let experiment = Experiment {
+            radius: 2e-3,
+            load: 100.0,
+            modulus: Modulus::Instantaneous(1e6),
+            poisson_ratio: 0.3,
+            viscosity: 1.0,
+            retardation_time: 0.1,
+            speed: 0.01,
+            f: 3.0,
+        };
+        let sensitivities = Sensitivities { viscoelastic: [0.1, 0.2, 0.3], hydrodynamic: [0.4, -0.5, 0.6] };
+        let names: Vec<String> = columns(Some(&experiment)).into_iter().map(|column| column.name).collect();
+        let values = values(Some(&sensitivities), [0.5, 0.25], Some(&experiment));
+        assert_eq!(names.len(), values.len());
+        let of = |mu: &str, input: &str| {
+            values[names.iter().position(|name| *name == format!("dln_{mu}_dln_{input}")).expect(input)]
+        };
+        for mu in FRICTION {
+            assert!((of(mu, "speed") - of(mu, "viscosity") - of(mu, "retardation_time")).abs() < 1e-15);
+        }
+        // dimensional analysis: nothing changes where all units of length change, or of mass, or of time
+        for mu in FRICTION {
+            let length = of(mu, "radius") - of(mu, "instantaneous_modulus") - of(mu, "viscosity") + of(mu, "speed");
+            let mass = of(mu, "load") + of(mu, "instantaneous_modulus") + of(mu, "viscosity");
+            let time = -2.0 * of(mu, "load") - 2.0 * of(mu, "instantaneous_modulus") - of(mu, "viscosity")
+                + of(mu, "retardation_time")
+                - of(mu, "speed");
+            assert!(length.abs() < 1e-14 && mass.abs() < 1e-14 && time.abs() < 1e-14, "{mu} {length} {mass} {time}");
+        }
+        assert!((of("mu_v", "viscosity") + 0.4).abs() < 1e-15);
+    }
+
+    #[test]
+    fn dimensionless_cases_have_their_own_derivatives() {
+        let sensitivities = Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.4, -0.5, 0.6] };
+        let values = values(Some(&sensitivities), [0.0, 0.5], None);
+        assert!(values[..3].iter().all(|value| value.is_nan()), "mu_v is 0");
+        assert_eq!(values[3..], [0.8, -1.0, 1.2, 0.8, -1.0, 1.2]);
+        assert_eq!(columns(None)[8].name, "dln_mu_tot_dln_f");
+        assert!(super::values(None, [1.0, 1.0], None).iter().all(|value| value.is_nan()));
+    }
+}

@@ -1,0 +1,196 @@
+//! A shard: the cases that were committed together, in one immutable HDF5 file.
+
+use std::path::{Path, PathBuf};
+
+use hdf5::types::{FixedAscii, VarLenUnicode};
+use hdf5::{Dataset, Result};
+use ndarray::{Array2, ArrayView2, s};
+
+use super::contents::{FIELDS, column_names, field, field_mut, places, x_key};
+use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
+use super::{CaseEntry, Contents, Status, StoreError};
+use crate::CaseId;
+use stribeck_solver::{COLUMNS, Fields, Sensitivities};
+
+/// A case id in an HDF5 file: 16 characters.
+pub(super) type CaseText = FixedAscii<16>;
+
+/// Numbers of the sensitivities of a case.
+const SENSITIVITIES: usize = Sensitivities::COLUMNS.len();
+
+/// The characters of a case id.
+pub(super) fn case_text(id: CaseId) -> CaseText {
+    CaseText::from_ascii(&id.to_string()).expect("a case id is 16 hexadecimal digits")
+}
+
+/// Hexadecimal digits in the name of a shard.
+pub(super) const SHARD_DIGITS: usize = 32;
+
+/// Name of the file of these cases: the same whenever the same cases are committed together for the same output.
+pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents) -> String {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(b"stribeck shard 1");
+    hasher.update(contents.fields.names().join(" ").as_bytes());
+    hasher.update(&contents.x.to_le_bytes());
+    hasher.update(&[u8::from(contents.limits)]);
+    if contents.sensitivities {
+        hasher.update(b"sensitivities");
+    }
+    for id in ids {
+        hasher.update(&id.0.to_le_bytes());
+    }
+    let mut name = hasher.finalize().to_hex().to_string();
+    name.truncate(SHARD_DIGITS);
+    name + ".h5"
+}
+
+/// Writes a shard. The entries must have been checked: a converged one has each field asked for on all of `x`.
+pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[CaseEntry]) -> Result<()> {
+    let mut file = NewFile::create(path)?;
+    file.set_text("format", "stribeck shard 1")?;
+    file.set_text("columns", &column_names())?;
+    file.set_text("limits", if contents.limits { "yes" } else { "no" })?;
+
+    let ids: Vec<CaseText> = cases.iter().map(|entry| case_text(entry.id)).collect();
+    file.write("case", &ids)?;
+    let statuses: Vec<i8> = cases.iter().map(|entry| entry.outcome.code()).collect();
+    file.write("status", &statuses)?;
+    let reasons = cases.iter().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
+    file.write("reason", &reasons)?;
+    let values: Vec<f64> = cases.iter().flat_map(|entry| entry.values).collect();
+    file.write("values", ArrayView2::from_shape((cases.len(), COLUMNS.len()), &values)?)?;
+    if contents.sensitivities {
+        let unknown = [f64::NAN; SENSITIVITIES];
+        let row = |entry: &CaseEntry| entry.sensitivities.map_or(unknown, |known| known.row());
+        let values: Vec<f64> = cases.iter().flat_map(row).collect();
+        file.write("sensitivities", ArrayView2::from_shape((cases.len(), SENSITIVITIES), &values)?)?;
+    }
+
+    if !contents.fields.is_empty() {
+        file.write("x", x)?;
+    }
+    for place in places(contents.fields) {
+        let matrix = file
+            .dataset()
+            .chunk((1, x.len()))
+            .shuffle()
+            .deflate(DEFLATE)
+            .fill_value(f64::NAN)
+            .empty::<f64>()
+            .shape((cases.len(), x.len()))
+            .create(FIELDS[place].name)?;
+        let matrix = file.keep(matrix);
+        for (row, entry) in cases.iter().enumerate() {
+            if let Some(field) = field(&entry.fields, place) {
+                matrix.write_slice(field, s![row, ..])?;
+            }
+        }
+    }
+    file.finish()
+}
+
+/// A shard opened for reading: all but its fields are in memory.
+pub(super) struct ShardReader {
+    path: PathBuf,
+    ids: Vec<CaseId>,
+    statuses: Vec<Status>,
+    reasons: Vec<VarLenUnicode>,
+    values: Array2<f64>,
+    /// Of [`Sensitivities::COLUMNS`], if the shard has them.
+    sensitivities: Option<Array2<f64>>,
+    fields: [Option<Dataset>; FIELDS.len()],
+}
+
+impl ShardReader {
+    /// Opens a shard and checks that its parts fit together and are what `contents` says.
+    pub(super) fn open(path: &Path, contents: &Contents) -> Result<Self, StoreError> {
+        let read = || -> Result<(Self, Option<String>)> {
+            let file = open(path)?;
+            let case_texts = file.dataset("case")?.read_1d::<CaseText>()?;
+            let codes = file.dataset("status")?.read_1d::<i8>()?;
+            let ids: Vec<CaseId> = case_texts.iter().filter_map(|id| id.as_str().parse().ok()).collect();
+            let statuses: Vec<Status> = codes.iter().filter_map(|&code| Status::from_code(code)).collect();
+            let reasons = file.dataset("reason")?.read_raw::<VarLenUnicode>()?;
+            let values = file.dataset("values")?.read_2d::<f64>()?;
+            let mut fields = [const { None }; FIELDS.len()];
+            let (cases, mut width) = (case_texts.len(), 0);
+            let mut fault = None;
+            let mut sensitivities = None;
+            if contents.sensitivities {
+                let rows = file.dataset("sensitivities")?.read_2d::<f64>()?;
+                if rows.dim() != (cases, SENSITIVITIES) {
+                    fault = Some(format!("sensitivities has the shape {:?}", rows.shape()));
+                }
+                sensitivities = Some(rows);
+            }
+            if !contents.fields.is_empty() {
+                let x = file.dataset("x")?.read_raw::<f64>()?;
+                width = x.len();
+                if x_key(&x) != contents.x {
+                    fault = Some("its x is not the one of its record".to_owned());
+                }
+            }
+            for place in places(contents.fields) {
+                let matrix = file.dataset(FIELDS[place].name)?;
+                if matrix.shape() != [cases, width] {
+                    fault = Some(format!("{} has the shape {:?}", FIELDS[place].name, matrix.shape()));
+                }
+                fields[place] = Some(matrix);
+            }
+            if get_text(&file, "columns")? != column_names() {
+                fault = Some("its columns are those of another version of the program".to_owned());
+            }
+            if [ids.len(), statuses.len(), reasons.len(), values.nrows()] != [cases; 4] {
+                fault = Some("its data sets do not have one row per case".to_owned());
+            }
+            Ok((Self { path: path.to_owned(), ids, statuses, reasons, values, sensitivities, fields }, fault))
+        };
+        let (shard, fault) = read().map_err(StoreError::hdf5(path, "read"))?;
+        match fault {
+            None => Ok(shard),
+            Some(what) => Err(StoreError::Damaged { path: path.to_owned(), what }),
+        }
+    }
+
+    pub(super) fn ids(&self) -> &[CaseId] {
+        &self.ids
+    }
+
+    pub(super) fn status(&self, row: usize) -> Status {
+        self.statuses[row]
+    }
+
+    pub(super) fn reason(&self, row: usize) -> &str {
+        self.reasons[row].as_str()
+    }
+
+    pub(super) fn values(&self, row: usize) -> [f64; COLUMNS.len()] {
+        std::array::from_fn(|column| self.values[(row, column)])
+    }
+
+    /// How friction of a case changes with the parameters; `None` if the shard has it not, or the case failed.
+    pub(super) fn sensitivities(&self, row: usize) -> Option<Sensitivities> {
+        let values = self.sensitivities.as_ref()?;
+        Sensitivities::from_row(std::array::from_fn(|column| values[(row, column)]))
+    }
+
+    /// The field at a place in [`FIELDS`]; `None` if the shard has it not, or the case failed.
+    pub(super) fn field(&self, place: usize, row: usize) -> Result<Option<Vec<f64>>, StoreError> {
+        match &self.fields[place] {
+            Some(matrix) if self.status(row) == Status::Converged => {
+                let values = matrix.read_slice_1d::<f64, _>(s![row, ..]);
+                Ok(Some(values.map_err(StoreError::hdf5(&self.path, "read"))?.to_vec()))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// All fields of a case.
+    pub(super) fn all_fields(&self, row: usize) -> Result<Fields, StoreError> {
+        let mut fields = Fields::default();
+        for place in 0..FIELDS.len() {
+            *field_mut(&mut fields, place) = self.field(place, row)?;
+        }
+        Ok(fields)
+    }
+}

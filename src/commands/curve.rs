@@ -1,0 +1,241 @@
+//! `stribeck curve`: friction against speed, in the terminal and as CSV.
+
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::destination::read_sweep;
+use super::entry::{case_entry, panicked};
+use super::plot::at;
+use super::solver::Solver;
+use super::terminal_plot::{TextAxis, plot};
+use super::wording::count;
+use super::{CliError, Exit, console, threads};
+use crate::pictures::{Table, nearest};
+use stribeck_input::shown;
+use stribeck_lab::Measured;
+use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
+use stribeck_solver::continuation::Interrupt;
+use stribeck_solver::{COLUMNS, FieldSelection, Output, shortest};
+use stribeck_sweep::CaseId;
+use stribeck_sweep::engine::{Engine, Finished};
+use stribeck_sweep::store::{CaseEntry, Status, write_whole};
+use stribeck_sweep::{Grid, LaboratoryAxes, Plan, Sweep};
+
+const IN_MEMORY: &str = "writing to memory does not fail";
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck curve sweeps/rubber.toml                     friction against speed, drawn and as a table
+  stribeck curve sweeps/rubber.toml --csv curve.csv     all numbers, in SI units
+  stribeck curve sweeps/rubber.toml --at load=100       one of several loads
+  stribeck curve sweeps/rubber.toml --measured points.csv
+
+The sweep file has a section [laboratory] with the speed as an axis (docs/sweep-file.md). Nothing is stored: to keep
+fields and numbers run the sweep. Measured points are a CSV with the columns speed and mu (docs/laboratory.md).")]
+pub struct Arguments {
+    /// The sweep file, with [laboratory]
+    #[arg(value_name = "SWEEP")]
+    sweep: PathBuf,
+    /// A value of each other axis that has several, in SI units, as in load=100; the nearest one is taken
+    #[arg(long, value_name = "AXIS=V", value_parser = at)]
+    at: Vec<(String, Vec<f64>)>,
+    /// Write all numbers to this file
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Measured points (CSV), drawn beside the curve
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
+    /// Solver threads [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
+    threads: Option<NonZeroUsize>,
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let mut sweep = read_sweep(&arguments.sweep)?;
+    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let axes = laboratory(&sweep, &arguments.sweep)?;
+    sweep.grid = Grid::Laboratory(one_curve(axes, &arguments.at)?);
+    sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };
+    let cases = solve(&sweep, threads::number(arguments.threads))?;
+    if let Some(file) = &arguments.csv {
+        write_whole(file.clone(), &table(&cases).csv())?;
+    }
+    let mut text = format!("{}\n{}\n", sweep.title, in_words(&cases[0].experiment));
+    text += &drawing(&cases, measured.as_ref());
+    text += &rows(&cases);
+    let failed: Vec<&Solved> = cases.iter().filter(|case| case.entry.outcome == Status::Failed).collect();
+    for case in &failed {
+        writeln!(text, "failed at {} m/s: {}", shortest(case.experiment.speed), case.entry.reason).expect(IN_MEMORY);
+    }
+    if let Some(file) = &arguments.csv {
+        writeln!(text, "{}: {}", shown(file), count(cases.len() as u64, "row")).expect(IN_MEMORY);
+    }
+    console::print(&text)?;
+    Ok(if failed.is_empty() { Exit::Success } else { Exit::CasesFailed })
+}
+
+/// The quantities of the laboratory of a sweep.
+///
+/// # Errors
+/// [`CliError::NotLaboratory`] if it is dimensionless.
+pub fn laboratory<'s>(sweep: &'s Sweep, path: &Path) -> Result<&'s LaboratoryAxes, CliError> {
+    match &sweep.grid {
+        Grid::Laboratory(axes) => Ok(axes),
+        Grid::Dimensionless(_) => Err(CliError::NotLaboratory { file: path.to_owned() }),
+    }
+}
+
+/// The axes with one value of each but the speed.
+fn one_curve(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)]) -> Result<LaboratoryAxes, CliError> {
+    let mut one = axes.clone();
+    let speed = one.given.len() - 1;
+    let mut known: Vec<&str> = Vec::new();
+    let lists = std::iter::once(("f", &mut one.f))
+        .chain(one.given[..speed].iter_mut().map(|given| (given.quantity.name(), &mut given.values)));
+    for (name, values) in lists {
+        known.push(name);
+        let wanted: Vec<f64> =
+            at.iter().filter(|(axis, _)| axis == name).flat_map(|(_, values)| values.clone()).collect();
+        let value = match wanted[..] {
+            [] if values.len() == 1 => values[0],
+            [wanted] => values[nearest(name, values, wanted)?],
+            [] => return Err(CliError::SeveralCurves { axis: name.to_owned(), values: values.len() }),
+            _ => return Err(CliError::SeveralAsked { axis: name.to_owned() }),
+        };
+        *values = vec![value];
+    }
+    match at.iter().find(|(axis, _)| !known.contains(&axis.as_str())) {
+        Some((axis, _)) => Err(CliError::NoSuchAxis { axis: axis.clone(), known: known.join(", ") }),
+        None => Ok(one),
+    }
+}
+
+/// One speed, solved.
+struct Solved {
+    experiment: Experiment,
+    numbers: [f64; 3],
+    entry: CaseEntry,
+}
+
+impl Solved {
+    /// A column in SI units.
+    fn value(&self, name: &str) -> f64 {
+        let place = COLUMNS.iter().position(|column| column.name == name).expect("a column");
+        self.entry.values[place] * self.experiment.scales().factor(COLUMNS[place].units)
+    }
+}
+
+/// Solves every case of a sweep along the speed, in ascending speed.
+fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> {
+    let plan = Plan::new(sweep);
+    let (solver, output) = (Solver::new(&sweep.solver), &sweep.output);
+    let chains: Vec<_> = plan.chains().collect();
+    let mut entries: HashMap<CaseId, CaseEntry> = HashMap::new();
+    Engine::new(threads)?.run(
+        &chains,
+        &Interrupt::new(),
+        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), output, interrupt),
+        |chain, message| panicked(&plan.parameters(chain), output, message),
+        |group| -> Result<(), CliError> {
+            for Finished { chain, cases, .. } in group {
+                let parameters = plan.parameters(chain);
+                let solved = parameters.iter().zip(cases).map(|(case, solved)| case_entry(&plan, case, solved));
+                entries.extend(solved.map(|entry| (entry.id, entry)));
+            }
+            Ok(())
+        },
+    )?;
+    let [_, _, speeds] = sweep.grid.shape();
+    let solved = (0..speeds).map(|i_speed| {
+        let place = [0, 0, i_speed];
+        let entry = entries.get(&plan.case_at(0, 0, i_speed)).expect("every case is in a chain").clone();
+        let experiment = sweep.grid.experiment(place).expect("a sweep over quantities of the laboratory");
+        Solved { experiment, numbers: sweep.grid.numbers(place), entry }
+    });
+    Ok(solved.collect())
+}
+
+/// A number with at most five digits.
+fn five_digits(value: f64) -> String {
+    shortest(format!("{value:.4e}").parse().expect("{:e} writes a number"))
+}
+
+/// What all cases of a curve have in common.
+fn in_words(experiment: &Experiment) -> String {
+    let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Speed).map(|quantity| {
+        let value = five_digits(experiment.value(quantity));
+        format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
+    });
+    let strength = format!("f = {}", five_digits(experiment.f));
+    given.chain([strength]).collect::<Vec<_>>().join(", ")
+}
+
+/// The curve of the total friction, and measured points of it.
+fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
+    let column = measured.map_or("mu_tot", |measured| measured.column);
+    let line: Vec<(f64, f64)> = cases.iter().map(|case| (case.experiment.speed, case.value(column))).collect();
+    let points: Vec<(f64, f64)> = match measured.and_then(|it| Some((it, it.coordinate("speed")?))) {
+        Some((measured, speeds)) => {
+            let own = (0..speeds.len()).filter(|point| measured.belongs_to(*point, &cases[0].experiment));
+            own.map(|point| (speeds[point], measured.friction[point])).collect()
+        }
+        None => Vec::new(),
+    };
+    let measured = match measured {
+        None => "",
+        Some(_) if points.is_empty() => "; no point was measured on this curve",
+        Some(_) => "; crosses: measured",
+    };
+    let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
+    format!("\n{column} against speed in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
+}
+
+/// One line for each speed.
+fn rows(cases: &[Solved]) -> String {
+    let names = ["speed (m/s)", "alpha", "beta", "mu_v", "mu_h", "mu_tot", "film_min (m)", "error"];
+    let mut text = String::new();
+    let line = |text: &mut String, cells: &[String]| {
+        let cells: Vec<String> = cells.iter().map(|cell| format!("{cell:>12}")).collect();
+        writeln!(text, "{}", cells.join(" ").trim_end()).expect(IN_MEMORY);
+    };
+    line(&mut text, &names.map(str::to_owned));
+    let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
+    for case in cases {
+        let [_, alpha, beta] = case.numbers;
+        let errors = ["error_mu_v", "error_mu_h", "error_c"].map(|name| case.value(name));
+        let error =
+            if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
+        let values = ["mu_v", "mu_h", "mu_tot", "film_min"].map(|name| case.value(name));
+        let numbers: Vec<f64> = [case.experiment.speed, alpha, beta].into_iter().chain(values).collect();
+        let mut cells: Vec<String> = numbers.into_iter().map(number).collect();
+        cells.push(match case.entry.outcome {
+            Status::Failed => "failed".to_owned(),
+            Status::Converged if error.is_nan() => "-".to_owned(),
+            Status::Converged => format!("{error:.0e}"),
+        });
+        line(&mut text, &cells);
+    }
+    text + "\nerror: the largest estimated relative error of mu_v, mu_h and the film c\n"
+}
+
+/// All numbers in SI units: what is given, and the columns of the summary.
+fn table(cases: &[Solved]) -> Table {
+    let quantities: Vec<_> = cases[0].experiment.given().collect();
+    let columns: Vec<_> = COLUMNS.iter().filter(|column| column.in_summary).map(|column| column.name).collect();
+    let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
+    let scales = Scales::VARIABLES.map(|(name, ..)| name);
+    let header = [&["status", "reason", "f", "alpha", "beta"], &names[..], &columns[..], &scales[..]].concat();
+    let mut table = Table::new(&header);
+    for case in cases {
+        let given = quantities.iter().map(|quantity| case.experiment.value(*quantity));
+        let numbers = case.numbers.into_iter().chain(given).chain(columns.iter().map(|name| case.value(name)));
+        let numbers = numbers.chain(case.experiment.scales().values());
+        table.row(&[case.entry.outcome.name(), &case.entry.reason], &numbers.collect::<Vec<_>>());
+    }
+    table
+}

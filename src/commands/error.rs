@@ -1,0 +1,310 @@
+//! What ends a command, with its exit code.
+
+use std::io;
+use std::path::PathBuf;
+
+use miette::MietteHandlerOpts;
+
+use super::solve::ESTIMATE_POINTS;
+use crate::pictures::PictureError;
+use stribeck_charts::FigureError;
+use stribeck_input::InputError;
+use stribeck_input::{printable, shown};
+use stribeck_lab::MeasuredError;
+use stribeck_lab::material::FitError;
+use stribeck_sweep::Method;
+use stribeck_sweep::engine::ThreadsError;
+use stribeck_sweep::store::StoreError;
+
+/// Why a command could not do what it was asked to.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// A sweep file, a study file or a table of measurements is not valid.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// A file of measured points is not valid.
+    #[error(transparent)]
+    Measured(#[from] MeasuredError),
+    /// A sweep without quantities of the laboratory.
+    #[error(
+        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] (docs/sweep-file.md)",
+        shown(file)
+    )]
+    NotLaboratory {
+        /// The sweep file.
+        file: PathBuf,
+    },
+    /// A sweep with more than one curve along the speed.
+    #[error("{axis} has {values} values in the sweep file, and a curve has one; choose with --at {axis}=VALUE")]
+    SeveralCurves {
+        /// The axis.
+        axis: String,
+        /// How many values it has.
+        values: usize,
+    },
+    /// More than one value of an axis of a curve.
+    #[error("--at {axis}=… asks for several values, and a curve has one of each axis; give one")]
+    SeveralAsked {
+        /// The axis.
+        axis: String,
+    },
+    /// An axis that a curve has not.
+    #[error("--at {}: a curve runs along the speed, and can be chosen by {known}", printable(axis))]
+    NoSuchAxis {
+        /// The axis.
+        axis: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// Measured points that nothing was fitted to.
+    #[error("nothing was fitted to {}: {what}", shown(file))]
+    NoFit {
+        /// The file of the points.
+        file: PathBuf,
+        /// Why.
+        what: String,
+    },
+    /// More threads than the system gives.
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
+    /// An estimate on a grid that has no coarser one.
+    #[error(
+        "errors are estimated from a second grid of half as many intervals, which takes --points {ESTIMATE_POINTS} or \
+         more, not {points}; give more points, or --estimate false"
+    )]
+    Estimate {
+        /// The points asked for.
+        points: usize,
+    },
+    /// An option of the relaxation method with another one.
+    #[error("{option} is an option of the relaxation method; leave it out, or add --method relaxation")]
+    OtherMethod {
+        /// The option.
+        option: &'static str,
+    },
+    /// Derivatives of friction from a method that has none.
+    #[error("the relaxation method has no derivatives of friction; leave out --sensitivities, or --method relaxation")]
+    Sensitivities,
+    /// A tolerance that the method cannot keep.
+    #[error("with --method {method}, --tolerance is {meaning}; give a number from {least:e} to {most:e}, not {given}")]
+    Tolerance {
+        /// The method.
+        method: Method,
+        /// What the tolerance is of.
+        meaning: &'static str,
+        /// The smallest that is allowed.
+        least: f64,
+        /// The largest.
+        most: f64,
+        /// What was given.
+        given: f64,
+    },
+    /// A results directory cannot be read or written.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// Several directories to be joined in none.
+    #[error("several directories are joined in one that -o names; give -o DIR")]
+    NoTarget,
+    /// Directories of different sweeps that were to be joined.
+    #[error(
+        "{} and {} are not of the same sweep: only runs of one sweep file can be joined; merge the parts of an earlier one and \
+         delete them first",
+        shown(first),
+        shown(other)
+    )]
+    OtherSweep {
+        /// A sweep file.
+        first: PathBuf,
+        /// One that differs.
+        other: PathBuf,
+    },
+    /// A merge of parts that lack cases.
+    #[error("nothing is published: {missing}")]
+    Incomplete {
+        /// What is missing, and the commands that finish it.
+        missing: String,
+    },
+    /// A part that would be told to stop before it has begun.
+    #[error(
+        "a time limit of {limit} leaves a part no time to work: it is told to stop {signal} s before the limit, which Slurm may \
+         do {early} s early; give a longer --time, or fewer --signal-seconds"
+    )]
+    NoTimeToWork {
+        /// The time limit as it was given.
+        limit: String,
+        /// Seconds before it at which a part is told.
+        signal: u64,
+        /// Seconds that this may come early.
+        early: u64,
+    },
+    /// A path that cannot be the log of a job.
+    #[error(
+        "Slurm cannot write logs below {:?}: a %, a double quote, a backslash, a line feed or bytes that are no text stand in its \
+         name; choose another directory with -o",
+        path
+    )]
+    NameForSlurm {
+        /// The path.
+        path: PathBuf,
+    },
+    /// A script would replace a file that is not of this program.
+    #[error(
+        "{} is there, which `stribeck slurm` has not written; move it away, or choose another directory with -o",
+        shown(file)
+    )]
+    Foreign {
+        /// The file.
+        file: PathBuf,
+    },
+    /// Slurm did not do what it was asked to.
+    #[error("`{program}` did not work: {said}; the scripts are written, submit them by hand where Slurm runs")]
+    Slurm {
+        /// The program.
+        program: &'static str,
+        /// What it said.
+        said: String,
+    },
+    /// A case that a results directory does not know.
+    #[error(
+        "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
+        shown(directory)
+    )]
+    NoSuchCase {
+        /// The results directory.
+        directory: PathBuf,
+    },
+    /// A results directory that is none and cannot become one.
+    #[error("{} is a file, and results need a directory; choose another place with -o", shown(path))]
+    NotADirectory {
+        /// The path.
+        path: PathBuf,
+    },
+    /// A run that the disk ended.
+    #[error("{source}\n{progress}")]
+    Stopped {
+        /// What happened.
+        source: StoreError,
+        /// How far the run was, and how to resume it.
+        progress: String,
+    },
+    /// A study would replace files that no study has written.
+    #[error("{} is there, which no study has written; choose another directory with -o", shown(file))]
+    Occupied {
+        /// The file.
+        file: PathBuf,
+    },
+    /// A page would replace a file that no report has written.
+    #[error(
+        "{} is there, which `stribeck report` has not written; move it away, or name another file with -o",
+        shown(file)
+    )]
+    NoReport {
+        /// The file.
+        file: PathBuf,
+    },
+    /// A directory cannot be made or read.
+    #[error("cannot {action} the directory {}: {source}; choose another place with -o", shown(path))]
+    Directory {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// The directory.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A file of a study cannot be written.
+    #[error(
+        "cannot {action} {}: {source}; make room or choose another directory with -o, then run the study again",
+        shown(path)
+    )]
+    Unwritten {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A picture cannot be drawn.
+    #[error("cannot draw a picture: {0}; please report it with the study file or the command")]
+    Figure(#[from] FigureError),
+    /// A picture that a data set has nothing for.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// Measurements that no material was fitted to.
+    #[error("{}: {source}", shown(data))]
+    Fit {
+        /// The table of measurements.
+        data: PathBuf,
+        /// Why there is none.
+        source: FitError,
+    },
+    /// The operating system refused something that is no file of ours.
+    #[error("cannot {action}: {source}")]
+    System {
+        /// What was tried, as a verb.
+        action: &'static str,
+        /// What the system said.
+        source: io::Error,
+    },
+}
+
+impl CliError {
+    /// The exit code: 2 for bad input, 4 for the disk and the system.
+    pub fn code(&self) -> u8 {
+        match self {
+            CliError::Input(_)
+            | CliError::Measured(_)
+            | CliError::NotLaboratory { .. }
+            | CliError::SeveralCurves { .. }
+            | CliError::NoSuchAxis { .. }
+            | CliError::SeveralAsked { .. }
+            | CliError::NoFit { .. }
+            | CliError::Fit { .. }
+            | CliError::NoSuchCase { .. }
+            | CliError::NoTarget
+            | CliError::NoTimeToWork { .. }
+            | CliError::NameForSlurm { .. }
+            | CliError::OtherSweep { .. }
+            | CliError::Picture(
+                PictureError::Unknown { .. }
+                | PictureError::Outside { .. }
+                | PictureError::NoAxis { .. }
+                | PictureError::Missing { .. },
+            )
+            | CliError::Threads(_)
+            | CliError::Estimate { .. }
+            | CliError::OtherMethod { .. }
+            | CliError::Sensitivities
+            | CliError::Tolerance { .. } => 2,
+            CliError::Store(_)
+            | CliError::Incomplete { .. }
+            | CliError::Foreign { .. }
+            | CliError::Slurm { .. }
+            | CliError::NotADirectory { .. }
+            | CliError::Occupied { .. }
+            | CliError::NoReport { .. }
+            | CliError::Directory { .. }
+            | CliError::Unwritten { .. }
+            | CliError::Figure(_)
+            | CliError::Picture(PictureError::Store(_) | PictureError::Figure(_))
+            | CliError::Stopped { .. }
+            | CliError::System { .. } => 4,
+        }
+    }
+
+    /// The text for the user; a sweep file is shown with the place of the error.
+    pub fn report(self) -> String {
+        match self {
+            CliError::Input(error) => {
+                // A second hook is refused; this one is set once, on the way out.
+                let _ = miette::set_hook(Box::new(|_| {
+                    // `file:line:column` has to stay whole, for people and editors that look for it
+                    Box::new(MietteHandlerOpts::new().break_words(false).without_cause_chain().build())
+                }));
+                format!("{:?}", miette::Report::new(error))
+            }
+            error => format!("error: {error}"),
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! `stribeck plot`: pictures of a published data set.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::wording::count;
+use super::{CliError, Exit, console, published};
+use crate::pictures::{AxisScale, Format, Kind, Picture, Request, Source, pictures};
+use stribeck_input::{printable, shown};
+use stribeck_lab::Measured;
+use stribeck_sweep::Sweep;
+use stribeck_sweep::store::write_whole;
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck plot results/quick                                       all that makes sense
+  stribeck plot results/quick --what surfaces,maps --of mu_tot --format png
+  stribeck plot results/quick --what curves --of mu_v --along alpha --beta 10,100,1000 --f 100
+  stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
+  stribeck plot results/surface --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
+  stribeck plot results/surface --what stress --alpha 0.1,0.3,1,10 --beta 1000
+  stribeck plot results/rubber --what curves --of mu_tot --along speed --measured points.csv
+
+The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
+nearest ones it has, which the picture names. Columns and fields are those of docs/output.md; docs/figures.md
+shows pictures of each kind with their commands.")]
+pub struct Arguments {
+    /// A results directory
+    #[arg(value_name = "DIR")]
+    directory: PathBuf,
+    /// Kinds of pictures [default: all that the sweep has something for]
+    #[arg(long, value_name = "KIND,…", value_delimiter = ',', value_enum)]
+    what: Vec<Kind>,
+    /// Columns and fields to be shown [default: a choice]
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    of: Vec<String>,
+    /// Axis along which curves run: f, alpha, beta, or one of the laboratory [default: each that has several values]
+    #[arg(long, value_name = "AXIS")]
+    along: Option<String>,
+    /// Values of f
+    #[arg(long, value_name = "F,…", value_delimiter = ',')]
+    f: Vec<f64>,
+    /// Values of α; inf is one
+    #[arg(long, value_name = "A,…", value_delimiter = ',')]
+    alpha: Vec<f64>,
+    /// Values of β
+    #[arg(long, value_name = "B,…", value_delimiter = ',')]
+    beta: Vec<f64>,
+    /// Values of any axis, in SI units, as in load=100,200; may be given several times
+    #[arg(long, value_name = "AXIS=V,…", value_parser = at)]
+    at: Vec<(String, Vec<f64>)>,
+    /// Measured points (CSV), laid over the curves of friction
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
+    /// Where profiles and stresses are shown, in a₀ [default: all of the sweep's x]
+    #[arg(long, value_name = "FROM,TO", value_parser = range, allow_hyphen_values = true)]
+    x: Option<(f64, f64)>,
+    /// Ends of the vertical axis of curves, profiles and loops [default: from the values]
+    #[arg(long, value_name = "FROM,TO", value_parser = range, allow_hyphen_values = true)]
+    y: Option<(f64, f64)>,
+    /// Scale of the quantity
+    #[arg(long, value_enum, default_value_t)]
+    scale: AxisScale,
+    /// All quantities of curves in one picture
+    #[arg(long)]
+    together: bool,
+    /// No known limits and approximations beside the solutions
+    #[arg(long)]
+    bare: bool,
+    /// Format of the pictures
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Directory of the pictures [default: DIR/figures]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// Two numbers, the first below the second.
+fn range(text: &str) -> Result<(f64, f64), String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some([from, to]) if from < to => Ok((*from, *to)),
+        _ => Err("two numbers with a comma between them, the first below the second, as in -1,1.5".to_owned()),
+    }
+}
+
+/// An axis and values of it.
+pub fn at(text: &str) -> Result<(String, Vec<f64>), String> {
+    let values = |values: &str| values.split(',').map(|value| value.trim().parse().ok()).collect::<Option<Vec<f64>>>();
+    match text.split_once('=').map(|(axis, numbers)| (axis.trim().to_owned(), values(numbers))) {
+        Some((axis, Some(values))) if !axis.is_empty() => Ok((axis, values)),
+        _ => Err("an axis and values of it, as in speed=0.001,0.01".to_owned()),
+    }
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let data = published::open(&arguments.directory)?;
+    let substrate = match Sweep::parse("sweep", &data.sweep_text) {
+        Ok(sweep) => Some(sweep.substrate),
+        Err(_) => {
+            console::tell(&format!(
+                "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} of the \
+                 program wrote, is none for this version",
+                printable(&data.version)
+            ));
+            None
+        }
+    };
+    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let source = Source::new(data, substrate, measured)?;
+    let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
+    let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
+    let request = Request {
+        kinds: arguments.what.clone(),
+        of: arguments.of.clone(),
+        along: arguments.along.clone(),
+        values: named.chain(arguments.at.iter().cloned()).collect(),
+        x: arguments.x,
+        y: arguments.y,
+        scale: arguments.scale,
+        together: arguments.together,
+        bare: arguments.bare,
+    };
+    let pictures = pictures(&source, &request)?;
+    let directory = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("figures"));
+    fs::create_dir_all(&directory).map_err(|source| CliError::Directory {
+        action: "make",
+        path: directory.clone(),
+        source,
+    })?;
+    if let Some(measured) = source.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
+        console::tell(&format!(
+            "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",
+            shown(&measured.path),
+            measured.column
+        ));
+    }
+    let mut text = String::new();
+    for picture in &pictures {
+        let file = write(&directory, picture, arguments.format)?;
+        text += &format!("{}\n", shown(&file));
+    }
+    text += &format!("{}, each with its numbers as .csv\n", count(pictures.len() as u64, "picture"));
+    console::print(&text)?;
+    Ok(Exit::Success)
+}
+
+/// Writes the picture and its numbers; returns the file of the picture.
+fn write(directory: &Path, picture: &Picture, format: Format) -> Result<PathBuf, CliError> {
+    let bytes = picture.chart.paint(format)?;
+    write_whole(directory.join(format!("{}.csv", picture.name)), &picture.table.csv())?;
+    let file = directory.join(format!("{}.{}", picture.name, format.extension()));
+    write_whole(file.clone(), &bytes)?;
+    Ok(file)
+}

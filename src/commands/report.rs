@@ -1,0 +1,67 @@
+//! `stribeck report`: one page of HTML that shows a published data set.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::wording::bytes;
+use super::{CliError, Exit, console, published};
+use crate::report::{BEGINNING, page};
+use stribeck_input::shown;
+use stribeck_lab::Measured;
+use stribeck_sweep::store::{StoreError, write_whole};
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck report results/quick                         then open results/quick/report.html
+  stribeck report results/quick -o for-a-colleague.html
+  stribeck report results/rubber --measured points.csv  with measured points in the curves of friction
+
+One file that works without a network, in any browser of 2021 or later: surfaces and maps with a slider for f, any
+case with its fields, curves, errors against seconds, failures, a table to sort and download, and the sweep file.
+Large sweeps are thinned, and the page says how. docs/report.md has more.")]
+pub struct Arguments {
+    /// A results directory
+    #[arg(value_name = "DIR")]
+    directory: PathBuf,
+    /// Measured points (CSV), laid over the curves of friction
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
+    /// The page [default: DIR/report.html]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let data = published::open(&arguments.directory)?;
+    let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
+    must_be_ours_or_free(&file)?;
+    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let page = page(&data, measured.as_ref())?;
+    write_whole(file.clone(), page.html.as_bytes())?;
+    let mut text = format!("{}: {}\n", shown(&file), bytes(page.html.len() as u64));
+    for note in &page.notes {
+        text += &format!("note: {note}\n");
+    }
+    console::print(&text)?;
+    Ok(Exit::Success)
+}
+
+/// An error if a file is there that no report has written.
+fn must_be_ours_or_free(path: &Path) -> Result<(), CliError> {
+    let unreadable = |source| StoreError::File { path: path.to_owned(), action: "open", source }.into();
+    if path.file_name().is_none() {
+        return Err(unreadable(ErrorKind::IsADirectory.into()));
+    }
+    let mut beginning = vec![0; BEGINNING.len()];
+    match File::open(path).and_then(|mut file| file.read_exact(&mut beginning)) {
+        Ok(()) if beginning == BEGINNING.as_bytes() => Ok(()),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+        Ok(()) => Err(CliError::NoReport { file: path.to_owned() }),
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => Err(CliError::NoReport { file: path.to_owned() }),
+        Err(source) => Err(unreadable(source)),
+    }
+}

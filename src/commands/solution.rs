@@ -1,0 +1,190 @@
+//! One solved case for people, as a table, and for programs, as JSON.
+
+use std::fmt::Write;
+
+use serde::{Serialize, Serializer};
+use serde_json::{Value, json};
+
+use super::sensitivities;
+use super::wording::{count, duration};
+use stribeck_solver::continuation::{Path, PathPoint};
+use stribeck_solver::{COLUMNS, Limits, Parameters, Sensitivities};
+use stribeck_sweep::store::{CaseEntry, Status};
+use stribeck_sweep::{Method, SolverSettings};
+
+/// A case as it was asked for, what came of it, and how it was reached.
+pub struct SolvedProblem<'a> {
+    /// The case as it was asked for; an elastic one keeps the f and α given.
+    pub asked: &'a Parameters,
+    /// How it was to be solved.
+    pub settings: &'a SolverSettings,
+    /// What came of it.
+    pub entry: &'a CaseEntry,
+    /// The points that were solved on the way.
+    pub path: &'a Path,
+    /// Unknowns of its system, or points of its grid; 0 if it failed.
+    pub unknowns: usize,
+}
+
+const IN_MEMORY: &str = "writing to memory does not fail";
+
+/// The value of a column.
+fn value(entry: &CaseEntry, name: &str) -> Option<f64> {
+    let place = COLUMNS.iter().position(|column| column.name == name)?;
+    Some(entry.values[place]).filter(|value| !value.is_nan())
+}
+
+/// One row for each quantity of a case, with its error and what large β has in its place; of a failed case what is known.
+pub fn numbers(entry: &CaseEntry) -> String {
+    match entry.outcome {
+        Status::Converged => quantities(entry),
+        Status::Failed => limits(entry),
+    }
+}
+
+fn quantities(entry: &CaseEntry) -> String {
+    let mut text = String::new();
+    let mut row = |symbol: &str, value: &str, error: &str, limit: &str, unit: &str, name: &str| {
+        writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}").expect(IN_MEMORY);
+    };
+    row("symbol", "value", "error", "large beta", "unit", "name");
+    for column in &COLUMNS {
+        let limit_of = match column.name {
+            "mu_v" => "dry_mu_v",
+            "mu_h" => "approx_mu_h",
+            name if name.starts_with("error_") || Limits::COLUMNS.contains(&name) => continue,
+            _ => "",
+        };
+        let six = |value: f64| format!("{value:.6e}");
+        let error = value(entry, &format!("error_{}", column.name)).map_or_else(String::new, |e| format!("{e:.0e}"));
+        let limit = value(entry, limit_of).map_or_else(String::new, six);
+        let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
+        row(column.name, &value, &error, &limit, column.units, column.long_name);
+    }
+    text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
+    if let Some(known) = &entry.sensitivities {
+        let [mu_v, mu_h] = ["mu_v", "mu_h"].map(|name| value(entry, name).unwrap_or(f64::NAN));
+        text += &format!("\n{}", sensitivities::table(known, mu_v, mu_h));
+    }
+    text
+}
+
+/// What is known of a case that failed.
+fn limits(entry: &CaseEntry) -> String {
+    let mut text = String::new();
+    for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
+        let limit = value(entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
+        writeln!(text, "{:<13} {limit:>14}  {:<10}  {}", column.name, column.units, column.long_name).expect(IN_MEMORY);
+    }
+    text
+}
+
+impl SolvedProblem<'_> {
+    /// What came of the case, its cost, its path, and one row for each quantity, with its error and what large β has in its
+    /// place.
+    pub fn table(&self) -> String {
+        let (Parameters { f, alpha, beta, .. }, entry) = (self.asked, self.entry);
+        let same = if self.asked.is_relaxed_elastic() { " (elastic: depends on beta alone)" } else { "" };
+        let mut text = format!("f = {f}, alpha = {alpha}, beta = {beta}{same}: {}\n", entry.outcome.name());
+        if entry.outcome == Status::Failed {
+            text += &format!("  {}\n", entry.reason);
+        }
+        text += &self.cost();
+        text += &self.way();
+        text += "\n";
+        text + &numbers(entry)
+    }
+
+    /// One line: id, seed, effort and time.
+    fn cost(&self) -> String {
+        let (timing, settings) = (&self.entry.timing, self.settings);
+        let (effort, setting) = match settings.method {
+            Method::Collocation => {
+                let factorisations = count(timing.factorisations, "factorisation");
+                let iterations = count(timing.iterations, "iteration");
+                let unknowns = match self.entry.outcome {
+                    Status::Converged => format!(", {} unknowns", self.unknowns),
+                    Status::Failed => String::new(),
+                };
+                let setting = format!("tolerance {:e}{unknowns}", settings.tolerance);
+                (format!("{iterations}, {factorisations}"), setting)
+            }
+            Method::Relaxation => {
+                (format!("{} passes", timing.iterations), format!("{} points", settings.relaxation.points))
+            }
+        };
+        format!(
+            "case {}, {}, {setting}\nseed {}, {effort}, {}\n",
+            self.entry.id,
+            settings.method,
+            timing.seed,
+            duration(timing.seconds)
+        )
+    }
+
+    /// The path, a line for each point; nothing if the first guess led to the solution.
+    fn way(&self) -> String {
+        let points = &self.path.points;
+        let mut text = String::new();
+        if !points.is_empty() {
+            text += "\nby way of     alpha          beta             f    iterations\n";
+        }
+        for PathPoint { alpha, beta, f, iterations, accepted } in points {
+            let (alpha, beta, f) = (short(*alpha), short(*beta), short(*f));
+            let failed = if *accepted { "" } else { "  not solved" };
+            writeln!(text, "{alpha:>19} {beta:>13} {f:>13} {iterations:>13}{failed}").expect(IN_MEMORY);
+        }
+        text
+    }
+
+    /// One object: the columns of the summary, sensitivities if there are any, then seed, effort and path.
+    pub fn json(&self) -> String {
+        let (Parameters { f, alpha, beta, .. }, entry) = (self.asked, self.entry);
+        let reason = if entry.reason.is_empty() { Value::Null } else { Value::from(entry.reason.as_str()) };
+        let mut pairs = vec![
+            ("case", Value::from(entry.id.to_string())),
+            ("f", Value::from(*f)),
+            ("alpha", number(*alpha)),
+            ("beta", Value::from(*beta)),
+            ("status", Value::from(entry.outcome.name())),
+            ("reason", reason),
+        ];
+        let columns = COLUMNS.iter().zip(entry.values).filter(|(column, _)| column.in_summary);
+        pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+        if let Some(known) = &entry.sensitivities {
+            let columns = Sensitivities::COLUMNS.iter().zip(known.row());
+            pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+        }
+        pairs.push(("seed", Value::from(entry.timing.seed.as_str())));
+        let point = |point: &PathPoint| {
+            let &PathPoint { alpha, beta, f, iterations, accepted } = point;
+            json!({ "alpha": number(alpha), "beta": beta, "f": f, "iterations": iterations, "accepted": accepted })
+        };
+        pairs.push(("path", self.path.points.iter().map(point).collect()));
+        pairs.push(("iterations", Value::from(entry.timing.iterations)));
+        pairs.push(("factorisations", Value::from(entry.timing.factorisations)));
+        pairs.push(("unknowns", Value::from(self.unknowns)));
+        pairs.push(("seconds", Value::from(entry.timing.seconds)));
+        serde_json::to_string_pretty(&Object(pairs)).expect("strings and numbers can be written") + "\n"
+    }
+}
+
+/// A number in JSON, which has no infinity; NaN becomes null.
+fn number(value: f64) -> Value {
+    if value.is_infinite() { Value::from("inf") } else { Value::from(value) }
+}
+
+/// A coordinate of a path: as it is if that is short, else with four digits.
+fn short(value: f64) -> String {
+    let exact = value.to_string();
+    if exact.len() <= 6 { exact } else { format!("{value:.3e}") }
+}
+
+/// An object whose keys stay in their order.
+struct Object(Vec<(&'static str, Value)>);
+
+impl Serialize for Object {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
+    }
+}

@@ -1,0 +1,249 @@
+//! `stribeck solve`: one case to the terminal.
+
+use clap::{ArgAction, Args};
+
+use super::entry::case_entry;
+use super::solution::SolvedProblem;
+use super::solver::Solver;
+use super::{CliError, Exit, console};
+use stribeck_solver::collocation;
+use stribeck_solver::continuation::Interrupt;
+use stribeck_solver::relaxation;
+use stribeck_solver::relaxation::{Acceleration, Domain};
+use stribeck_solver::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
+use stribeck_sweep::store::Status;
+use stribeck_sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
+
+/// Fewest points of a grid whose errors can be estimated.
+pub const ESTIMATE_POINTS: usize = relaxation::Settings::ESTIMATE_POINTS;
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck solve --alpha 1 --beta 100 --f 10
+  stribeck solve --alpha inf --beta 100 --f 10          relaxed: the elastic case, whatever f is
+  stribeck solve --alpha 1 --beta 1000 --f 100 --tolerance 1e-8 --json | jq .mu_tot
+  stribeck solve --alpha 1 --beta 100 --f 10 --modes 0.7:1,0.3:100
+  stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
+
+Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
+summary.csv and seed, path, iterations, factorisations, unknowns, seconds; path has the points that were solved on the
+way to the case; a number that is not known is null, an infinite alpha is \"inf\". With --sensitivities there are also
+dmu_v_dln_alpha and the like.
+Exit code 3: the case failed.")]
+pub struct Arguments {
+    /// Slide time over retardation time, at least 0, or inf
+    #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
+    alpha: f64,
+    /// Inverse Hersey number, above 0
+    #[arg(long, value_name = "B", value_parser = beta, allow_negative_numbers = true)]
+    beta: f64,
+    /// Strength of retardation E0/Einf - 1, at least 0
+    #[arg(long, value_name = "F", value_parser = strength, allow_negative_numbers = true)]
+    f: f64,
+    /// Method of solution: collocation or relaxation
+    #[arg(long, default_value_t, value_parser = method)]
+    method: Method,
+    /// With collocation the relative error wanted in mu_v, mu_h and c, 1e-10 to 1e-1 [default: 1e-5]; with relaxation the
+    /// residuals of Reynolds' equation and of the load at which the case is converged, 1e-12 to 1e-2 [default: 1e-8]
+    #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// Relaxation: points of the uniform grid, odd, 51 to 20001 [default: 801]
+    #[arg(long, value_name = "N", value_parser = points)]
+    points: Option<usize>,
+    /// Relaxation: anderson, or none, the paper's plain iteration [default: anderson]
+    #[arg(long, value_parser = acceleration)]
+    acceleration: Option<Acceleration>,
+    /// Relaxation: solve on a second grid too, to estimate errors; from 201 points on [default: true where it can]
+    #[arg(long, value_name = "true|false", action = ArgAction::Set)]
+    estimate: Option<bool>,
+    /// Relaxation: auto, or both ends of the grid in a0, as in --domain=-3,4 [default: auto]
+    #[arg(long, value_name = "MIN,MAX", value_parser = domain, allow_hyphen_values = true)]
+    domain: Option<Domain>,
+    /// Retardation modes as SHARE:TIME, shares of f and times over the one in alpha, as in 0.7:1,0.3:100 [default: 1:1]
+    #[arg(long, value_name = "MODES", value_parser = modes)]
+    modes: Option<Substrate>,
+    /// What fills the gap behind the film: full, streamers or none
+    #[arg(long, default_value_t, value_parser = cavity_shear)]
+    cavity_shear: CavityShear,
+    /// Derivatives of friction with respect to ln(alpha), ln(beta) and ln(f) too; with collocation
+    #[arg(long)]
+    sensitivities: bool,
+    /// Seconds after which the case is given up, or inf [default: 3600]
+    #[arg(long, value_name = "S", value_parser = time_limit)]
+    time_limit: Option<f64>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+fn number(text: &str, allowed: &str, is_allowed: impl Fn(f64) -> bool) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|&number| is_allowed(number));
+    // −0 is 0
+    number.map(|number: f64| number + 0.0).ok_or_else(|| format!("give {allowed}"))
+}
+
+fn alpha(text: &str) -> Result<f64, String> {
+    number(text, "a number that is at least 0, or inf", |alpha| alpha >= 0.0)
+}
+
+fn beta(text: &str) -> Result<f64, String> {
+    let allowed = "a finite number above 0; dry sliding is the limit of large beta";
+    number(text, allowed, |beta| beta > 0.0 && beta.is_finite())
+}
+
+fn strength(text: &str) -> Result<f64, String> {
+    let allowed = "a finite number that is at least 0; 0 is an elastic substrate";
+    number(text, allowed, |f| f >= 0.0 && f.is_finite())
+}
+
+/// What is allowed depends on the method.
+fn tolerance(text: &str) -> Result<f64, String> {
+    number(text, "a number above 0, as in 1e-6", |tolerance| tolerance > 0.0)
+}
+
+fn points(text: &str) -> Result<usize, String> {
+    let points = text.parse().ok().filter(|points| relaxation::Settings::POINTS.contains(points) && points % 2 == 1);
+    points.ok_or_else(|| "give an odd whole number from 51 to 20001, such as 401, 801 or 1601".to_owned())
+}
+
+fn method(text: &str) -> Result<Method, String> {
+    match text {
+        "collocation" => Ok(Method::Collocation),
+        "relaxation" => Ok(Method::Relaxation),
+        _ => Err("give collocation or relaxation".to_owned()),
+    }
+}
+
+fn acceleration(text: &str) -> Result<Acceleration, String> {
+    match text {
+        "anderson" => Ok(Acceleration::Anderson),
+        "none" => Ok(Acceleration::None),
+        _ => Err("give anderson or none".to_owned()),
+    }
+}
+
+fn domain(text: &str) -> Result<Domain, String> {
+    if text == "auto" {
+        return Ok(Domain::Auto);
+    }
+    let (least, most) = Domain::ENDS.into_inner();
+    let ends = text.split_once(',').and_then(|(min, max)| Some((min.parse().ok()?, max.parse().ok()?)));
+    match ends {
+        Some((x_min, x_max)) if (least..0.0).contains(&x_min) && x_max > 0.0 && x_max <= most => {
+            Ok(Domain::Fixed { x_min, x_max })
+        }
+        _ => Err(format!("give auto, or two numbers on both sides of 0, from {least} to {most}, as in -3,4")),
+    }
+}
+
+fn modes(text: &str) -> Result<Substrate, String> {
+    let mode = |part: &str| {
+        let (share, time) = part.split_once(':')?;
+        Some(RetardationMode { share: share.parse().ok()?, time: time.parse().ok()? })
+    };
+    let modes: Option<Vec<_>> = text.split(',').map(mode).collect();
+    let modes = modes.ok_or("give SHARE:TIME, or several with commas between them, as in 0.7:1,0.3:100")?;
+    Substrate::new(modes).map_err(|error| error.to_string())
+}
+
+fn cavity_shear(text: &str) -> Result<CavityShear, String> {
+    let all = [CavityShear::Full, CavityShear::Streamers, CavityShear::None];
+    all.into_iter().find(|shear| shear.to_string() == text).ok_or_else(|| "give full, streamers or none".to_owned())
+}
+
+fn time_limit(text: &str) -> Result<f64, String> {
+    number(text, "a number of seconds above 0, or inf", |limit| limit > 0.0)
+}
+
+impl Arguments {
+    /// The settings of the method asked for.
+    fn settings(&self) -> Result<SolverSettings, CliError> {
+        let defaults = SolverSettings::default();
+        let time_limit = self.time_limit.unwrap_or(defaults.time_limit);
+        match self.method {
+            Method::Collocation => {
+                let others = [
+                    ("--points", self.points.is_some()),
+                    ("--acceleration", self.acceleration.is_some()),
+                    ("--estimate", self.estimate.is_some()),
+                    ("--domain", self.domain.is_some()),
+                ];
+                if let Some((option, _)) = others.into_iter().find(|(_, given)| *given) {
+                    return Err(CliError::OtherMethod { option });
+                }
+                let (least, most) = collocation::Settings::TOLERANCE.into_inner();
+                let tolerance = self.tolerance.unwrap_or(defaults.tolerance);
+                self.check(tolerance, "the relative error wanted in mu_v, mu_h and c", least, most)?;
+                Ok(SolverSettings { method: self.method, tolerance, time_limit, ..defaults })
+            }
+            Method::Relaxation => {
+                if self.sensitivities {
+                    return Err(CliError::Sensitivities);
+                }
+                let points = self.points.unwrap_or(defaults.relaxation.points);
+                let (least, most) = relaxation::Settings::TOLERANCE.into_inner();
+                let tolerance = self.tolerance.unwrap_or(defaults.relaxation.tolerance);
+                self.check(tolerance, "the residual at which a case is converged", least, most)?;
+                if self.estimate == Some(true) && points < ESTIMATE_POINTS {
+                    return Err(CliError::Estimate { points });
+                }
+                let relaxation = relaxation::Settings {
+                    points,
+                    tolerance,
+                    acceleration: self.acceleration.unwrap_or_default(),
+                    estimate: self.estimate.unwrap_or(points >= ESTIMATE_POINTS),
+                    domain: self.domain.unwrap_or_default(),
+                };
+                Ok(SolverSettings { method: self.method, relaxation, time_limit, ..defaults })
+            }
+        }
+    }
+
+    fn check(&self, given: f64, meaning: &'static str, least: f64, most: f64) -> Result<(), CliError> {
+        match (least..=most).contains(&given) {
+            true => Ok(()),
+            false => Err(CliError::Tolerance { method: self.method, meaning, least, most, given }),
+        }
+    }
+
+    /// The case as a sweep, so that it is the same as in a sweep, id included.
+    fn sweep(&self) -> Result<Sweep, CliError> {
+        Ok(Sweep {
+            title: String::new(),
+            grid: Grid::Dimensionless(Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] }),
+            substrate: self.modes.clone().unwrap_or_default(),
+            solver: self.settings()?,
+            output: Output {
+                fields: FieldSelection::default(),
+                cavity_shear: self.cavity_shear,
+                sensitivities: self.sensitivities,
+                ..Output::default()
+            },
+            text: String::new(),
+            name: String::new(),
+        })
+    }
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let sweep = arguments.sweep()?;
+    let settings = &sweep.solver;
+    if settings.method == Method::Relaxation && !settings.relaxation.estimate && arguments.estimate.is_none() {
+        console::tell(&format!("note: no errors are estimated; that takes {ESTIMATE_POINTS} points or more"));
+    }
+    let plan = Plan::new(&sweep);
+    let parameters = plan.parameters_at(0, 0, 0);
+    let solver = Solver::new(settings);
+    let solved = solver.solve_chain(std::slice::from_ref(&parameters), &sweep.output, &Interrupt::new());
+    let mut case = solved.expect("no one asks this chain to stop").remove(0);
+    let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
+    let entry = case_entry(&plan, &parameters, case);
+    let asked = Parameters { alpha: arguments.alpha, beta: arguments.beta, f: arguments.f, ..parameters };
+    let problem = SolvedProblem { asked: &asked, settings, entry: &entry, path: &path, unknowns };
+    console::print(&if arguments.json { problem.json() } else { problem.table() })?;
+    Ok(match entry.outcome {
+        Status::Converged => Exit::Success,
+        Status::Failed => Exit::CasesFailed,
+    })
+}

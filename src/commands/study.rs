@@ -1,0 +1,183 @@
+//! `stribeck study`: error against run time, and where each method is stable.
+
+use std::fmt::Write;
+use std::fs;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use clap::Args;
+
+use super::wording::{count, duration};
+use super::{CliError, Exit, console, shell, threads};
+use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
+use stribeck_input::shown;
+use stribeck_solver::continuation::Interrupt;
+use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
+use stribeck_sweep::store::holds_text;
+use stribeck_sweep::store::{StoreError, write_whole};
+
+/// The file of a study in its directory; a directory that holds one is a study's own.
+const COPY: &str = "study.toml";
+
+/// The tables that a study writes.
+const TABLES: [&str; 2] = ["study.csv", "study.md"];
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck study sweeps/study-quick.toml                tables and pictures in results/study-quick
+  stribeck study sweeps/study-stability.toml -o map --threads 4
+  stribeck study my-study.toml --quiet && column -s, -t results/my-study/study.csv | less -S
+
+Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG;
+docs/study-file.md has the keys of a study file and the columns. A case that fails is a row with its reason.
+Where run times are measured one thread is used unless --threads says otherwise: with more, times are those
+of a busy machine. Ctrl-C writes what is finished and ends with exit code 130; a study is not resumed.")]
+pub struct Arguments {
+    /// The study file (TOML)
+    study: PathBuf,
+    /// Directory of the tables and pictures [default: results/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Solver threads [default: 1 where run times are measured, else all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
+    threads: Option<NonZeroUsize>,
+    /// Show no progress
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError> {
+    let start = Instant::now();
+    let study = Study::read(&arguments.study)?;
+    let directory = destination(arguments.output.as_deref(), &study)?;
+    let threads = match study.measure.error {
+        true => arguments.threads.unwrap_or(NonZeroUsize::MIN),
+        false => threads::number(arguments.threads),
+    };
+    let interrupt = Arc::new(Interrupt::new());
+    let signals = Signals::watch(&interrupt)
+        .map_err(|source| CliError::System { action: "watch for signals that stop the study", source })?;
+    // before the work, so that a disk that takes nothing is known before hours are spent
+    let action = "create";
+    fs::create_dir_all(&directory).map_err(|source| CliError::Directory { action, path: directory.clone(), source })?;
+    let copy = directory.join(COPY);
+    if !copy.exists() {
+        write(copy, study.text.as_bytes())?;
+    } else if !holds_text(&copy, &study.text) {
+        let place = shown(&directory);
+        console::tell(&format!("note: {place} has the results of another study file, which will be replaced"));
+    }
+
+    let all = study.cases.len() * study.variants.len();
+    let progress = Progress::start(all as u64, "rows", ProgressStyle::detect(arguments.quiet))
+        .map_err(|source| CliError::System { action: "start the thread that shows progress", source })?;
+    let findings = run(&study, threads, meter, &interrupt, |converged| progress.count_case(converged))?;
+    drop(progress);
+    if findings.interrupted {
+        let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
+        let (done, place, command) = (findings.rows.len(), shown(&directory), shell::own_command());
+        let written = if done == 0 {
+            format!("none of {all} rows was finished, and no table is changed in {place}")
+        } else {
+            publish(&study, &findings.rows, &directory)?;
+            format!("{done} of {all} rows are in {place}")
+        };
+        console::tell(&format!("interrupted{signal}: {written}; to begin again\n    {command}"));
+        return Ok(Exit::Interrupted);
+    }
+    let drawn = publish(&study, &findings.rows, &directory)?;
+    console::print(&summary(&study, &findings, &directory, drawn, start.elapsed().as_secs_f64()))?;
+    let failed = findings.rows.iter().any(|row| row.failure.is_some());
+    Ok(if failed { Exit::CasesFailed } else { Exit::Success })
+}
+
+/// Where a study goes: the directory asked for, or `results/<file stem>`.
+///
+/// # Errors
+/// [`CliError::NotADirectory`] if a file is there, [`CliError::Occupied`] if files are there that no study has written.
+fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError> {
+    let path = asked.map_or_else(|| Path::new("results").join(&study.name), Path::to_owned);
+    if path.exists() && !path.is_dir() {
+        return Err(CliError::NotADirectory { path });
+    }
+    if path.exists() && !path.join(COPY).exists() {
+        let ours = |file: &PathBuf| {
+            let name = file.file_name().unwrap_or_default();
+            ["sweep.toml"].into_iter().chain(TABLES).any(|table| name == table) || is_picture(file)
+        };
+        if let Some(file) = files(&path)?.into_iter().find(ours) {
+            return Err(CliError::Occupied { file });
+        }
+    }
+    Ok(path)
+}
+
+/// The files in a directory, sorted.
+fn files(directory: &Path) -> Result<Vec<PathBuf>, CliError> {
+    let unreadable = |source| CliError::Directory { action: "read", path: directory.to_owned(), source };
+    let entries = fs::read_dir(directory).map_err(unreadable)?;
+    let mut files: Vec<PathBuf> =
+        entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<_, _>>().map_err(unreadable)?;
+    files.sort();
+    Ok(files)
+}
+
+/// True for a file that a study may have drawn.
+fn is_picture(file: &Path) -> bool {
+    let stem = file.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    file.extension().is_some_and(|extension| extension == "svg" || extension == "png") && is_picture_name(stem)
+}
+
+/// Writes a file of the study.
+fn write(file: PathBuf, content: &[u8]) -> Result<(), CliError> {
+    write_whole(file, content).map_err(|error| match error {
+        StoreError::File { path, action, source } => CliError::Unwritten { action, path, source },
+        error => CliError::Store(error),
+    })
+}
+
+/// Writes tables and pictures; the number of pictures.
+fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
+    let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
+    write(directory.join(COPY), study.text.as_bytes())?;
+    write(directory.join("study.csv"), &table)?;
+    let drawn = pictures(study, rows)?;
+    for Picture { name, svg, png } in &drawn {
+        write(directory.join(format!("{name}.svg")), svg.as_bytes())?;
+        write(directory.join(format!("{name}.png")), png)?;
+    }
+    // pictures of the study before, which this one does not have
+    for file in files(directory)?.iter().filter(|file| is_picture(file)) {
+        let kept = |picture: &Picture| file.file_stem().is_some_and(|stem| stem == picture.name.as_str());
+        if !drawn.iter().any(kept) {
+            fs::remove_file(file).map_err(|source| CliError::Unwritten {
+                action: "remove",
+                path: file.clone(),
+                source,
+            })?;
+        }
+    }
+    let names: Vec<&str> = drawn.iter().map(|picture| picture.name.as_str()).collect();
+    write(directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
+    Ok(drawn.len())
+}
+
+fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize, seconds: f64) -> String {
+    let written = "writing to memory does not fail";
+    let rows = &findings.rows;
+    let failed = rows.iter().filter(|row| row.failure.is_some()).count();
+    let cases = count(study.cases.len() as u64, "case");
+    let mut text = format!("{cases} with {}: ", count(study.variants.len() as u64, "setting"));
+    writeln!(text, "{} converged, {failed} failed, in {}", rows.len() - failed, duration(seconds)).expect(written);
+    for (method, variants) in study.methods() {
+        let of = rows.iter().filter(|row| variants.contains(&row.variant));
+        let failed = of.clone().filter(|row| row.failure.is_some()).count();
+        writeln!(text, "  {method}: {} of {} converged", of.clone().count() - failed, of.count()).expect(written);
+    }
+    let pictures = count(pictures as u64, "picture");
+    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", shown(directory)).expect(written);
+    text
+}

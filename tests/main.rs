@@ -1,0 +1,27 @@
+//! The program from outside, and what it draws: one module a subject.
+
+mod bad_input;
+#[path = "../crates/sweep/tests/bad_sweeps/mod.rs"]
+mod bad_sweeps;
+mod cli;
+mod dependencies;
+mod explain;
+mod extension;
+mod fit;
+#[path = "../crates/sweep/tests/grids/mod.rs"]
+mod grids;
+mod in_python;
+mod laboratory;
+mod material;
+mod parts;
+mod plot;
+mod program;
+mod published;
+mod report;
+mod resume;
+mod scripts;
+mod slurm;
+mod study;
+#[path = "../crates/sweep/tests/synthetic/mod.rs"]
+mod synthetic;
+mod torture;
