@@ -2,15 +2,14 @@
 
 use clap::{ArgAction, Args};
 
-use super::entry::case_entry;
 use super::solution::SolvedProblem;
-use super::solver::Solver;
 use super::{CliError, Exit, console};
 use stribeck_solver::collocation;
 use stribeck_solver::continuation::Interrupt;
 use stribeck_solver::relaxation;
 use stribeck_solver::relaxation::{Acceleration, Domain};
 use stribeck_solver::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
+use stribeck_sweep::campaign::{ChainSolver, case_entry};
 use stribeck_sweep::store::Status;
 use stribeck_sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
 
@@ -234,7 +233,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     }
     let plan = Plan::new(&sweep);
     let parameters = plan.parameters_at(0, 0, 0);
-    let solver = Solver::new(settings);
+    let solver = ChainSolver::new(settings);
     let solved = solver.solve_chain(std::slice::from_ref(&parameters), &sweep.output, &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);
     let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);

@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
+use crate::{Method, SolverSettings};
 use stribeck_solver::collocation::CollocationSolver;
 use stribeck_solver::continuation::{CaseSolver, Chain, Interrupt, Interrupted, SolvedCase};
 use stribeck_solver::relaxation::RelaxationSolver;
 use stribeck_solver::{Output, Parameters};
-use stribeck_sweep::{Method, SolverSettings};
 
 /// One of the methods with its settings, and the time that a case may take.
-pub struct Solver {
+pub struct ChainSolver {
     method: AnySolver,
     /// `None` for as long as it takes.
     time_limit: Option<Duration>,
@@ -20,7 +20,7 @@ enum AnySolver {
     Relaxation(RelaxationSolver),
 }
 
-impl Solver {
+impl ChainSolver {
     /// The method that the settings name.
     pub fn new(settings: &SolverSettings) -> Self {
         let method = match settings.method {
