@@ -27,7 +27,7 @@ from lib.difference_map import draw_comparison
 from lib.log_axes import format_value
 from lib.messages import fail, format_count
 from lib.results import decode, open_results
-from lib.style import print_style, save
+from lib.style import picture_path, print_style, save
 
 SYMBOLS = {"f": "f", "alpha": "α", "beta": "β"}
 # Lines of a list that stand for the rest, which --csv has.
@@ -169,7 +169,7 @@ def read_arguments():
     parser = argparse.ArgumentParser(description="Compares the results.h5 of two sweeps.")
     parser.add_argument("a", type=Path, metavar="DIR_A", help="directory that `stribeck run` wrote")
     parser.add_argument("b", type=Path, metavar="DIR_B", help="the other one")
-    parser.add_argument("-o", "--output", type=Path, help="picture to write: .png, .pdf, .svg")
+    parser.add_argument("-o", "--output", type=picture_path, help="picture to write: .png, .pdf, .svg")
     parser.add_argument("--quantity", choices=QUANTITIES, default="mu_tot", help="what the maps show [mu_tot]")
     parser.add_argument("--csv", type=Path, help="table of all places to write")
     parser.add_argument("--tolerance", type=positive, help="largest relative difference for exit code 0")

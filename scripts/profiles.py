@@ -22,7 +22,7 @@ from matplotlib.widgets import Slider
 from lib.log_axes import format_value, label_range, label_values, nearest, positions
 from lib.messages import fail
 from lib.results import decode, open_results
-from lib.style import ALPHA, BETA, BLUE, FAILED, GREEN, PAGE, VERMILION, print_style, save
+from lib.style import ALPHA, BETA, BLUE, FAILED, GREEN, PAGE, VERMILION, picture_path, print_style, save
 
 AXES = {"alpha": ("α", ALPHA), "beta": ("β", BETA), "f": ("f", "$f$")}
 FIELDS = {
@@ -230,7 +230,9 @@ def read_arguments():
     """The command line."""
     parser = argparse.ArgumentParser(description="Shows pressure, film and displacement of the cases of results.h5.")
     parser.add_argument("results", type=Path, metavar="RESULTS_DIR", help="directory that `stribeck run` wrote")
-    parser.add_argument("-o", "--output", type=Path, help="picture to write in place of a window: .png, .pdf, .svg")
+    parser.add_argument(
+        "-o", "--output", type=picture_path, help="picture to write in place of a window: .png, .pdf, .svg"
+    )
     for name, (symbol, _) in AXES.items():
         parser.add_argument(f"--{name}", type=axis_value, help=f"{symbol} of the case to show; the nearest is taken")
     return parser.parse_args()

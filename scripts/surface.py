@@ -25,7 +25,7 @@ from matplotlib.ticker import MaxNLocator, ScalarFormatter
 from lib.log_axes import edges, label_decades, label_range
 from lib.messages import fail, format_count
 from lib.results import open_results
-from lib.style import ALPHA, BETA, FAILED, PAGE, PALETTE, print_style, save
+from lib.style import ALPHA, BETA, FAILED, PAGE, PALETTE, picture_path, print_style, save
 from lib.surfaces_3d import draw_surfaces
 
 PANELS = {
@@ -140,6 +140,8 @@ def keep_apart(figure):
                 kept.append(box)
             else:
                 label.set_visible(False)
+    # Another layout would take them elsewhere.
+    figure.set_layout_engine("none")
 
 
 def draw_maps(data):
@@ -171,7 +173,9 @@ def main():
     """Draws the results directory of the command line."""
     parser = argparse.ArgumentParser(description="Draws friction over alpha and beta from results.h5.")
     parser.add_argument("results", type=Path, metavar="RESULTS_DIR", help="directory that `stribeck run` wrote")
-    parser.add_argument("-o", "--output", type=Path, help="picture to write [RESULTS_DIR/surface.png]; also .pdf, .svg")
+    parser.add_argument(
+        "-o", "--output", type=picture_path, help="picture to write [RESULTS_DIR/surface.png]; also .pdf, .svg"
+    )
     parser.add_argument("--three-d", action="store_true", help="a surface in three dimensions for each f")
     parser.add_argument("--quantity", choices=PANELS, default="mu_tot", help="what --three-d shows [mu_tot]")
     arguments = parser.parse_args()

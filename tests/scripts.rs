@@ -8,7 +8,7 @@ mod synthetic;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use in_python::{check, file_of_python};
+use in_python::{check, file_of_python, run_python};
 use stribeck::model::FieldSelection;
 use stribeck::store::{CaseEntry, Status, Store};
 use synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
@@ -34,7 +34,8 @@ fn changed(change: impl Fn(&mut CaseEntry)) -> TempDir {
 }
 
 fn script(name: &str, results: &[&Path], options: &[&str]) -> Output {
-    file_of_python(&format!("scripts/{name}.py")).args(results).args(options).output().unwrap()
+    let results = results.iter().map(|path| path.to_str().unwrap());
+    run_python(&format!("scripts/{name}.py"), &results.chain(options.iter().copied()).collect::<Vec<_>>())
 }
 
 /// Runs a script that draws; returns what it says. The picture must be one: a PNG with more than a few colours.
@@ -64,6 +65,16 @@ fn refuses(name: &str, results: &[&Path], options: &[&str]) -> String {
     assert_eq!(run.status.code(), Some(2), "{message}");
     assert!(!message.contains("Traceback"), "{message}");
     message
+}
+
+#[test]
+fn a_script_starts_by_itself_from_any_directory() {
+    let directory = results();
+    let mut command = file_of_python("scripts/surface.py");
+    let run = command.arg(".").current_dir(directory.path()).output().unwrap();
+    assert!(check(&run).ends_with("wrote surface.png\n"));
+    assert_eq!(String::from_utf8_lossy(&run.stderr), "");
+    assert!(directory.path().join("surface.png").is_file());
 }
 
 #[test]
@@ -145,12 +156,12 @@ fn profiles_need_fields_a_window_or_a_file_and_numbers() {
 #[test]
 fn sliders_and_clicks_take_another_case() {
     let directory = results();
-    check(&file_of_python("tests/python/browse_profiles.py").arg(directory.path()).output().unwrap());
+    check(&run_python("tests/python/browse_profiles.py", &[directory.path().to_str().unwrap()]));
 }
 
 #[test]
 fn every_script_names_the_packages_that_it_imports() {
-    let said = check(&file_of_python("tests/python/inline_metadata.py").output().unwrap());
+    let said = check(&run_python("tests/python/inline_metadata.py", &[]));
     for name in ["surface.py", "profiles.py", "compare.py", "fit_film.py", "reference_dry.py"] {
         assert!(said.contains(name), "{name} was not looked at: {said}");
     }

@@ -1,6 +1,10 @@
 """One look for all pictures in print: colours, labels, type, and how a picture is saved."""
 
+import argparse
+from pathlib import Path
+
 import matplotlib.pyplot as plt
+from matplotlib.backend_bases import FigureCanvasBase
 
 from lib.messages import fail
 
@@ -35,11 +39,20 @@ def print_style():
     )
 
 
+def picture_path(text):
+    """The name of a picture to write, checked before anything is drawn."""
+    path = Path(text)
+    if path.suffix[1:].lower() not in FigureCanvasBase.get_supported_filetypes():
+        raise argparse.ArgumentTypeError(
+            f"{path}: no kind of picture that can be written; end its name in .png, .pdf or .svg"
+        )
+    if not path.parent.is_dir():
+        raise argparse.ArgumentTypeError(f"{path.parent}: no such directory; name a file in a directory that exists")
+    return path
+
+
 def save(figure, path):
     """Writes a picture in the format that its name ends in."""
-    formats = figure.canvas.get_supported_filetypes()
-    if path.suffix[1:].lower() not in formats:
-        fail(f"{path}: no kind of picture that can be written; end its name in .png, .pdf or .svg")
     try:
         figure.savefig(path, dpi=300)
     except OSError as error:

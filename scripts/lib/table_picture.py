@@ -6,6 +6,8 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 
+from lib.style import picture_path
+
 
 def shorten_svg(svg):
     """The same picture with coordinates to a hundredth of a point and no white space between elements."""
@@ -22,7 +24,7 @@ def draw_table(description, table, figure_of, salt):
     """
     parser = argparse.ArgumentParser(description=description.splitlines()[0])
     parser.add_argument("table", type=Path, help=table)
-    parser.add_argument("-o", "--output", type=Path, required=True, help="the picture: .svg, .png or .pdf")
+    parser.add_argument("-o", "--output", type=picture_path, required=True, help="the picture: .svg, .png or .pdf")
     options = parser.parse_args()
     # Nothing that changes from one run to the next, and no font that a reader may lack.
     plt.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": salt})
