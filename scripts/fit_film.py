@@ -87,7 +87,7 @@ class Cases:
 
 
 def fit(errors, start):
-    """Least squares first, then ever higher powers, towards the least largest error."""
+    """Fits coefficients by least squares, then by ever higher powers, towards the least largest error."""
     solution = least_squares(errors, start).x
     for power in (2, 4, 8):
         solution = least_squares(lambda p, power=power: (100 * np.abs(errors(p))) ** power, solution).x
@@ -95,7 +95,7 @@ def fit(errors, start):
 
 
 def rounded(coefficients):
-    """The coefficients as they stand in the program."""
+    """Rounds coefficients to the four digits that stand in the program."""
     return np.array([float(f"{value:.4g}") for value in coefficients])
 
 
@@ -109,7 +109,7 @@ def fit_and_print(name, errors, start):
 
 
 def fit_elastic(rows):
-    """The coefficients of an elastic film."""
+    """Fits the coefficients of an elastic film."""
     # At alpha = 0 the substrate has its instantaneous modulus: the elastic film at beta/(1+f), u times 1/(1+f).
     elastic = rows[(rows.f == 0) | (rows.alpha == 0)].drop_duplicates(["f", "beta"])
     stiffening = 1 + elastic.f.to_numpy()
@@ -123,7 +123,7 @@ def fit_elastic(rows):
 
 
 def fit_viscoelastic(rows, elastic):
-    """The coefficients of the inlet, from narrow inlets, and of the blend, from all viscoelastic cases."""
+    """Fits the coefficients of the inlet to narrow inlets, and those of the blend to all viscoelastic cases."""
     viscoelastic = rows[(rows.f > 0) & (rows.alpha > 0)]
     start = [0.5, 1.1, 1.6, 2.1, 1.0]
     cases = Cases(viscoelastic, elastic)

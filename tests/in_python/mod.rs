@@ -55,8 +55,8 @@ fn command(python: &Path, name: &str) -> Command {
     command
 }
 
-/// Runs a file of Python in a process that has imported the packages already: a fork of one server for the test program,
-/// which `tests/python/run_scripts.py` describes.
+/// Runs a file of Python in a process that has imported the packages already, which takes seconds: a fork of one server
+/// for the whole test program (`tests/python/run_scripts.py`).
 pub fn run_python(name: &str, arguments: &[&str]) -> Output {
     static SERVER: OnceLock<(Child, PathBuf)> = OnceLock::new();
     let (_, socket) = SERVER.get_or_init(start_server);
