@@ -96,6 +96,8 @@ class Browser:
             axes = self.figure.add_axes((0.085, (0.52 - 0.21 * i) / height, 0.8, 0.14 / height))
             last = self.values[name].size - 1
             slider = Slider(axes, AXES[name][0], 0, last, valinit=self.place[name], valstep=1, color=BLUE)
+            # `moved` draws the whole figure, the slider included.
+            slider.drawon = False
             slider.on_changed(lambda index, name=name: self.moved(name, int(index)))
             self.sliders[name] = slider
 

@@ -16,19 +16,16 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The Python to use, whether it has the packages or not.
-fn interpreter() -> PathBuf {
-    std::env::var_os("STRIBECK_PYTHON").map_or_else(|| root().join(".venv/bin/python"), PathBuf::from)
-}
-
-/// The Python to use, with its packages; looked for once in a test program, as importing them takes seconds.
+/// The Python to use; that it has its packages is checked once in a test program.
 pub fn python() -> &'static Path {
     static PYTHON: OnceLock<PathBuf> = OnceLock::new();
     PYTHON.get_or_init(|| {
-        let python = interpreter();
-        let imports =
-            Command::new(&python).args(["-c", "import h5netcdf, netCDF4, xarray, pandas, matplotlib"]).output();
-        match imports {
+        let python = std::env::var_os("STRIBECK_PYTHON").map_or_else(|| root().join(".venv/bin/python"), PathBuf::from);
+        // Importing them would take seconds.
+        let find =
+            "import sys, importlib.util as u; assert all(map(u.find_spec, sys.argv[1:])), 'packages are missing'";
+        let packages = ["h5netcdf", "netCDF4", "xarray", "pandas", "matplotlib"];
+        match Command::new(&python).args(["-c", find]).args(packages).output() {
             Ok(output) if output.status.success() => python,
             Ok(output) => panic!("{}: {}; {REMEDY}", python.display(), String::from_utf8_lossy(&output.stderr)),
             Err(error) => panic!("{}: {error}; {REMEDY}", python.display()),
@@ -45,11 +42,7 @@ pub fn check(output: &Output) -> String {
 
 /// A command that runs a file of Python, named from the root of the repository, in an interpreter of its own.
 pub fn file_of_python(name: &str) -> Command {
-    command(python(), name)
-}
-
-fn command(python: &Path, name: &str) -> Command {
-    let mut command = Command::new(python);
+    let mut command = Command::new(python());
     // Without a display, as on a server; the messages are the same everywhere then.
     command.arg(root().join(name)).env("MPLBACKEND", "agg").env_remove("PYTHONPATH");
     command
@@ -72,10 +65,9 @@ pub fn run_python(name: &str, arguments: &[&str]) -> Output {
 
 /// The server and the path of its socket.
 fn start_server() -> (Child, PathBuf) {
-    let server = command(&interpreter(), "tests/python/run_scripts.py").stdout(Stdio::piped()).spawn();
-    let mut server = server.unwrap_or_else(|error| panic!("{}: {error}; {REMEDY}", interpreter().display()));
+    let mut server = file_of_python("tests/python/run_scripts.py").stdout(Stdio::piped()).spawn().unwrap();
     let mut socket = String::new();
     BufReader::new(server.stdout.take().unwrap()).read_line(&mut socket).unwrap();
-    assert!(socket.ends_with('\n'), "{} lacks packages; {REMEDY}", interpreter().display());
+    assert!(socket.ends_with('\n'), "the server of Python has ended: see above; {REMEDY}");
     (server, socket.trim_end().into())
 }
