@@ -130,7 +130,9 @@ def draw_panel(axes, panel, failed, symbol):
 
 def keep_apart(figure):
     """Hides labels of contour lines that lie over another one or reach out of their panel."""
-    figure.draw_without_rendering()
+    # Laid out once: a second time would take panels and labels elsewhere.
+    figure.get_layout_engine().execute(figure)
+    figure.set_layout_engine("none")
     for axes in figure.axes:
         panel, kept = axes.get_window_extent(), []
         for label in [text for text in axes.texts if text.get_text()]:
@@ -140,8 +142,6 @@ def keep_apart(figure):
                 kept.append(box)
             else:
                 label.set_visible(False)
-    # Another layout would take them elsewhere.
-    figure.set_layout_engine("none")
 
 
 def draw_maps(data):
