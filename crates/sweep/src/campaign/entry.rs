@@ -5,9 +5,8 @@ use std::panic::catch_unwind;
 use super::solve_command;
 use crate::Plan;
 use crate::store::{CaseEntry, Status, Timing};
-use stribeck_solver::continuation::{Cut, Effort, SolvedCase};
-use stribeck_solver::exact;
-use stribeck_solver::{Failure, Fields, Limits, Output, Parameters};
+use stribeck_solver::continuation::{Cut, Effort};
+use stribeck_solver::{Failure, Fields, Limits, Output, Parameters, SolvedCase, exact};
 
 /// Makes what the store keeps of a solved case of a plan.
 pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {

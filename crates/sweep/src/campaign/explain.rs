@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use super::stale::{CaseState, Comparison};
-use super::{CampaignError, ChainSolver, MergedCatalog, StaleReason, SweepDirectory, read_sweep, sweep_file};
+use super::{CampaignError, MergedCatalog, StaleReason, SweepDirectory, read_sweep, sweep_file};
 use crate::store::{CaseEntry, Holdings, Inspection, Origin, Status, StoreError, Warning};
 use crate::{CaseId, Grid, Plan, Sweep};
 use stribeck_lab::Experiment;
-use stribeck_solver::continuation::SolvedCase;
-use stribeck_solver::{COLUMNS, Failure, Parameters};
+use stribeck_solver::{COLUMNS, Failure, Parameters, SolvedCase, Solver};
 
 /// How a case is named.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,8 +143,8 @@ impl CaseReport {
     /// Solves the chain of the case again up to it, on this thread; `None` if the case is not stored, or not in the sweep.
     pub fn solve_again(&self) -> Option<Repeated> {
         let (Found::Stored { entry, .. }, Some(place)) = (&self.found, &self.place) else { return None };
-        let solver = ChainSolver::new(&self.sweep.solver);
-        let case = solver.trace_last(&place.chain[..=place.index], &self.sweep.output)?;
+        let solver = Solver::new(&self.sweep.solver_settings());
+        let case = solver.trace_last(&place.chain[..=place.index])?;
         Some(Repeated { repetition: compare(entry, &case), case })
     }
 }

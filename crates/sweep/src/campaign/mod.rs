@@ -32,7 +32,6 @@
 //! | `failures` | failed cases, listed and by region |
 //! | `solve_command` | the command that solves a case again |
 
-mod chain_solver;
 mod cost;
 mod entry;
 mod error;
@@ -53,7 +52,6 @@ mod status;
 mod sweep_directory;
 
 pub use crate::store::{VerifyReport, verify};
-pub use chain_solver::ChainSolver;
 pub use cost::{CaseSeconds, Cost, Size};
 pub use entry::case_entry;
 pub use error::CampaignError;

@@ -13,7 +13,7 @@ use super::{CampaignError, Event, FailedCase, MergedCatalog, Observer, Pending, 
 use crate::engine::Engine;
 use crate::store::{Ending, Holdings, Inspection, Published, Store, StoreError};
 use crate::{Part, Plan, Sweep};
-use stribeck_solver::continuation::Interrupt;
+use stribeck_solver::Interrupt;
 
 /// How a sweep is run. None of it changes a number or a published byte.
 #[derive(Clone, Debug)]

@@ -5,12 +5,11 @@ use std::num::NonZeroUsize;
 use std::time::Duration;
 
 use super::entry::{case_entry, panicked};
-use super::{CampaignError, ChainSolver, Event, Observer, Pending};
+use super::{CampaignError, Event, Observer, Pending};
 use crate::engine::{Engine, Finished, Report};
 use crate::store::{CaseEntry, Ending, Status, Store, StoreError};
 use crate::{CaseId, MAX_CHAIN, Part, Plan, Sweep};
-use stribeck_solver::continuation::Interrupt;
-use stribeck_solver::{Output, Parameters};
+use stribeck_solver::{Interrupt, Output, Parameters, Solver};
 
 /// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
 const WAITING_CHAINS: usize = 8;
@@ -69,12 +68,12 @@ impl Solving<'_> {
         store: &mut Store,
         observe: &mut Observer<'_>,
     ) -> Result<Report, StoreError> {
-        let solver = ChainSolver::new(&self.sweep.solver);
+        let solver = Solver::new(&self.sweep.solver_settings());
         let output = &self.sweep.output;
         engine.run(
             &self.pending.chains,
             self.interrupt,
-            |&index, interrupt| solver.solve_chain(&self.cases(index), output, interrupt),
+            |&index, interrupt| solver.solve_chain(&self.cases(index), interrupt),
             |&index, message| panicked(&self.cases(index), output, message),
             |group| {
                 let entries: Vec<CaseEntry> =
@@ -123,13 +122,13 @@ pub(super) fn group_wait(part: Part) -> Duration {
 /// # Errors
 /// [`CampaignError::Threads`] if the system does not start so many threads.
 pub fn solve_in_memory(sweep: &Sweep, threads: NonZeroUsize) -> Result<HashMap<CaseId, CaseEntry>, CampaignError> {
-    let (plan, solver, output) = (Plan::new(sweep), ChainSolver::new(&sweep.solver), &sweep.output);
+    let (plan, solver, output) = (Plan::new(sweep), Solver::new(&sweep.solver_settings()), &sweep.output);
     let chains: Vec<_> = plan.chains().collect();
     let mut entries = HashMap::new();
     Engine::new(threads)?.run(
         &chains,
         &Interrupt::new(),
-        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), output, interrupt),
+        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), interrupt),
         |chain, message| panicked(&plan.parameters(chain), output, message),
         |group| -> Result<(), CampaignError> {
             for Finished { chain, cases, .. } in group {
