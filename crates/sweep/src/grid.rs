@@ -1,8 +1,6 @@
 //! The places of a sweep: products of axes, dimensionless or of the laboratory.
 
-use super::laboratory::LaboratoryAxes;
-use super::specification::Axes;
-use crate::Dimension;
+use crate::{Axes, Dimension, LaboratoryAxes};
 use stribeck_lab::Experiment;
 use stribeck_solver::{Parameters, Substrate};
 

@@ -1,6 +1,6 @@
 //! The section `[output]` of a sweep file.
 
-use super::file::section;
+use super::sections::section;
 use super::specification::Method;
 use stribeck_input::{Entry, Fault, Quantity, read_axis};
 use stribeck_solver::{CavityShear, FieldSelection, Output};

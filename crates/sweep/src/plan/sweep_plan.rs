@@ -1,31 +1,16 @@
 //! From a sweep to rows, chains and case ids.
 
-use std::ops::Range;
-
+use super::chain::{Chain, MAX_CHAIN};
 use super::fingerprint::{Fingerprint, canonical};
-use super::grid::Grid;
 use super::listing::Listing;
 use super::recipe::Recipe;
-use super::specification::{Axes, Method, Sweep};
-use crate::CaseId;
+use crate::{Axes, CaseId, Grid, Method, Sweep};
 use stribeck_solver::{Parameters, Substrate};
-
-/// Most cases in one chain, whatever the method.
-pub const MAX_CHAIN: usize = 64;
-
-/// Neighbouring cases of one row, each seeding the next: the unit of work.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Chain {
-    /// The row, below [`Plan::rows`].
-    pub row: usize,
-    /// Which cases of the row, in ascending β. Along the speed that is descending.
-    pub cases: Range<usize>,
-}
 
 /// What there is to solve for a sweep, and in what pieces.
 ///
 /// A *row* is all cases along β, or along the speed, with the same other numbers. A row is cut into as few *chains* as the
-/// method's [`chain_limit`](super::Method::chain_limit) lets, with lengths that differ by at most one; short chains
+/// method's [`chain_limit`](crate::Method::chain_limit) lets, with lengths that differ by at most one; short chains
 /// mean that an interruption loses little.
 ///
 /// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is solved

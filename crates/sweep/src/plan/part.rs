@@ -4,7 +4,8 @@ use std::cmp::Reverse;
 use std::fmt;
 use std::str::FromStr;
 
-use super::plan::{Chain, Plan};
+use super::chain::Chain;
+use super::sweep_plan::Plan;
 
 /// The I-th of N parts of a plan, written `I/N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::plan::Chain;
+use super::chain::Chain;
 use crate::CaseId;
 
 /// The rows with a problem of their own, and their chains.
