@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Hyperslab, SliceOrIndex};
 
+use super::claims::{Inspection, LogContent, fault, read_claims};
 use super::contents::FIELDS;
 use super::directory::{Directory, PUBLISHED};
 use super::hdf5_file::{get_text, open};
-use super::holdings::{Inspection, LogContent, fault, read_claims};
 use super::results::DIMENSIONS;
 use super::{Status, StoreError};
 use crate::Dimension;

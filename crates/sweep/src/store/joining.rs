@@ -7,8 +7,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::directory::{Staged, synchronise_directory};
-use super::holdings::{open_checked, shard_record};
+use super::claims::{open_checked, shard_record};
+use super::files::{Staged, synchronise_directory};
 use super::index::{Shard, Slot};
 use super::open_shards::OpenShards;
 use super::record::{Record, ShardRecord};

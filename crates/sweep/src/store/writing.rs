@@ -7,9 +7,10 @@ use std::path::Path;
 
 use serde_json::Value;
 
+use super::claims::Inspection;
 use super::contents::{field, places};
-use super::directory::{Directory, Staged, holds_text, write_whole};
-use super::holdings::Inspection;
+use super::directory::Directory;
+use super::files::{Staged, holds_text, write_whole};
 use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
