@@ -6,8 +6,8 @@ use super::repeat::solve_command;
 use stribeck_solver::continuation::{Cut, Effort, SolvedCase};
 use stribeck_solver::exact;
 use stribeck_solver::{Failure, Fields, Limits, Output, Parameters};
-use stribeck_sweep::Plan;
 use stribeck_sweep::store::{CaseEntry, Status, Timing};
+use stribeck_sweep::{Plan, Values};
 
 /// A solved case of a plan.
 pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
@@ -19,14 +19,14 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
     let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
     let (outcome, reason, values, fields, sensitivities) = match case.outcome {
         Ok(solution) => {
-            let values = solution.quantities.row(&solution.errors, &case.limits);
+            let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
             (Status::Converged, String::new(), values, solution.fields, solution.sensitivities)
         }
         Err(Failure { mut reason, .. }) => {
             if case.cut == Some(Cut::Panic) {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
-            (Status::Failed, reason, case.limits.failed_row(), Fields::default(), None)
+            (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)
         }
     };
     CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, sensitivities, timing }
@@ -46,9 +46,8 @@ pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<Sol
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stribeck_solver::COLUMNS;
-    use stribeck_sweep::Sweep;
     use stribeck_sweep::store::Store;
+    use stribeck_sweep::{Column, Sweep};
 
     #[test]
     fn cases_of_a_panic_can_be_stored_with_their_limits_and_the_command_that_repeats_them() {
@@ -68,8 +67,7 @@ mod tests {
                  --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
             );
             assert_eq!(entry.reason, expected);
-            let dry = COLUMNS.iter().position(|column| column.name == "dry_mu_v").expect("a column");
-            assert_eq!(entry.values[dry], exact::limits(parameters).dry_mu_v);
+            assert_eq!(entry.values[Column::DryMuV], exact::limits(parameters).dry_mu_v);
         }
         let directory = tempfile::tempdir().expect("a temporary directory");
         let mut store = Store::open(directory.path(), "", &sweep.output).expect("opened");

@@ -17,10 +17,9 @@ use super::workload::{inspection, stale_reason};
 use super::{CliError, Exit, console};
 use stribeck_input::shown;
 use stribeck_solver::continuation::SolvedCase;
-use stribeck_solver::{COLUMNS, Parameters, shortest};
-use stribeck_sweep::CaseId;
+use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::store::{CaseEntry, Holdings, Status};
-use stribeck_sweep::{Grid, Method, Plan, Sweep};
+use stribeck_sweep::{CaseId, Column, Grid, GridIndex, Method, Plan, Sweep, Values};
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
@@ -73,7 +72,7 @@ fn wanted(text: &str) -> Result<Wanted, String> {
 struct Found<'a> {
     sweep: &'a Sweep,
     plan: &'a Plan,
-    place: [usize; 3],
+    place: GridIndex,
     parameters: Parameters,
     id: CaseId,
 }
@@ -88,10 +87,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let all = collection.held();
     let found = match arguments.case {
         Wanted::Near(numbers) => Some(nearest(&sweep, numbers)),
-        Wanted::Id(id) => plan.find(id).map(|(i_f, i_alpha, i_beta)| [i_f, i_alpha, i_beta]),
+        Wanted::Id(id) => plan.find(id),
     };
-    let found = found.map(|place @ [i_f, i_alpha, i_beta]| {
-        let parameters = plan.parameters_at(i_f, i_alpha, i_beta);
+    let found = found.map(|place| {
+        let parameters = plan.parameters_at(place);
         Found { sweep: &sweep, plan: &plan, place, id: plan.id(&parameters), parameters }
     });
     let id = match (&found, arguments.case) {
@@ -125,10 +124,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 }
 
 /// The place whose f, α and β are nearest by their ratios, f first, then α, then β.
-fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> [usize; 3] {
+fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> GridIndex {
     // These are magnitudes; the ends, 0 and infinity, are near to themselves alone.
     let distance = |value: f64, wanted: f64| if value == wanted { 0.0 } else { (value.ln() - wanted.ln()).abs() };
-    let [strengths, rows, length] = sweep.grid.shape();
     match &sweep.grid {
         Grid::Dimensionless(axes) => {
             let near = |axis: &[f64], wanted| {
@@ -136,13 +134,14 @@ fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> [usize; 3] {
                     |a: &usize, b: &usize| distance(axis[*a], wanted).total_cmp(&distance(axis[*b], wanted));
                 (0..axis.len()).min_by(by_distance).expect("an axis has values")
             };
-            [near(&axes.f, wanted[0]), near(&axes.alpha, wanted[1]), near(&axes.beta, wanted[2])]
+            let (f, row, along) = (near(&axes.f, wanted[0]), near(&axes.alpha, wanted[1]), near(&axes.beta, wanted[2]));
+            GridIndex { f, row, along }
         }
         Grid::Laboratory(_) => {
             // α and β change together: f comes first, then both.
-            let places = (0..strengths * rows * length)
-                .map(|place| [place / (rows * length), place / length % rows, place % length]);
-            let distances = |place: [usize; 3]| {
+            let shape = sweep.grid.shape();
+            let places = (0..shape.places()).map(|place| shape.index(place));
+            let distances = |place: GridIndex| {
                 let [f, alpha, beta] = sweep.grid.numbers(place);
                 (distance(f, wanted[0]), distance(alpha, wanted[1]).hypot(distance(beta, wanted[2])))
             };
@@ -275,16 +274,16 @@ impl Found<'_> {
             (Err(_), Status::Failed) => return "it fails again".to_owned(),
             (Ok(solution), Status::Converged) => solution,
         };
-        let row = solution.quantities.row(&solution.errors, &case.limits);
+        let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
         // Limits may not have been asked for when it was stored.
         let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || a.is_nan() || b.is_nan();
-        if row.iter().zip(&entry.values).all(same) {
+        if values.0.iter().zip(&entry.values.0).all(same) {
             return "the same numbers to the last bit".to_owned();
         }
         let mut differences = Vec::new();
-        for name in ["mu_v", "mu_h", "c"] {
-            let place = COLUMNS.iter().position(|column| column.name == name).expect("a column");
-            differences.push(format!("{name} by {:.0e}", (row[place] / entry.values[place] - 1.0).abs()));
+        for column in [Column::MuV, Column::MuH, Column::C] {
+            let difference = (values[column] / entry.values[column] - 1.0).abs();
+            differences.push(format!("{} by {difference:.0e}", column.name()));
         }
         format!(
             "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had another \

@@ -11,7 +11,7 @@ use stribeck_solver::continuation::Interrupt;
 use stribeck_solver::{Output, Parameters};
 use stribeck_sweep::engine::{Engine, Finished, Progress, ProgressStyle, Report};
 use stribeck_sweep::store::{Ending, Point, Publication, Published, Store, StoreError};
-use stribeck_sweep::{MAX_CHAIN, Part, Plan, Sweep};
+use stribeck_sweep::{Field, GridIndex, MAX_CHAIN, Part, Plan, Sweep};
 
 /// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
 const WAITING_CHAINS: usize = 8;
@@ -96,7 +96,7 @@ impl Job<'_> {
 /// Finished chains that may wait for a slow disk: some for each thread, of a part as many as make a large commit, fewer where
 /// their fields would take much memory.
 pub fn queue_length(threads: usize, part: Option<Part>, output: &Output) -> usize {
-    let field_values = MAX_CHAIN * output.fields.names().len() * output.x.len();
+    let field_values = MAX_CHAIN * Field::selected(output.fields).count() * output.x.len();
     let chains = WAITING_CHAINS * threads;
     let chains = if part.is_some() { chains.max(PART_CHAINS) } else { chains };
     chains.min(WAITING_FIELD_VALUES / field_values.max(1))
@@ -110,13 +110,12 @@ pub fn group_wait(part: Part) -> Duration {
 
 /// Publishes a sweep whose cases are all stored.
 pub fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
-    let [_, rows, length] = sweep.grid.shape();
-    let point = |place @ [i_f, i_row, along]: [usize; 3]| Point {
-        case: plan.case_at(i_f, i_row, along),
+    let point = |place: GridIndex| Point {
+        case: plan.case_at(place),
         numbers: sweep.grid.numbers(place),
         experiment: sweep.grid.experiment(place),
     };
-    let row = |row: usize| (0..length).map(|along| point([row / rows, row % rows, along])).collect();
+    let row = |row: usize| sweep.grid.shape().row(row).map(point).collect();
     let dimensions = sweep.grid.dimensions();
     store.publish(&Publication { title: &sweep.title, sweep_text: &sweep.text, dimensions: &dimensions, row: &row })
 }

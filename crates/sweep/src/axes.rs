@@ -1,6 +1,7 @@
 //! The axes of a sweep.
 
-use crate::Dimension;
+use crate::grid_index::indices;
+use crate::{Dimension, GridIndex, GridShape};
 use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus};
 
 /// The axes of a dimensionless sweep: each strictly ascending and not empty.
@@ -52,9 +53,10 @@ impl LaboratoryAxes {
         self.given.last().expect("the speed is given")
     }
 
-    /// Values of f, rows with each f, speeds.
-    pub fn shape(&self) -> [usize; 3] {
-        [self.f.len(), self.between().map(|given| given.values.len()).product(), self.speed().values.len()]
+    /// The lengths of the grid.
+    pub fn shape(&self) -> GridShape {
+        let rows = self.between().map(|given| given.values.len()).product();
+        GridShape { strengths: self.f.len(), rows, length: self.speed().values.len() }
     }
 
     /// f, the axes between in their order, and the speed.
@@ -67,11 +69,11 @@ impl LaboratoryAxes {
         std::iter::once(strength).chain(self.between().chain([self.speed()]).map(of)).collect()
     }
 
-    /// The experiment at a place: indices of f, of the row and of the speed.
+    /// The experiment at a place.
     ///
     /// # Panics
     /// If there is no such place.
-    pub fn experiment(&self, [i_f, row, i_speed]: [usize; 3]) -> Experiment {
+    pub fn experiment(&self, index: GridIndex) -> Experiment {
         let mut experiment = Experiment {
             radius: f64::NAN,
             load: f64::NAN,
@@ -79,16 +81,14 @@ impl LaboratoryAxes {
             poisson_ratio: f64::NAN,
             viscosity: f64::NAN,
             retardation_time: f64::NAN,
-            speed: self.speed().values[i_speed],
-            f: self.f[i_f],
+            speed: self.speed().values[index.along],
+            f: self.f[index.f],
         };
-        let mut rest = row;
-        for given in self.given[..self.given.len() - 1].iter().rev() {
-            let number = given.values.len();
-            experiment.set(given.quantity, given.values[rest % number]);
-            rest /= number;
+        let others = &self.given[..self.given.len() - 1];
+        let lengths = others.iter().map(|given| given.values.len());
+        for (given, place) in others.iter().zip(indices(lengths, index.row)) {
+            experiment.set(given.quantity, given.values[place]);
         }
-        assert_eq!(rest, 0, "row {row} is not in the sweep");
         experiment
     }
 }

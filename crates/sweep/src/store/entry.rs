@@ -1,7 +1,7 @@
 //! One case of a finished chain, as the store keeps it.
 
-use crate::CaseId;
-use stribeck_solver::{COLUMNS, Fields, Sensitivities};
+use crate::{CaseId, Values};
+use stribeck_solver::{Fields, Sensitivities};
 
 /// What became of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -63,8 +63,8 @@ pub struct CaseEntry {
     pub outcome: Status,
     /// Why it failed, one line; empty if it converged.
     pub reason: String,
-    /// The values of [`COLUMNS`], in their order; NaN where there is none.
-    pub values: [f64; COLUMNS.len()],
+    /// Its numbers; NaN where there is none.
+    pub values: Values,
     /// The fields of the store's output; all `None` for a failed case.
     pub fields: Fields,
     /// How friction changes with the parameters, if the store's output asks for it; `None` for a failed case.

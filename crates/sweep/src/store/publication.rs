@@ -1,9 +1,8 @@
 //! What is published.
 
 use super::{Status, StoreError};
-use crate::{CaseId, Dimension};
+use crate::{CaseId, Dimension, Values};
 use stribeck_lab::Experiment;
-use stribeck_solver::COLUMNS;
 
 /// What is published: a grid, and which case stands at each place of it.
 pub struct Publication<'a> {
@@ -60,7 +59,7 @@ pub(super) struct Place {
     pub point: Point,
     pub status: Status,
     pub reason: String,
-    pub values: [f64; COLUMNS.len()],
+    pub values: Values,
     /// Of the columns of sensitivities; empty if they are not asked for.
     pub sensitivities: Vec<f64>,
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::claims::{Inspection, LastPublished, fault};
-use super::contents::{FIELDS, places};
+use super::contents::field_names;
 use super::directory::PUBLISHED;
 use super::files::Staged;
 use super::open_shards::OpenShards;
@@ -14,7 +14,7 @@ use super::results::Results;
 use super::sensitivity_columns::{self, SensitivityColumn};
 use super::tables::{Summary, Timings};
 use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
-use stribeck_solver::{COLUMNS, Limits};
+use crate::{Column, Field, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
 const PLACES_AT_ONCE: usize = 4096;
@@ -94,7 +94,7 @@ fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, Sto
         hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
     }
     let contents = Contents::of(&store.output);
-    hasher.update(contents.fields.names().join(" ").as_bytes()).update(&contents.x.to_le_bytes());
+    hasher.update(field_names(contents.fields).as_bytes()).update(&contents.x.to_le_bytes());
     hasher.update(&[u8::from(contents.limits), u8::from(contents.sensitivities)]);
     for dimension in publication.dimensions {
         hasher.update(&(dimension.name.len() as u64).to_le_bytes()).update(dimension.name.as_bytes());
@@ -199,23 +199,23 @@ impl<'a> Files<'a> {
         let sensitivities = match output.sensitivities {
             true => sensitivity_columns::values(
                 reader.sensitivities(case).as_ref(),
-                ["mu_v", "mu_h"].map(|name| values[place_of(name)]),
+                [values[Column::MuV], values[Column::MuH]],
                 point.experiment.as_ref(),
             ),
             false => Vec::new(),
         };
         if let Some(scales) = &scales {
-            for (value, column) in values.iter_mut().zip(&COLUMNS) {
-                *value *= scales.factor(column.units);
+            for column in Column::ALL {
+                values[column] *= scales.factor(column.units());
             }
         }
         let place = Place { point, status, reason, values, sensitivities };
         self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
-        for field in places(output.fields) {
+        for field in Field::selected(output.fields) {
             if let Some(mut values) = reader.field(field, case)? {
                 if let Some(scales) = &scales {
-                    let factor = scales.factor(FIELDS[field].units);
+                    let factor = scales.factor(field.units());
                     values.iter_mut().for_each(|value| *value *= factor);
                 }
                 let written = self.results.field(field, at, &values);
@@ -232,17 +232,10 @@ impl<'a> Files<'a> {
     }
 }
 
-/// The place of a column.
-fn place_of(name: &str) -> usize {
-    COLUMNS.iter().position(|column| column.name == name).expect("a column")
-}
-
 /// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.
-fn asked(mut values: [f64; COLUMNS.len()], limits: bool) -> [f64; COLUMNS.len()] {
-    for (value, column) in values.iter_mut().zip(&COLUMNS) {
-        if !limits && Limits::COLUMNS.contains(&column.name) {
-            *value = f64::NAN;
-        }
+fn asked(mut values: Values, limits: bool) -> Values {
+    for column in Column::ALL.into_iter().filter(|column| column.is_limit() && !limits) {
+        values[column] = f64::NAN;
     }
     values
 }
