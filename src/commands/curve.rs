@@ -10,7 +10,6 @@ use clap::Args;
 use super::destination::read_sweep;
 use super::entry::{case_entry, panicked};
 use super::plot::at;
-use super::solver::Solver;
 use super::terminal_plot::{TextAxis, plot};
 use super::wording::count;
 use super::{CliError, Exit, console, threads};
@@ -18,8 +17,7 @@ use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::Measured;
 use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
-use stribeck_solver::continuation::Interrupt;
-use stribeck_solver::{FieldSelection, Output, shortest};
+use stribeck_solver::{FieldSelection, Interrupt, Output, Solver, shortest};
 use stribeck_sweep::engine::{Engine, Finished};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
 use stribeck_sweep::{CaseId, Column, Grid, LaboratoryAxes, Plan, Sweep};
@@ -131,13 +129,13 @@ impl Solved {
 /// Solves every case of a sweep along the speed, in ascending speed.
 fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> {
     let plan = Plan::new(sweep);
-    let (solver, output) = (Solver::new(&sweep.solver), &sweep.output);
+    let (solver, output) = (Solver::new(&sweep.solver_settings()), &sweep.output);
     let chains: Vec<_> = plan.chains().collect();
     let mut entries: HashMap<CaseId, CaseEntry> = HashMap::new();
     Engine::new(threads)?.run(
         &chains,
         &Interrupt::new(),
-        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), output, interrupt),
+        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), interrupt),
         |chain, message| panicked(&plan.parameters(chain), output, message),
         |group| -> Result<(), CliError> {
             for Finished { chain, cases, .. } in group {

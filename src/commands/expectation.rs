@@ -1,10 +1,9 @@
 //! What a run is expected to cost.
 
 use super::collection::Held;
-use super::solver::Solver;
 use super::workload::Workload;
-use stribeck_solver::continuation::Interrupt;
 use stribeck_solver::relaxation;
+use stribeck_solver::{Interrupt, Solver};
 use stribeck_sweep::store::Holdings;
 use stribeck_sweep::{Field, Method, Plan, Sweep};
 
@@ -82,7 +81,7 @@ impl CaseSeconds {
 /// Seconds of a case, from some cases of the sweep that are left to do, with the output it asks for. Of each chain tried
 /// the first case is dearer, as it has no neighbour to start from; it counts once for the whole chain.
 fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
-    let solver = Solver::new(&sweep.solver);
+    let solver = Solver::new(&sweep.solver_settings());
     let tried = TRIED_CHAINS.min(workload.pending.len());
     let of_chain = |place: usize| {
         // spread over the rows: the middles of as many equal parts
@@ -91,7 +90,7 @@ fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
         let cases: Vec<_> = workload.places(plan, index).into_iter().map(|place| &chain[place]).collect();
         let start = (cases.len() - TRIED_CASES.min(cases.len())) / 2;
         let sample: Vec<_> = cases.iter().skip(start).take(TRIED_CASES).copied().cloned().collect();
-        let solved = solver.solve_chain(&sample, &sweep.output, &Interrupt::new()).expect("no one asks it to stop");
+        let solved = solver.solve_chain(&sample, &Interrupt::new()).expect("no one asks it to stop");
         let mut seconds = solved.iter().map(|case| case.effort.seconds);
         let first = seconds.next().expect("a chain has cases");
         let others = seconds.sum::<f64>() / (sample.len() - 1).max(1) as f64;

@@ -10,14 +10,12 @@ use super::destination::read_sweep;
 use super::repeat::solve_command;
 use super::shell::quoted;
 use super::solution::numbers;
-use super::solver::Solver;
 use super::way::{seed_in_words, way};
 use super::wording::{count, duration, moment};
 use super::workload::{inspection, stale_reason};
 use super::{CliError, Exit, console};
 use stribeck_input::shown;
-use stribeck_solver::continuation::SolvedCase;
-use stribeck_solver::{Parameters, shortest};
+use stribeck_solver::{Parameters, SolvedCase, Solver, shortest};
 use stribeck_sweep::store::{CaseEntry, Holdings, Status};
 use stribeck_sweep::{CaseId, Column, Grid, GridIndex, Method, Plan, Sweep, Values};
 
@@ -252,8 +250,8 @@ impl Found<'_> {
     /// The way to the case, by solving its chain again, and whether it leads to what is stored.
     fn solved_again(&self, entry: &CaseEntry) -> String {
         let (chain, number) = self.chain();
-        let solver = Solver::new(&self.sweep.solver);
-        let Some(case) = solver.trace_last(&chain[..number], &self.sweep.output) else { return String::new() };
+        let solver = Solver::new(&self.sweep.solver_settings());
+        let Some(case) = solver.trace_last(&chain[..number]) else { return String::new() };
         let before = match number - 1 {
             0 => "it is the first of its chain".to_owned(),
             others => format!("after the {others} before it in its chain"),

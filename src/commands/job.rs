@@ -5,10 +5,8 @@ use std::time::Duration;
 
 use super::CliError;
 use super::entry::{case_entry, panicked};
-use super::solver::Solver;
 use super::workload::Workload;
-use stribeck_solver::continuation::Interrupt;
-use stribeck_solver::{Output, Parameters};
+use stribeck_solver::{Interrupt, Output, Parameters, Solver};
 use stribeck_sweep::engine::{Engine, Finished, Progress, ProgressStyle, Report};
 use stribeck_sweep::store::{Ending, Point, Publication, Published, Store, StoreError};
 use stribeck_sweep::{Field, GridIndex, MAX_CHAIN, Part, Plan, Sweep};
@@ -61,7 +59,7 @@ impl Job<'_> {
     fn solve_pending(&self, engine: &Engine, store: &mut Store) -> Result<Report, CliError> {
         let Self { sweep, plan, workload, interrupt, .. } = *self;
         store.begin(&sweep.name, workload.to_do(), self.threads.get() as u64)?;
-        let solver = Solver::new(&sweep.solver);
+        let solver = Solver::new(&sweep.solver_settings());
         let output = &sweep.output;
         let cases = |&index: &u32| -> Vec<Parameters> {
             let chain = plan.parameters(&plan.chain(index as usize));
@@ -72,7 +70,7 @@ impl Job<'_> {
         let report = engine.run(
             &workload.pending,
             interrupt,
-            |index, interrupt| solver.solve_chain(&cases(index), output, interrupt),
+            |index, interrupt| solver.solve_chain(&cases(index), interrupt),
             |index, message| panicked(&cases(index), output, message),
             |group| -> Result<(), StoreError> {
                 let mut entries = Vec::new();

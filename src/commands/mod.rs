@@ -15,7 +15,6 @@
 //! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `fitted_material` | a fitted material as a table, as JSON and as a chart |
-//! | `solver` | the solver that a sweep asks for |
 //! | `repeat`, `way` | the command that solves a case again; how it was reached |
 //! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
 
@@ -47,7 +46,6 @@ mod slurm;
 mod slurm_script;
 mod solution;
 mod solve;
-mod solver;
 mod status;
 mod study;
 mod terminal_plot;

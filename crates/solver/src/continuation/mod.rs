@@ -177,6 +177,11 @@ pub trait CaseSolver: Sync {
     /// [`Failure`] if no case of this kind can be solved.
     fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Self::Workspace, Failure>;
 
+    /// Whether the workspace of a chain that holds `from` is also good for `to`, and a line leads there.
+    fn can_continue(&self, from: &Parameters, to: &Parameters) -> bool {
+        Line::new(from, to).is_ok()
+    }
+
     /// Places from which a case can be reached when no neighbour helps, best first; the first may be the case itself.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters>;
 

@@ -62,6 +62,13 @@ pub struct Output {
     pub sensitivities: bool,
 }
 
+impl Output {
+    /// What every solution has: friction, film and their errors; no fields, limits or sensitivities.
+    pub fn numbers() -> Self {
+        Self { fields: FieldSelection::default(), limits: false, ..Self::default() }
+    }
+}
+
 impl Default for Output {
     /// All fields at 601 points from −3 to 3, limits, a full cavity, no sensitivities.
     fn default() -> Self {

@@ -228,6 +228,11 @@ impl CaseSolver for RelaxationSolver {
         Ok(self.workspace(parameters, self.grid(parameters)?, output))
     }
 
+    /// The workspace holds the kernel of one α and f.
+    fn can_continue(&self, from: &Parameters, to: &Parameters) -> bool {
+        (from.alpha, from.f, &from.substrate) == (to.alpha, to.f, &to.substrate)
+    }
+
     /// The case itself, then thicker films.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
         let thicker = MARCH_DECADES

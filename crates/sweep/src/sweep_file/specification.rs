@@ -1,11 +1,12 @@
 //! A validated sweep.
 
 use std::fmt;
+use std::time::Duration;
 
 use crate::Grid;
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
-use stribeck_solver::{Output, Substrate};
+use stribeck_solver::{self as solver, Output, Substrate};
 
 /// A sweep: which cases, of what substrate, solved how, and what is wanted of each.
 ///
@@ -27,6 +28,19 @@ pub struct Sweep {
     pub text: String,
     /// Stem of the file's name.
     pub name: String,
+}
+
+impl Sweep {
+    /// How the solver crate solves the cases of this sweep.
+    pub fn solver_settings(&self) -> solver::Settings {
+        let method = match self.solver.method {
+            Method::Collocation => solver::Method::Collocation(self.solver.collocation()),
+            Method::Relaxation => solver::Method::Relaxation(self.solver.relaxation),
+        };
+        // Infinity, and what is as good as that, is no duration.
+        let time_limit = Duration::try_from_secs_f64(self.solver.time_limit).ok();
+        solver::Settings { method, time_limit, output: self.output.clone() }
+    }
 }
 
 /// A method of solution.
