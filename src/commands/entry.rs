@@ -16,7 +16,7 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
         Some(Cut::TimeLimit(limit)) => Some(limit.as_secs_f64()),
         Some(Cut::Panic) | None => None,
     };
-    let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
+    let timing = Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit };
     let (outcome, reason, values, fields, sensitivities) = match case.outcome {
         Ok(solution) => {
             let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);

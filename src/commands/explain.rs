@@ -190,7 +190,13 @@ fn stored(
         line("with", &recipe_in_words(&origin.recipe));
     }
     let timing = &entry.timing;
-    line("seed", &format!("{}: {}", timing.seed, seed_in_words(&timing.seed)));
+    line(
+        "seed",
+        &match timing.seed {
+            Some(seed) => format!("{seed}: {}", seed_in_words(seed)),
+            None => "one of another version of the program".to_owned(),
+        },
+    );
     let factorisations = match timing.factorisations {
         0 => String::new(),
         number => format!("{}, ", count(number, "factorisation")),

@@ -103,13 +103,13 @@ impl SolvedProblem<'_> {
                 (format!("{} passes", timing.iterations), format!("{} points", settings.relaxation.points))
             }
         };
-        format!(
-            "case {}, {}, {setting}\nseed {}, {effort}, {}\n",
-            self.entry.id,
-            settings.method,
-            timing.seed,
-            duration(timing.seconds)
-        )
+        let (id, method, seconds) = (self.entry.id, settings.method, duration(timing.seconds));
+        format!("case {id}, {method}, {setting}\nseed {}, {effort}, {seconds}\n", self.seed())
+    }
+
+    /// The name of the seed.
+    fn seed(&self) -> String {
+        self.entry.timing.seed.map_or_else(String::new, |seed| seed.to_string())
     }
 
     /// The path, a line for each point; nothing if the first guess led to the solution.
@@ -143,7 +143,7 @@ impl SolvedProblem<'_> {
         if let Some(known) = &entry.sensitivities {
             pairs.extend(Sensitivities::NAMES.into_iter().zip(known.row().map(Value::from)));
         }
-        pairs.push(("seed", Value::from(entry.timing.seed.as_str())));
+        pairs.push(("seed", Value::from(self.seed())));
         let point = |point: &PathPoint| {
             let &PathPoint { alpha, beta, f, iterations, accepted } = point;
             json!({ "alpha": number(alpha), "beta": beta, "f": f, "iterations": iterations, "accepted": accepted })

@@ -1,6 +1,7 @@
 //! One case of a finished chain, as the store keeps it.
 
 use crate::{CaseId, Values};
+use stribeck_solver::continuation::Seed;
 use stribeck_solver::{Fields, Sensitivities};
 
 /// What became of a case.
@@ -40,7 +41,7 @@ impl Status {
 }
 
 /// What a case cost; differs from run to run, so it is kept in the log and never in a shard.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Timing {
     /// Wall-clock seconds; finite, not negative.
     pub seconds: f64,
@@ -48,8 +49,8 @@ pub struct Timing {
     pub iterations: u64,
     /// Matrix factorisations.
     pub factorisations: u64,
-    /// Name of the seed that led to the outcome.
-    pub seed: String,
+    /// The seed that led to the outcome; `None` if another version of the program recorded a seed that this one has not.
+    pub seed: Option<Seed>,
     /// The time limit in seconds at which the case was given up, if that is why it failed; above 0.
     pub time_limit: Option<f64>,
 }

@@ -105,14 +105,15 @@ pub(super) struct CaseRecord {
 
 impl CaseRecord {
     pub(super) fn of(entry: &CaseEntry) -> Self {
-        let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing.clone();
+        let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing;
+        let seed = seed.map_or_else(String::new, |seed| seed.to_string());
         let (case, status, reason) = (entry.id, entry.outcome, entry.reason.clone());
         Self { case, status, reason, seconds, iterations, factorisations, seed, time_limit }
     }
 
     pub(super) fn timing(&self) -> Timing {
-        let Self { seconds, iterations, factorisations, seed, time_limit, .. } = self.clone();
-        Timing { seconds, iterations, factorisations, seed, time_limit }
+        let Self { seconds, iterations, factorisations, time_limit, .. } = *self;
+        Timing { seconds, iterations, factorisations, seed: self.seed.parse().ok(), time_limit }
     }
 }
 
