@@ -7,7 +7,8 @@ use stribeck_sweep::Sweep;
 use stribeck_sweep::campaign::{Event, RunOptions, run};
 use stribeck_sweep::store::DataSet;
 
-const SWEEP: &str = "[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";
+const SWEEP: &str =
+    "[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let temporary = tempfile::tempdir()?;

@@ -131,7 +131,11 @@ fn describe_stored(entry: &CaseEntry, origin: &Origin) -> String {
         line("with", &describe_recipe(&origin.recipe));
     }
     let timing = &entry.timing;
-    line("seed", &format!("{}: {}", timing.seed, describe_seed(&timing.seed)));
+    let seed = match timing.seed {
+        Some(seed) => format!("{seed}: {}", describe_seed(seed)),
+        None => "one of another version of the program".to_owned(),
+    };
+    line("seed", &seed);
     let factorisations = match timing.factorisations {
         0 => String::new(),
         number => format!("{}, ", count(number, "factorisation")),
@@ -187,7 +191,7 @@ fn describe_repetition(repetition: &Repetition) -> String {
         Repetition::OtherNumbers(differences) => format!(
             "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had another \
              chain, or on another machine",
-            differences.map(|(name, difference)| format!("{name} by {difference:.0e}")).join(", ")
+            differences.map(|(column, difference)| format!("{} by {difference:.0e}", column.name())).join(", ")
         ),
     }
 }

@@ -11,7 +11,7 @@ use super::thinning::Grid;
 use crate::pictures::AxisWords;
 use stribeck_lab::Measured;
 use stribeck_lab::si_units;
-use stribeck_solver::COLUMNS;
+use stribeck_sweep::Column;
 use stribeck_sweep::store::{Cost, DataSet, StoreError};
 
 /// All that the page shows. Lists of numbers are base64 (`encoding`).
@@ -142,7 +142,7 @@ impl Contents {
             let words = |shape: [usize; 3]| named(shape.map(|length| length.to_string()));
             notes.push(format!(
                 "Of the {} places of the sweep ({}) {} are shown, spread evenly with both ends of each axis.",
-                words(data.shape()),
+                words(data.shape().lengths()),
                 named(axis_words.each_ref().map(|axis| axis.symbol.clone())),
                 words(std::array::from_fn(|axis| grid.0[axis].len()))
             ));
@@ -160,13 +160,12 @@ impl Contents {
             case_of.push(i32::try_from(index).expect("a page has fewer cases than 2³¹"));
         }
         let part = |name, long_name, units: &'static str| {
-            let values = data.column(name)?;
+            let values = data.variable(name)?;
             let units = if data.laboratory { si_units(units) } else { units };
             Ok(ColumnPart { name, long_name, units, values: floats(places.iter().map(|place| values[*place])) })
         };
-        let summary = COLUMNS.iter().filter(|column| column.in_summary);
-        let mut columns = summary
-            .map(|column| part(column.name, column.long_name, column.units))
+        let mut columns = Column::summary()
+            .map(|column| part(column.name(), column.long_name(), column.units()))
             .collect::<Result<Vec<_>, StoreError>>()?;
         if data.laboratory {
             columns.push(part("alpha", "slide time over a contact length / retardation time", "1")?);
@@ -195,7 +194,7 @@ impl Contents {
             title: data.title.clone(),
             version: data.version.clone(),
             outdated: data.outdated,
-            shape: data.shape(),
+            shape: data.shape().lengths(),
             axes: [axis(0), axis(1), axis(2)],
             laboratory: data.laboratory,
             fixed: data.fixed.iter().cloned().collect(),

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::contents::{AxisValue, Words};
 use super::encoding::integers;
 use crate::pictures::AxisWords;
+use stribeck_sweep::GridIndex;
 use stribeck_sweep::store::{DataSet, Status, kind_of_reason};
 
 /// Most failed places that are listed.
@@ -45,7 +46,7 @@ impl FailurePart {
         reasons: &[String],
         notes: &mut Vec<String>,
     ) -> Self {
-        let ([_, alphas, betas], axes) = (data.shape(), AxisWords::of(data));
+        let (shape, axes) = (data.shape(), AxisWords::of(data));
         let failed = (0..statuses.len()).filter(|place| statuses[*place] == Status::Failed);
         let (mut words, mut kinds, mut listed) = (Words::default(), Vec::<Kind>::new(), Vec::new());
         let mut count = 0;
@@ -60,9 +61,8 @@ impl FailurePart {
                 None => kinds.push(Kind { count: 1, reason: reason.clone(), varied: false }),
             }
             if count < MOST_LISTED {
-                let (i_f, i_alpha, i_beta) = (place / (alphas * betas), place / betas % alphas, place % betas);
-                let [f, alpha, beta] =
-                    [(0, i_f), (1, i_alpha), (2, i_beta)].map(|(axis, i)| axes[axis].values[i].into());
+                let GridIndex { f, row, along } = shape.index(place);
+                let [f, alpha, beta] = [(0, f), (1, row), (2, along)].map(|(axis, i)| axes[axis].values[i].into());
                 listed.push((f, alpha, beta, index));
             }
             count += 1;

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::encoding::{Quantised, floats, integers, shorts};
 use super::thinning::{deviation, shape_points};
+use stribeck_sweep::Field;
 use stribeck_sweep::store::{DataSet, Status, StoreError};
 
 /// Bytes that all fields together may take in the page.
@@ -83,7 +84,7 @@ pub(super) fn fields(
     let mut worst = 0.0_f64;
     for (slot, case) in (0..).zip(&kept) {
         slots[*case] = slot;
-        let read = |name: &&'static str| data.field(name, cases[*case].indices);
+        let read = |field: &Field| data.field(*field, cases[*case].indices);
         let values = data.fields.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let chosen = shape_points(&values, &data.x, points);
         for (part, values) in parts.iter_mut().zip(&values) {
@@ -117,6 +118,6 @@ pub(super) fn fields(
         points,
         slots: integers(slots),
         indices: shorts(indices),
-        fields: data.fields.iter().copied().zip(parts.into_iter().map(part)).collect(),
+        fields: data.fields.iter().map(|field| field.name()).zip(parts.into_iter().map(part)).collect(),
     }))
 }

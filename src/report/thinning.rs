@@ -11,7 +11,7 @@ pub(super) struct Grid(pub(super) [Vec<usize>; 3]);
 impl Grid {
     /// All, or of a large grid an even choice: the longest axis is thinned first.
     pub(super) fn of(data: &DataSet) -> Self {
-        let shape = data.shape();
+        let shape = data.shape().lengths();
         let mut kept = shape;
         while kept.iter().product::<usize>() > MOST_PLACES {
             let longest = (0..3).max_by_key(|axis| kept[*axis]).expect("there are three axes");
@@ -22,7 +22,7 @@ impl Grid {
 
     /// True if places are left out.
     pub(super) fn is_thinned(&self, data: &DataSet) -> bool {
-        self.0.iter().zip(data.shape()).any(|(kept, all)| kept.len() < all)
+        self.0.iter().zip(data.shape().lengths()).any(|(kept, all)| kept.len() < all)
     }
 
     /// The indices of every place shown, in the order of the plan.

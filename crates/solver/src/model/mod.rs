@@ -13,7 +13,7 @@ mod sensitivities;
 
 pub use displacement::{DisplacementKernel, retarded_mode, retarded_mode_rate};
 pub use number::shortest;
-pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
+pub use outcome::{Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
 pub use output::{CavityShear, FieldSelection, Output};
 pub use parameters::{Parameters, Retardation, RetardationMode, Substrate, SubstrateError};
 pub use sensitivities::Sensitivities;

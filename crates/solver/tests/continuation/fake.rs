@@ -185,5 +185,5 @@ pub fn solve_cases(fake: &Fake, cases: &[Parameters]) -> Result<Vec<SolvedCase>,
 }
 
 pub fn seeds(cases: &[SolvedCase]) -> Vec<Seed> {
-    cases.iter().map(|case| case.seed.clone()).collect()
+    cases.iter().map(|case| case.seed).collect()
 }

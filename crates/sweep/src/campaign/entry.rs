@@ -3,8 +3,8 @@
 use std::panic::catch_unwind;
 
 use super::solve_command;
-use crate::Plan;
 use crate::store::{CaseEntry, Status, Timing};
+use crate::{Plan, Values};
 use stribeck_solver::continuation::{Cut, Effort};
 use stribeck_solver::{Failure, Fields, Limits, Output, Parameters, SolvedCase, exact};
 
@@ -15,17 +15,17 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
         Some(Cut::TimeLimit(limit)) => Some(limit.as_secs_f64()),
         Some(Cut::Panic) | None => None,
     };
-    let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
+    let timing = Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit };
     let (outcome, reason, values, fields, sensitivities) = match case.outcome {
         Ok(solution) => {
-            let values = solution.quantities.row(&solution.errors, &case.limits);
+            let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
             (Status::Converged, String::new(), values, solution.fields, solution.sensitivities)
         }
         Err(Failure { mut reason, .. }) => {
             if case.cut == Some(Cut::Panic) {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
-            (Status::Failed, reason, case.limits.failed_row(), Fields::default(), None)
+            (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)
         }
     };
     CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, sensitivities, timing }
@@ -45,9 +45,8 @@ pub(super) fn panicked(cases: &[Parameters], output: &Output, message: &str) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Sweep;
     use crate::store::Store;
-    use stribeck_solver::COLUMNS;
+    use crate::{Column, Sweep};
 
     #[test]
     fn cases_of_a_panic_can_be_stored_with_their_limits_and_the_command_that_repeats_them() {
@@ -67,8 +66,7 @@ mod tests {
                  --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
             );
             assert_eq!(entry.reason, expected);
-            let dry = COLUMNS.iter().position(|column| column.name == "dry_mu_v").expect("a column");
-            assert_eq!(entry.values[dry], exact::limits(parameters).dry_mu_v);
+            assert_eq!(entry.values[Column::DryMuV], exact::limits(parameters).dry_mu_v);
         }
         let directory = tempfile::tempdir().expect("a temporary directory");
         let mut store = Store::open(directory.path(), "", &sweep.output).expect("opened");

@@ -1,31 +1,16 @@
 //! From a sweep to rows, chains and case ids.
 
-use std::ops::Range;
-
+use super::chain::{Chain, MAX_CHAIN};
 use super::fingerprint::{Fingerprint, canonical};
-use super::grid::Grid;
 use super::listing::Listing;
 use super::recipe::Recipe;
-use super::specification::{Axes, Method, Sweep};
-use crate::CaseId;
+use crate::{Axes, CaseId, Grid, GridIndex, Method, Sweep};
 use stribeck_solver::{Parameters, Substrate};
-
-/// Most cases in one chain, whatever the method.
-pub const MAX_CHAIN: usize = 64;
-
-/// Neighbouring cases of one row, each seeding the next: the unit of work.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Chain {
-    /// The row, below [`Plan::rows`].
-    pub row: usize,
-    /// Which cases of the row, in ascending β. Along the speed that is descending.
-    pub cases: Range<usize>,
-}
 
 /// What there is to solve for a sweep, and in what pieces.
 ///
 /// A *row* is all cases along β, or along the speed, with the same other numbers. A row is cut into as few *chains* as the
-/// method's [`chain_limit`](super::Method::chain_limit) lets, with lengths that differ by at most one; short chains
+/// method's [`chain_limit`](crate::Method::chain_limit) lets, with lengths that differ by at most one; short chains
 /// mean that an interruption loses little.
 ///
 /// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is solved
@@ -66,7 +51,7 @@ impl Plan {
                 // What chains of the relaxation method share belongs to one α.
                 let limit = |f: f64| if f > 0.0 && sweep.solver.method == Method::Relaxation { 1 } else { limit };
                 let id = |place| fingerprint.id(&canonical(&sweep.grid.parameters(place, &sweep.substrate)));
-                Layout::Listed(Listing::new(sweep.grid.shape(), id, |i_f| limit(sweep.grid.numbers([i_f, 0, 0])[0])))
+                Layout::Listed(Listing::new(sweep.grid.shape(), id, |first| limit(sweep.grid.numbers(first)[0])))
             }
         };
         Self { grid: sweep.grid.clone(), substrate: sweep.substrate.clone(), recipe, fingerprint, layout }
@@ -98,21 +83,22 @@ impl Plan {
         }
     }
 
-    /// The first grid place (i_f, i_alpha) of a row in the order of publication.
+    /// The place of a case of a row. Of several places with the same row it is the first in the order of publication.
     ///
     /// # Panics
-    /// If there is no such row.
-    pub fn place_of_row(&self, row: usize) -> (usize, usize) {
+    /// If there is no such row or case.
+    pub fn place(&self, row: usize, case: usize) -> GridIndex {
         assert!(row < self.rows(), "row {row} is not in the sweep");
         let axes = match &self.layout {
             Layout::Product { axes, .. } => axes,
-            Layout::Listed(listing) => return listing.place_of_row(row),
+            Layout::Listed(listing) => return listing.place(row, case),
         };
-        match row.checked_sub(elastic_rows(axes)) {
+        let (f, row) = match row.checked_sub(elastic_rows(axes)) {
             Some(row) => (elastic_f(axes) + row / retarding_alpha(axes), row % retarding_alpha(axes)),
             None if elastic_f(axes) > 0 => (0, 0),
             None => (0, retarding_alpha(axes)),
-        }
+        };
+        GridIndex { f, row, along: case }
     }
 
     /// Number of chains.
@@ -144,32 +130,18 @@ impl Plan {
         (0..self.chain_count()).map(|index| self.chain(index))
     }
 
-    /// The grid places of the cases of a chain, in the order in which they are solved.
-    pub fn places(&self, chain: &Chain) -> impl Iterator<Item = [usize; 3]> + '_ {
-        let (row, (i_f, i_row)) = (chain.row, self.place_of_row(chain.row));
-        chain.cases.clone().map(move |case| [i_f, i_row, self.along(row, case)])
-    }
-
-    /// Where the case of a row is along it.
-    fn along(&self, row: usize, case: usize) -> usize {
-        match &self.layout {
-            Layout::Product { .. } => case,
-            Layout::Listed(listing) => listing.along(row, case),
-        }
+    /// The places of the cases of a chain, in the order in which they are solved.
+    pub fn places(&self, chain: &Chain) -> impl Iterator<Item = GridIndex> + '_ {
+        let row = chain.row;
+        chain.cases.clone().map(move |case| self.place(row, case))
     }
 
     /// The cases of a chain, in the order in which they are solved.
     pub fn parameters(&self, chain: &Chain) -> Vec<Parameters> {
-        self.places(chain).map(|[i_f, i_alpha, i_beta]| self.parameters_at(i_f, i_alpha, i_beta)).collect()
+        self.places(chain).map(|place| self.parameters_at(place)).collect()
     }
 
-    /// The first case of a chain.
-    pub(super) fn first_case(&self, chain: &Chain) -> Parameters {
-        let (i_f, i_alpha) = self.place_of_row(chain.row);
-        self.parameters_at(i_f, i_alpha, self.along(chain.row, chain.cases.start))
-    }
-
-    /// Their ids, in the same order.
+    /// The ids of the cases of a chain, in the order in which they are solved.
     pub fn ids(&self, chain: &Chain) -> Vec<CaseId> {
         self.parameters(chain).iter().map(|parameters| self.id(parameters)).collect()
     }
@@ -179,29 +151,29 @@ impl Plan {
         self.fingerprint.id(parameters)
     }
 
-    /// The problem at a grid point. Grid points with the same problem give equal parameters: elastic ones are
+    /// The problem at a place. Places with the same problem give equal parameters: elastic ones are
     /// [`Parameters::elastic`] or, at α = 0, have the default substrate, as their modes mean nothing.
     ///
     /// # Panics
-    /// If a place is not on its axis.
-    pub fn parameters_at(&self, i_f: usize, i_alpha: usize, i_beta: usize) -> Parameters {
-        canonical(&self.grid.parameters([i_f, i_alpha, i_beta], &self.substrate))
+    /// If there is no such place.
+    pub fn parameters_at(&self, place: GridIndex) -> Parameters {
+        canonical(&self.grid.parameters(place, &self.substrate))
     }
 
-    /// The id of the case at a grid point.
+    /// The id of the case at a place.
     ///
     /// # Panics
-    /// If a place is not on its axis.
-    pub fn case_at(&self, i_f: usize, i_alpha: usize, i_beta: usize) -> CaseId {
-        self.id(&self.parameters_at(i_f, i_alpha, i_beta))
+    /// If there is no such place.
+    pub fn case_at(&self, place: GridIndex) -> CaseId {
+        self.id(&self.parameters_at(place))
     }
 
-    /// The first grid place (i_f, i_alpha, i_beta) of a case in the order of publication, if it is in the sweep. Goes
-    /// through the problems one by one.
-    pub fn find(&self, id: CaseId) -> Option<(usize, usize, usize)> {
+    /// The first place of a case in the order of publication; `None` if the case is not in the sweep.
+    ///
+    /// Goes through the problems one by one.
+    pub fn find(&self, id: CaseId) -> Option<GridIndex> {
         let places = self.chains().flat_map(|chain| self.places(&chain).collect::<Vec<_>>());
-        let found = places.into_iter().find(|&[i_f, i_alpha, i_beta]| self.case_at(i_f, i_alpha, i_beta) == id);
-        found.map(|[i_f, i_alpha, i_beta]| (i_f, i_alpha, i_beta))
+        places.into_iter().find(|place| self.case_at(*place) == id)
     }
 }
 

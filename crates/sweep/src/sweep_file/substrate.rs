@@ -1,13 +1,9 @@
 //! The section `[substrate]` of a sweep file.
 
-use super::file::section;
-use super::laboratory::MaterialDefaults;
+use super::sections::section;
 use stribeck_input::{Dimension, Entry, Fault, Quantity, Section};
 use stribeck_lab::material::{Material, Relaxation, RelaxationTerm};
 use stribeck_solver::{RetardationMode, Substrate};
-
-/// The keys of `[substrate]`.
-pub(super) const KEYS: [&str; 4] = ["modes", "relaxation", "relaxed_modulus", "instantaneous_modulus"];
 
 /// Most terms of a relaxation.
 const MOST_TERMS: usize = 1000;
@@ -15,6 +11,17 @@ const MOST_TERMS: usize = 1000;
 const MODES: &str = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, time = 100.0 }]";
 const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, { modulus = \"0.1 MPa\", time = \"10 s\" }], \
                      or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
+
+/// What a material says of itself, for what `[laboratory]` leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MaterialDefaults {
+    /// E∞ (Pa).
+    pub relaxed_modulus: Option<f64>,
+    /// f.
+    pub f: Option<f64>,
+    /// τ (s).
+    pub retardation_time: Option<f64>,
+}
 
 /// A substrate, and what it says of itself.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,6 @@
 //! The section `[solver]` of a sweep file.
 
-use super::file::section;
+use super::sections::section;
 use super::specification::{Method, SolverSettings};
 use stribeck_input::{Entry, Fault};
 use stribeck_solver::collocation;

@@ -1,7 +1,8 @@
 //! The section `[output]` of a sweep file.
 
-use super::file::section;
+use super::sections::section;
 use super::specification::Method;
+use crate::Field;
 use stribeck_input::{Entry, Fault, Quantity, read_axis};
 use stribeck_solver::{CavityShear, FieldSelection, Output};
 
@@ -40,21 +41,16 @@ fn read_sensitivities(entry: &Entry<'_>, method: Method) -> Result<bool, Fault> 
 }
 
 fn read_fields(entry: &Entry<'_>) -> Result<FieldSelection, Fault> {
-    type Part = fn(&mut FieldSelection) -> &mut bool;
-    let parts: [(&str, Part); 3] = [
-        ("pressure", |fields| &mut fields.pressure),
-        ("film_thickness", |fields| &mut fields.film_thickness),
-        ("displacement", |fields| &mut fields.displacement),
-    ];
-    let mut fields = FieldSelection::default();
+    let choices = Field::ALL.map(|field| (field.name(), field));
+    let mut fields = Vec::new();
     let help = "write fields = [\"pressure\", \"film_thickness\", \"displacement\"], some of them, or [] for none";
     for item in entry.require_list(help)? {
-        let selected = item.choice(&parts)?(&mut fields);
-        if *selected {
+        let field = item.choice(&choices)?;
+        if fields.contains(&field) {
             let what = "a field may stand in `output.fields` only once";
             return Err(item.fault(what, "stands there before", "remove one of the two"));
         }
-        *selected = true;
+        fields.push(field);
     }
-    Ok(fields)
+    Ok(Field::selection(fields))
 }

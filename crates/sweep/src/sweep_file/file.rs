@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::grid::Grid;
-use super::laboratory::{self, MaterialDefaults};
-use super::specification::{Axes, Sweep};
-use super::substrate::{self, ReadSubstrate};
-use super::{output, solver};
+use super::sections::{home, keys, section};
+use super::specification::Sweep;
+use super::substrate::{self, MaterialDefaults, ReadSubstrate};
+use super::{laboratory, output, solver};
+use crate::{Axes, Grid};
 use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
 use stribeck_input::{is_printable, printable};
 
@@ -15,17 +15,6 @@ const KIND: stribeck_input::Kind = "sweep file";
 
 /// Most grid points of a sweep.
 const MOST_CASES: u128 = 1_000_000_000;
-
-/// The tables of a sweep file and their keys; the first one is the top level.
-const SECTIONS: [(&str, &[&str]); 7] = [
-    ("", &["title", "axes", "laboratory", "substrate", "solver", "output"]),
-    ("axes", &["f", "alpha", "beta"]),
-    ("laboratory", &laboratory::KEYS),
-    ("substrate", &substrate::KEYS),
-    ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
-    ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
-    ("output", &["fields", "x", "limits", "cavity_shear", "sensitivities"]),
-];
 
 const AXES_EXAMPLE: &str = "add the three axes, for instance\n[axes]\nf = [100.0]\nalpha = [1.0, 10.0]\n\
      beta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";
@@ -67,21 +56,6 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
         text: text.to_owned(),
         name: name.to_owned(),
     })
-}
-
-/// The keys of a section.
-fn keys(section: &str) -> &'static [&'static str] {
-    SECTIONS.iter().find(|(name, _)| *name == section).map_or(&[], |(_, keys)| keys)
-}
-
-/// The first section below the top level that knows a key.
-fn home(key: &str) -> Option<&'static str> {
-    SECTIONS[1..].iter().find(|(_, keys)| keys.contains(&key)).map(|(name, _)| *name)
-}
-
-/// The table behind an entry, with the keys its path says.
-pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
-    entry.section(keys(entry.path()), home)
 }
 
 /// Reads a title.

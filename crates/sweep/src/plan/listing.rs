@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use super::plan::Chain;
-use crate::CaseId;
+use super::chain::Chain;
+use crate::{CaseId, GridIndex, GridShape};
 
 /// The rows with a problem of their own, and their chains.
 #[derive(Clone, Debug)]
@@ -14,36 +14,35 @@ pub(super) struct Listing {
 
 #[derive(Clone, Debug)]
 struct Row {
-    i_f: usize,
-    i_row: usize,
+    f: usize,
+    row: usize,
     /// Places along the row in ascending β: descending, as along the speed.
     along: Vec<u32>,
 }
 
 impl Listing {
-    /// Lists a grid of the given shape. `id` is the problem at a place, `limit` the most cases of a chain for a place of f.
+    /// Lists a grid of the given shape. `id` is the problem at a place, `limit` the most cases of a chain in the row that begins at a
+    /// place.
     ///
     /// A problem belongs to the first place that has it in the order of publication, so that an extension at the end of an axis
     /// leaves the rows before as they were.
-    pub(super) fn new(
-        [strengths, rows_each, length]: [usize; 3],
-        id: impl Fn([usize; 3]) -> CaseId,
-        limit: impl Fn(usize) -> usize,
-    ) -> Self {
+    pub(super) fn new(shape: GridShape, id: impl Fn(GridIndex) -> CaseId, limit: impl Fn(GridIndex) -> usize) -> Self {
         let mut seen = HashSet::new();
         let mut listing = Self { rows: Vec::new(), chains: Vec::new() };
-        for (i_f, i_row) in (0..strengths).flat_map(|i_f| (0..rows_each).map(move |i_row| (i_f, i_row))) {
+        for row in 0..shape.strengths * shape.rows {
+            let places = shape.row(row);
             let mut along: Vec<u32> =
-                (0..length).filter(|&place| seen.insert(id([i_f, i_row, place]))).map(|place| place as u32).collect();
+                places.filter(|&place| seen.insert(id(place))).map(|place| place.along as u32).collect();
             along.reverse();
             if along.is_empty() {
                 continue;
             }
+            let first = GridIndex { f: row / shape.rows, row: row % shape.rows, along: 0 };
             let (row, cases) = (listing.rows.len(), along.len());
-            let pieces = cases.div_ceil(limit(i_f));
+            let pieces = cases.div_ceil(limit(first));
             let cut = |piece: usize| piece * cases / pieces;
             listing.chains.extend((0..pieces).map(|piece| Chain { row, cases: cut(piece)..cut(piece + 1) }));
-            listing.rows.push(Row { i_f, i_row, along });
+            listing.rows.push(Row { f: first.f, row: first.row, along });
         }
         listing
     }
@@ -60,11 +59,9 @@ impl Listing {
         &self.chains
     }
 
-    pub(super) fn place_of_row(&self, row: usize) -> (usize, usize) {
-        (self.rows[row].i_f, self.rows[row].i_row)
-    }
-
-    pub(super) fn along(&self, row: usize, case: usize) -> usize {
-        self.rows[row].along[case] as usize
+    /// The place of a case of a row.
+    pub(super) fn place(&self, row: usize, case: usize) -> GridIndex {
+        let Row { f, row, along } = &self.rows[row];
+        GridIndex { f: *f, row: *row, along: along[case] as usize }
     }
 }

@@ -1,108 +1,13 @@
 //! The section `[laboratory]` of a sweep file: quantities with units in place of α and β.
 
-use super::file::section;
-use crate::Dimension;
+use super::sections::section;
+use super::substrate::MaterialDefaults;
+use crate::{Given, LaboratoryAxes};
 use stribeck_input::{Entry, Fault, Quantity, Section, Varying, read_varying};
-use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus, dimension};
-
-/// The keys of `[laboratory]`.
-pub(super) const KEYS: [&str; 9] = [
-    "radius",
-    "load",
-    "relaxed_modulus",
-    "instantaneous_modulus",
-    "poisson_ratio",
-    "viscosity",
-    "retardation_time",
-    "speed",
-    "f",
-];
+use stribeck_lab::{LaboratoryQuantity, dimension};
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
-pub(super) const MOST_PLACES: u128 = 10_000_000;
-
-/// A quantity with its values: one number, or an axis.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Given {
-    /// The quantity.
-    pub quantity: LaboratoryQuantity,
-    /// Its values, ascending and not empty.
-    pub values: Vec<f64>,
-    /// True if it is a dimension of the results, be it of one value.
-    pub is_axis: bool,
-}
-
-/// Quantities of the laboratory, each a number or an axis. The product of the axes and of f is the sweep.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LaboratoryAxes {
-    /// Strengths of retardation, ascending.
-    pub f: Vec<f64>,
-    /// One modulus and all other quantities, in the order of [`LaboratoryQuantity::ALL`]: the speed is the last, and always
-    /// an axis.
-    pub given: Vec<Given>,
-}
-
-/// What a material says of itself, for what `[laboratory]` leaves out.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MaterialDefaults {
-    /// E∞ (Pa).
-    pub relaxed_modulus: Option<f64>,
-    /// f.
-    pub f: Option<f64>,
-    /// τ (s).
-    pub retardation_time: Option<f64>,
-}
-
-impl LaboratoryAxes {
-    /// The axes between f and the speed, the last one fastest.
-    fn between(&self) -> impl DoubleEndedIterator<Item = &Given> {
-        self.given[..self.given.len() - 1].iter().filter(|given| given.is_axis)
-    }
-
-    fn speed(&self) -> &Given {
-        self.given.last().expect("the speed is given")
-    }
-
-    /// Values of f, rows with each f, speeds.
-    pub fn shape(&self) -> [usize; 3] {
-        [self.f.len(), self.between().map(|given| given.values.len()).product(), self.speed().values.len()]
-    }
-
-    /// f, the axes between in their order, and the speed.
-    pub fn dimensions(&self) -> Vec<Dimension> {
-        let of = |given: &Given| {
-            let quantity = given.quantity;
-            Dimension::new(quantity.name(), quantity.units(), quantity.long_name(), &given.values)
-        };
-        let strength = Dimension::strength(&self.f);
-        std::iter::once(strength).chain(self.between().chain([self.speed()]).map(of)).collect()
-    }
-
-    /// The experiment at a place: indices of f, of the row and of the speed.
-    ///
-    /// # Panics
-    /// If there is no such place.
-    pub fn experiment(&self, [i_f, row, i_speed]: [usize; 3]) -> Experiment {
-        let mut experiment = Experiment {
-            radius: f64::NAN,
-            load: f64::NAN,
-            modulus: Modulus::Relaxed(f64::NAN),
-            poisson_ratio: f64::NAN,
-            viscosity: f64::NAN,
-            retardation_time: f64::NAN,
-            speed: self.speed().values[i_speed],
-            f: self.f[i_f],
-        };
-        let mut rest = row;
-        for given in self.given[..self.given.len() - 1].iter().rev() {
-            let number = given.values.len();
-            experiment.set(given.quantity, given.values[rest % number]);
-            rest /= number;
-        }
-        assert_eq!(rest, 0, "row {row} is not in the sweep");
-        experiment
-    }
-}
+const MOST_PLACES: u128 = 10_000_000;
 
 /// Reads `[laboratory]`; `axis_of_f` is f of `[axes]`, if it stands there.
 pub(super) fn read(

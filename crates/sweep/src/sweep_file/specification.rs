@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use super::grid::Grid;
+use crate::Grid;
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::{self as solver, Output, Substrate};
@@ -43,24 +43,6 @@ impl Sweep {
     }
 }
 
-/// The axes of a dimensionless sweep: each strictly ascending and not empty.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Axes {
-    /// Strengths of retardation, finite and at least 0.
-    pub f: Vec<f64>,
-    /// Ratios of slide to retardation time, at least 0; the last may be +∞.
-    pub alpha: Vec<f64>,
-    /// Inverse Hersey numbers, finite and above 0.
-    pub beta: Vec<f64>,
-}
-
-impl Axes {
-    /// Number of grid points.
-    pub fn cases(&self) -> usize {
-        self.f.len() * self.alpha.len() * self.beta.len()
-    }
-}
-
 /// A method of solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Method {
@@ -72,7 +54,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// Most cases in one chain, at most [`MAX_CHAIN`](super::MAX_CHAIN).
+    /// Most cases in one chain, at most [`MAX_CHAIN`](crate::MAX_CHAIN).
     ///
     /// What an interruption throws away is at most one chain per thread. A relaxation case takes long, so its chains
     /// are short. Collocation cases are quick, save the first one of a chain, which has no neighbour to start from: their

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::specification::{Method, SolverSettings};
+use crate::{Method, SolverSettings};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::{CavityShear, shortest};

@@ -4,7 +4,8 @@ use std::cmp::Reverse;
 use std::fmt;
 use std::str::FromStr;
 
-use super::plan::{Chain, Plan};
+use super::chain::Chain;
+use super::sweep_plan::Plan;
 
 /// The I-th of N parts of a plan, written `I/N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -108,7 +109,7 @@ impl Plan {
 
     /// What a chain costs, in cases that have a neighbour. It need only be right beside that of other chains.
     fn expected_cost(&self, chain: &Chain) -> f64 {
-        let first = self.first_case(chain);
+        let first = self.parameters_at(self.place(chain.row, chain.cases.start));
         let of_one = if first.retardation().is_empty() { ELASTIC } else { 1.0 };
         let decades = (first.beta / THICK).log10().clamp(0.0, 20.0);
         of_one * (chain.cases.len() as f64 + DECADE * decades)

@@ -1,12 +1,10 @@
 //! The places of a sweep: products of axes, dimensionless or of the laboratory.
 
-use super::laboratory::LaboratoryAxes;
-use super::specification::Axes;
-use crate::Dimension;
+use crate::{Axes, Dimension, GridIndex, GridShape, LaboratoryAxes};
 use stribeck_lab::Experiment;
 use stribeck_solver::{Parameters, Substrate};
 
-/// The grid of a sweep. A place has three indices: of f, of a row with that f, and along the row.
+/// The grid of a sweep.
 ///
 /// Rows run along β, or along the speed where quantities of the laboratory are given.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,17 +30,19 @@ impl Grid {
         }
     }
 
-    /// Values of f, rows with each f, places along a row.
-    pub fn shape(&self) -> [usize; 3] {
+    /// The lengths of the grid.
+    pub fn shape(&self) -> GridShape {
         match self {
-            Grid::Dimensionless(axes) => [axes.f.len(), axes.alpha.len(), axes.beta.len()],
+            Grid::Dimensionless(Axes { f, alpha, beta }) => {
+                GridShape { strengths: f.len(), rows: alpha.len(), length: beta.len() }
+            }
             Grid::Laboratory(axes) => axes.shape(),
         }
     }
 
     /// Number of places.
     pub fn cases(&self) -> usize {
-        self.shape().into_iter().product()
+        self.shape().places()
     }
 
     /// The dimensions of published results, the one along rows last.
@@ -61,11 +61,11 @@ impl Grid {
     ///
     /// # Panics
     /// If there is no such place.
-    pub fn numbers(&self, place @ [i_f, i_alpha, i_beta]: [usize; 3]) -> [f64; 3] {
+    pub fn numbers(&self, index: GridIndex) -> [f64; 3] {
         match self {
-            Grid::Dimensionless(axes) => [axes.f[i_f], axes.alpha[i_alpha], axes.beta[i_beta]],
+            Grid::Dimensionless(axes) => [axes.f[index.f], axes.alpha[index.row], axes.beta[index.along]],
             Grid::Laboratory(axes) => {
-                let experiment = axes.experiment(place);
+                let experiment = axes.experiment(index);
                 [experiment.f, experiment.alpha(), experiment.beta()]
             }
         }
@@ -75,8 +75,8 @@ impl Grid {
     ///
     /// # Panics
     /// If there is no such place.
-    pub fn parameters(&self, place: [usize; 3], substrate: &Substrate) -> Parameters {
-        let [f, alpha, beta] = self.numbers(place);
+    pub fn parameters(&self, index: GridIndex, substrate: &Substrate) -> Parameters {
+        let [f, alpha, beta] = self.numbers(index);
         Parameters { alpha, beta, f, substrate: substrate.clone() }
     }
 
@@ -84,10 +84,10 @@ impl Grid {
     ///
     /// # Panics
     /// If there is no such place.
-    pub fn experiment(&self, place: [usize; 3]) -> Option<Experiment> {
+    pub fn experiment(&self, index: GridIndex) -> Option<Experiment> {
         match self {
             Grid::Dimensionless(_) => None,
-            Grid::Laboratory(axes) => Some(axes.experiment(place)),
+            Grid::Laboratory(axes) => Some(axes.experiment(index)),
         }
     }
 }
