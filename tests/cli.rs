@@ -131,8 +131,8 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
     let rows = [
         (vec![], "Usage"),
         (vec!["guess"], "unrecognized subcommand"),
-        (vec!["run", "small.toml", "--shard", "9/8"], "give I/N, the I-th of N parts"),
-        (vec!["run", "small.toml", "--shard", "3"], "give I/N, the I-th of N parts"),
+        (vec!["run", "small.toml", "--part", "9/8"], "give I/N, the I-th of N parts"),
+        (vec!["run", "small.toml", "--part", "3"], "give I/N, the I-th of N parts"),
         (vec!["merge"], "<DIR>"),
         (vec!["merge", "one", "two"], "give -o DIR"),
         (vec!["slurm", "small.toml"], "--tasks <N>"),
@@ -216,7 +216,7 @@ fn what_is_wrong_with_a_directory_ends_with_4_and_says_what_to_do() {
         (vec!["run", "small.toml", "-o", "file/below"], "check"),
         (vec!["run", "small.toml", "-o", "theirs"], "choose another directory with -o"),
         (vec!["plan", "small.toml", "-o", "theirs"], "choose another directory with -o"),
-        (vec!["run", "small.toml", "-o", "theirs", "--shard", "1/2"], "choose another directory with -o"),
+        (vec!["run", "small.toml", "-o", "theirs", "--part", "1/2"], "choose another directory with -o"),
         (vec!["slurm", "small.toml", "-o", "theirs", "--tasks", "2"], "choose another directory with -o"),
         (vec!["status", "absent"], "give the directory that `stribeck run` wrote"),
         (vec!["status", "file"], "give the directory that `stribeck run` wrote"),
@@ -723,7 +723,7 @@ fn slurm_replaces_its_own_scripts_and_no_others() {
     for tasks in ["2", "3"] {
         assert_eq!(code(&write(tasks)), 0);
         let part = fs::read_to_string(here.join("out/slurm/part.sh")).expect("written");
-        assert!(part.contains(&format!("--shard \"$part/{tasks}\"")), "{part}");
+        assert!(part.contains(&format!("--part \"$part/{tasks}\"")), "{part}");
     }
 }
 

@@ -191,7 +191,7 @@ fn bytes_do_not_depend_on_threads_or_starts() {
     say(directory.path(), &["run", "small.toml", "--quiet", "--threads", "3", "-o", "results/three"]);
     assert!(bytes("small") == bytes("three"));
     for part in ["1/2", "2/2"] {
-        let said = say(directory.path(), &["run", "small.toml", "--quiet", "--shard", part, "-o", "results/parts"]);
+        let said = say(directory.path(), &["run", "small.toml", "--quiet", "--part", part, "-o", "results/parts"]);
         assert_eq!(code(&said), 0, "{}", err(&said));
     }
     let said = say(directory.path(), &["merge", "results/parts"]);

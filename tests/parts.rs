@@ -52,7 +52,7 @@ fn assert_same(results: &Path) {
 }
 
 fn run_part(directory: &Path, results: &str, part: &str, threads: &str) {
-    let arguments = ["run", "many parts.toml", "-o", results, "--shard", part, "--threads", threads, "--quiet"];
+    let arguments = ["run", "many parts.toml", "-o", results, "--part", part, "--threads", threads, "--quiet"];
     let run = say(directory, &arguments);
     assert_eq!(code(&run), 0, "{part}: {}", err(&run));
     assert!(out(&run).starts_with(&format!("part {part}, ")), "{}", out(&run));
@@ -91,9 +91,10 @@ fn parts_that_run_at_the_same_time_write_no_common_file() {
     let directory = with_sweep();
     let here = directory.path();
     let start = |part: u32| {
-        let shard = format!("{part}/4");
+        let part = format!("{part}/4");
         let mut command = stribeck(here);
-        command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--shard", &shard]);
+        // The earlier name of `--part`, as it stands in job scripts that were written before.
+        command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--shard", &part]);
         command.stdout(Stdio::null()).spawn().expect("started")
     };
     for mut child in (1..=4).map(start).collect::<Vec<_>>() {
@@ -113,7 +114,7 @@ fn a_part_that_is_killed_resumes_by_itself() {
     for part in ["1/2", "2/2"] {
         for _ in 0..3 {
             let mut command = stribeck(here);
-            command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--shard", part]);
+            command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--part", part]);
             let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("started");
             let home = here.join("out/parts").join(part.replace('/', "-of-"));
             let stored = || Holdings::read(&home, &Output::default(), Inspection::Bytes).map_or(0, |held| held.known());

@@ -4,7 +4,7 @@
 //! cargo run --release --example made_up_parts -- --cases 10000000 --parts 1000 --directory DIR
 //! ```
 //!
-//! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results --shard I/N`
+//! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results --part I/N`
 //! would have left them; then `stribeck merge DIR/results` and the other commands find a sweep that is solved.
 
 use std::error::Error;

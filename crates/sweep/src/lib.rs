@@ -4,6 +4,7 @@
 compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default) or `system-hdf5`");
 
 mod axes;
+pub mod campaign;
 mod case_id;
 mod columns;
 mod dimension;

@@ -1,4 +1,4 @@
-//! How a case was reached, for people to read.
+//! How a case was reached: its seed, and the trace of its iterations.
 
 use std::fmt::Write;
 
@@ -8,8 +8,8 @@ use stribeck_solver::shortest;
 /// Residuals in one line.
 const PER_LINE: usize = 8;
 
-/// Where the first guess came from.
-pub fn seed_in_words(seed: Seed) -> &'static str {
+/// Says where a first guess came from.
+pub fn describe_seed(seed: Seed) -> &'static str {
     match seed {
         Seed::Hertz => "pressure of the dry contact",
         Seed::Elastic => "the elastic solution at the same beta",
@@ -23,8 +23,8 @@ pub fn seed_in_words(seed: Seed) -> &'static str {
     }
 }
 
-/// The events on the way to a case: at each point the residuals of its iterations, and estimated errors.
-pub fn way(case: &SolvedCase, residual_name: &str) -> String {
+/// Lists the events on the way to a case: at each point the residuals of its iterations, and estimated errors.
+pub fn describe_trace(case: &SolvedCase, residual_name: &str) -> String {
     let mut text = String::new();
     let written = "writing to memory does not fail";
     let mut residuals: Vec<(u64, f64)> = Vec::new();
