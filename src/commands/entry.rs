@@ -1,20 +1,18 @@
 //! From what the solver gives to what the store keeps.
 
-use std::panic::catch_unwind;
-
 use super::repeat::solve_command;
-use stribeck_solver::continuation::{Cut, Effort, SolvedCase};
+use stribeck_solver::continuation::{Effort, FailureKind, SolvedCase};
 use stribeck_solver::exact;
-use stribeck_solver::{Failure, Fields, Limits, Output, Parameters};
+use stribeck_solver::{Fields, Limits, Output, Parameters};
 use stribeck_sweep::Plan;
 use stribeck_sweep::store::{CaseEntry, Status, Timing};
 
 /// A solved case of a plan.
 pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
     let Effort { iterations, factorisations, seconds, .. } = case.effort;
-    let time_limit = match case.cut {
-        Some(Cut::TimeLimit(limit)) => Some(limit.as_secs_f64()),
-        Some(Cut::Panic) | None => None,
+    let time_limit = match case.outcome.as_ref().map_err(|failure| &failure.kind) {
+        Err(FailureKind::TimeLimit(limit)) => Some(limit.as_secs_f64()),
+        _ => None,
     };
     let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
     let (outcome, reason, values, fields, sensitivities) = match case.outcome {
@@ -22,8 +20,9 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
             let values = solution.quantities.row(&solution.errors, &case.limits);
             (Status::Converged, String::new(), values, solution.fields, solution.sensitivities)
         }
-        Err(Failure { mut reason, .. }) => {
-            if case.cut == Some(Cut::Panic) {
+        Err(failure) => {
+            let mut reason = failure.to_string();
+            if failure.kind.name() == "panic" {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
             (Status::Failed, reason, case.limits.failed_row(), Fields::default(), None)
@@ -34,11 +33,9 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
 
 /// The cases of a chain whose thread panicked outside of its solver, which fails by itself if it does.
 pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
-    let reason = format!("the solver of its chain panicked: {message}");
     let failed = |parameters: &Parameters| {
-        let limits = output.limits.then(|| catch_unwind(|| exact::limits(parameters)).ok()).flatten();
-        let failed = SolvedCase::failed(Failure::new(reason.clone()), limits.unwrap_or(Limits::UNKNOWN));
-        SolvedCase { cut: Some(Cut::Panic), ..failed }
+        let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };
+        SolvedCase { limits, ..SolvedCase::failed(FailureKind::ChainPanic { message: message.to_owned() }) }
     };
     cases.iter().map(failed).collect()
 }

@@ -269,7 +269,7 @@ impl Found<'_> {
     fn comparison(&self, entry: &CaseEntry, case: &SolvedCase) -> String {
         let solution = match (&case.outcome, entry.outcome) {
             (Ok(_), Status::Failed) => return "it converges now".to_owned(),
-            (Err(failure), Status::Converged) => return format!("it fails now: {}", failure.reason),
+            (Err(failure), Status::Converged) => return format!("it fails now: {failure}"),
             (Err(_), Status::Failed) => return "it fails again".to_owned(),
             (Ok(solution), Status::Converged) => solution,
         };

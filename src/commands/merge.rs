@@ -14,7 +14,7 @@ use super::wording::count;
 use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console};
 use stribeck_input::shown;
-use stribeck_solver::COLUMNS;
+use stribeck_solver::{COLUMNS, viscoelastic_error_scale};
 use stribeck_sweep::store::{Ending, Holdings, Joined, Store};
 use stribeck_sweep::{Method, Part, Plan, Sweep};
 
@@ -138,8 +138,7 @@ fn agree(sweep: &Sweep, here: &[f64; COLUMNS.len()], there: &[f64; COLUMNS.len()
     let place = |name| COLUMNS.iter().position(|column| column.name == name).expect("a column");
     ["mu_v", "mu_h", "c"].into_iter().all(|name| {
         let (a, b) = (here[place(name)], there[place(name)]);
-        // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
-        let scale = if name == "mu_v" { a.abs().max(1e-3 * here[place("mu_tot")]) } else { a.abs() };
+        let scale = if name == "mu_v" { viscoelastic_error_scale(a, here[place("mu_tot")]) } else { a.abs() };
         (a - b).abs() <= tolerance * scale
     })
 }
