@@ -9,8 +9,8 @@ use stribeck_solver::{
     CavityShear, Output, Parameters, Quantities, RetardationMode, Substrate, viscoelastic_error_scale,
 };
 
+use super::measure::true_error;
 use crate::extremes::cases::outcome;
-use crate::extremes::measure::true_error;
 
 const TOLERANCE: f64 = 1e-6;
 
