@@ -116,7 +116,6 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         outcome: Ok(Solution { quantities, errors, fields: Fields::default(), sensitivities: None }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
-        cut: None,
         path: stribeck_solver::continuation::Path::default(),
         trace: stribeck_solver::continuation::Trace::default(),
         effort: Effort {
