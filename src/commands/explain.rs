@@ -185,7 +185,7 @@ fn describe_repeated(repeated: &Repeated, place: &CasePlace, method: Method) -> 
 fn describe_repetition(repetition: &Repetition) -> String {
     match repetition {
         Repetition::ConvergesNow => "it converges now".to_owned(),
-        Repetition::FailsNow(failure) => format!("it fails now: {}", failure.reason),
+        Repetition::FailsNow(failure) => format!("it fails now: {failure}"),
         Repetition::FailsAgain => "it fails again".to_owned(),
         Repetition::SameNumbers => "the same numbers to the last bit".to_owned(),
         Repetition::OtherNumbers(differences) => format!(

@@ -12,8 +12,8 @@ use super::fields::{CasePlace, FieldsPart};
 use super::measured::MeasuredPart;
 use super::texts::Texts;
 use super::thinning::Grid;
-use stribeck_lab::Measured;
 use crate::pictures::AxisWords;
+use stribeck_lab::Measured;
 use stribeck_sweep::store::{DataSet, Status, StoreError};
 
 /// All that the page shows. Lists of numbers are base64 (`encoding`).

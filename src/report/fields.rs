@@ -83,7 +83,12 @@ impl FieldsPart {
             points,
             slots: integers(slots),
             indices: shorts(thinned.indices),
-            fields: data.fields.iter().map(|field| field.name()).zip(thinned.steps.into_iter().map(FieldPart::from)).collect(),
+            fields: data
+                .fields
+                .iter()
+                .map(|field| field.name())
+                .zip(thinned.steps.into_iter().map(FieldPart::from))
+                .collect(),
         }))
     }
 }

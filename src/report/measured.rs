@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use stribeck_lab::Measured;
 use crate::pictures::AxisWords;
+use stribeck_lab::Measured;
 
 /// Measured points of a quantity.
 #[derive(Debug, Serialize)]
