@@ -10,8 +10,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::FigureError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
-use stribeck_lab::MeasuredError;
-use stribeck_lab::material::FitError;
+use stribeck_lab::{MeasuredError, RelaxationFitError};
 use stribeck_sweep::Method;
 use stribeck_sweep::engine::ThreadsError;
 use stribeck_sweep::store::StoreError;
@@ -237,7 +236,7 @@ pub enum CliError {
         /// The table of measurements.
         data: PathBuf,
         /// Why there is none.
-        source: FitError,
+        source: RelaxationFitError,
     },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]

@@ -8,7 +8,7 @@ use super::wording::count;
 use crate::pictures::Chart;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::printable;
-use stribeck_lab::material::{Fit, Measurement, Measurements, RelaxationTerm};
+use stribeck_lab::{Measurement, Measurements, RelaxationFit, RelaxationTerm};
 use stribeck_solver::shortest;
 
 const IN_MEMORY: &str = "writing to memory does not fail";
@@ -20,7 +20,7 @@ pub struct FittedMaterial<'a> {
     /// Name of the table.
     pub name: &'a str,
     pub measurements: &'a Measurements,
-    pub fit: &'a Fit,
+    pub fit: &'a RelaxationFit,
     /// Terms that were offered to the fit.
     pub offered: usize,
 }

@@ -3,7 +3,7 @@
 use super::file::section;
 use crate::Dimension;
 use stribeck_input::{Entry, Fault, Quantity, Section, Varying, read_varying};
-use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus, dimension};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus};
 
 /// The keys of `[laboratory]`.
 pub(super) const KEYS: [&str; 9] = [
@@ -166,14 +166,13 @@ fn read_quantity(
     f: &[f64],
 ) -> Result<Option<Varying>, Fault> {
     use LaboratoryQuantity as Q;
-    let kind = dimension(quantity).map_or(Quantity::PoissonRatio, Quantity::Measured);
     if let Some(entry) = section.get(quantity.name()) {
         if quantity == Q::InstantaneousModulus && section.get(Q::RelaxedModulus.name()).is_some() {
             let what = "[laboratory] may have `relaxed_modulus` or `instantaneous_modulus`, not both";
             let help = "remove one of the two: the other one follows from f";
             return Err(entry.fault(what, "both are there", help));
         }
-        return read_varying(&entry, kind).map(Some);
+        return read_varying(&entry, quantity).map(Some);
     }
     let default = match quantity {
         Q::RelaxedModulus if section.get(Q::InstantaneousModulus.name()).is_some() => return Ok(None),
