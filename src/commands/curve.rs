@@ -1,14 +1,11 @@
 //! `stribeck curve`: friction against speed, in the terminal and as CSV.
 
-use std::collections::HashMap;
 use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::destination::read_sweep;
-use super::entry::{case_entry, panicked};
 use super::plot::at;
 use super::terminal_plot::{TextAxis, plot};
 use super::wording::count;
@@ -17,9 +14,8 @@ use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::Measured;
 use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
-use stribeck_solver::{COLUMNS, FieldSelection, Interrupt, Output, Solver, shortest};
-use stribeck_sweep::CaseId;
-use stribeck_sweep::engine::{Engine, Finished};
+use stribeck_solver::{COLUMNS, FieldSelection, Output, shortest};
+use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
 use stribeck_sweep::{Grid, LaboratoryAxes, Plan, Sweep};
 
@@ -130,24 +126,7 @@ impl Solved {
 
 /// Solves every case of a sweep along the speed, in ascending speed.
 fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> {
-    let plan = Plan::new(sweep);
-    let (solver, output) = (Solver::new(&sweep.solver_settings()), &sweep.output);
-    let chains: Vec<_> = plan.chains().collect();
-    let mut entries: HashMap<CaseId, CaseEntry> = HashMap::new();
-    Engine::new(threads)?.run(
-        &chains,
-        &Interrupt::new(),
-        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), interrupt),
-        |chain, message| panicked(&plan.parameters(chain), output, message),
-        |group| -> Result<(), CliError> {
-            for Finished { chain, cases, .. } in group {
-                let parameters = plan.parameters(chain);
-                let solved = parameters.iter().zip(cases).map(|(case, solved)| case_entry(&plan, case, solved));
-                entries.extend(solved.map(|entry| (entry.id, entry)));
-            }
-            Ok(())
-        },
-    )?;
+    let (plan, entries) = (Plan::new(sweep), solve_in_memory(sweep, threads)?);
     let [_, _, speeds] = sweep.grid.shape();
     let solved = (0..speeds).map(|i_speed| {
         let place = [0, 0, i_speed];

@@ -2,13 +2,13 @@
 
 use clap::{ArgAction, Args};
 
-use super::entry::case_entry;
 use super::solution::SolvedProblem;
 use super::{CliError, Exit, console};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::relaxation::{Acceleration, Domain};
 use stribeck_solver::{CavityShear, FieldSelection, Interrupt, Output, Parameters, RetardationMode, Solver, Substrate};
+use stribeck_sweep::campaign::case_entry;
 use stribeck_sweep::store::Status;
 use stribeck_sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
 

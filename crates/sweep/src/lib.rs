@@ -3,6 +3,7 @@
 #[cfg(not(any(feature = "static-hdf5", feature = "system-hdf5")))]
 compile_error!("choose where HDF5 comes from: feature `static-hdf5` (the default) or `system-hdf5`");
 
+pub mod campaign;
 mod case_id;
 mod dimension;
 pub mod engine;

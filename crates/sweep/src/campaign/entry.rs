@@ -2,14 +2,13 @@
 
 use std::panic::catch_unwind;
 
-use super::repeat::solve_command;
-use stribeck_solver::continuation::{Cut, Effort, SolvedCase};
-use stribeck_solver::exact;
-use stribeck_solver::{Failure, Fields, Limits, Output, Parameters};
-use stribeck_sweep::Plan;
-use stribeck_sweep::store::{CaseEntry, Status, Timing};
+use super::solve_command;
+use crate::Plan;
+use crate::store::{CaseEntry, Status, Timing};
+use stribeck_solver::continuation::{Cut, Effort};
+use stribeck_solver::{Failure, Fields, Limits, Output, Parameters, SolvedCase, exact};
 
-/// A solved case of a plan.
+/// Makes what the store keeps of a solved case of a plan.
 pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
     let Effort { iterations, factorisations, seconds, .. } = case.effort;
     let time_limit = match case.cut {
@@ -32,8 +31,8 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
     CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, sensitivities, timing }
 }
 
-/// The cases of a chain whose thread panicked outside of its solver, which fails by itself if it does.
-pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
+/// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case alone.
+pub(super) fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
     let reason = format!("the solver of its chain panicked: {message}");
     let failed = |parameters: &Parameters| {
         let limits = output.limits.then(|| catch_unwind(|| exact::limits(parameters)).ok()).flatten();
@@ -46,9 +45,9 @@ pub fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<Sol
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Sweep;
+    use crate::store::Store;
     use stribeck_solver::COLUMNS;
-    use stribeck_sweep::Sweep;
-    use stribeck_sweep::store::Store;
 
     #[test]
     fn cases_of_a_panic_can_be_stored_with_their_limits_and_the_command_that_repeats_them() {

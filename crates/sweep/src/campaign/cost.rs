@@ -1,11 +1,11 @@
-//! What a run is expected to cost.
+//! The time and the bytes that a sweep is expected to take.
 
-use super::collection::Held;
-use super::workload::Workload;
-use stribeck_solver::relaxation;
-use stribeck_solver::{Interrupt, Solver};
-use stribeck_sweep::store::Holdings;
-use stribeck_sweep::{Method, Plan, Sweep};
+use std::num::NonZeroUsize;
+
+use super::{MergedCatalog, Pending};
+use crate::store::Holdings;
+use crate::{Method, Plan, Sweep};
+use stribeck_solver::{Interrupt, Solver, relaxation};
 
 /// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
 const PRESSURE_VALUE: f64 = 4.4;
@@ -22,6 +22,33 @@ const FRAME: f64 = 25_000.0;
 /// Bytes of a place in the two tables.
 const TABLE_ROW: f64 = 435.0;
 
+/// What a sweep is expected to take until it is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cost {
+    /// Seconds of a case on one thread.
+    pub case: CaseSeconds,
+    /// Seconds of the run.
+    pub seconds: f64,
+    /// Bytes on the disk.
+    pub size: Size,
+}
+
+impl Cost {
+    /// Estimates the cost of what is left. Some cases are solved to see how long they take, where the logs do not tell.
+    pub(super) fn expected(
+        sweep: &Sweep,
+        plan: &Plan,
+        pending: &Pending,
+        stored: &MergedCatalog<'_>,
+        threads: NonZeroUsize,
+    ) -> Self {
+        let chains = pending.chains.len();
+        let case = CaseSeconds::expected(sweep, plan, pending, stored);
+        let seconds = case.seconds() * pending.to_compute as f64 / threads.get().min(chains) as f64;
+        Self { case, seconds, size: Size::of(sweep, plan, pending.to_do(), chains as u64) }
+    }
+}
+
 /// Bytes that a finished sweep takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
@@ -33,7 +60,7 @@ pub struct Size {
 
 impl Size {
     /// The size of `cases` stored cases in `chains` shards, and of the whole sweep published.
-    pub fn of(sweep: &Sweep, plan: &Plan, cases: u64, chains: u64) -> Self {
+    fn of(sweep: &Sweep, plan: &Plan, cases: u64, chains: u64) -> Self {
         let output = &sweep.output;
         let of_field = |name| if name == "pressure" { PRESSURE_VALUE } else { FIELD_VALUE };
         let values = |name| FIELD + of_field(name) * output.x.len() as f64;
@@ -60,11 +87,11 @@ pub enum CaseSeconds {
 impl CaseSeconds {
     /// From the log if cases of this sweep were solved there, else measured here and now: relaxation takes long, so that
     /// only its passes are timed, while a collocation case is solved in about the time that a guess would take.
-    pub fn expected(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &Held<'_>) -> Self {
-        let logged = if workload.reused() > 0 { mean_seconds(held.all()) } else { None };
+    fn expected(sweep: &Sweep, plan: &Plan, pending: &Pending, stored: &MergedCatalog<'_>) -> Self {
+        let logged = if pending.reused() > 0 { mean_seconds(stored.catalogs()) } else { None };
         logged.map(Self::Logged).unwrap_or_else(|| {
             Self::Estimated(match sweep.solver.method {
-                Method::Collocation => tried_seconds(sweep, plan, workload),
+                Method::Collocation => tried_seconds(sweep, plan, pending),
                 Method::Relaxation => relaxation::expected_seconds(&sweep.solver.relaxation),
             })
         })
@@ -80,14 +107,14 @@ impl CaseSeconds {
 
 /// Seconds of a case, from some cases of the sweep that are left to do, with the output it asks for. Of each chain tried
 /// the first case is dearer, as it has no neighbour to start from; it counts once for the whole chain.
-fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
+fn tried_seconds(sweep: &Sweep, plan: &Plan, pending: &Pending) -> f64 {
     let solver = Solver::new(&sweep.solver_settings());
-    let tried = TRIED_CHAINS.min(workload.pending.len());
+    let tried = TRIED_CHAINS.min(pending.chains.len());
     let of_chain = |place: usize| {
         // spread over the rows: the middles of as many equal parts
-        let index = workload.pending[(2 * place + 1) * workload.pending.len() / (2 * tried)];
+        let index = pending.chains[(2 * place + 1) * pending.chains.len() / (2 * tried)];
         let chain = plan.parameters(&plan.chain(index as usize));
-        let cases: Vec<_> = workload.places(plan, index).into_iter().map(|place| &chain[place]).collect();
+        let cases: Vec<_> = pending.places(plan, index).into_iter().map(|place| &chain[place]).collect();
         let start = (cases.len() - TRIED_CASES.min(cases.len())) / 2;
         let sample: Vec<_> = cases.iter().skip(start).take(TRIED_CASES).copied().cloned().collect();
         let solved = solver.solve_chain(&sample, &Interrupt::new()).expect("no one asks it to stop");
@@ -99,8 +126,8 @@ fn tried_seconds(sweep: &Sweep, plan: &Plan, workload: &Workload) -> f64 {
     (0..tried).map(of_chain).sum::<f64>() / tried as f64
 }
 
-fn mean_seconds(held: &[&Holdings]) -> Option<f64> {
-    let starts = held.iter().flat_map(|held| held.history().starts()).map(|(_, start)| start);
+fn mean_seconds(catalogs: &[&Holdings]) -> Option<f64> {
+    let starts = catalogs.iter().flat_map(|catalog| catalog.history().starts()).map(|(_, start)| start);
     let (cases, seconds) = starts.fold((0, 0.0), |(cases, seconds), start| {
         (cases + start.converged + start.failed, seconds + start.case_seconds)
     });

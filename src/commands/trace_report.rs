@@ -1,4 +1,4 @@
-//! How a case was reached, for people to read.
+//! How a case was reached, for people to read: its seed, and the trace of its iterations.
 
 use std::fmt::Write;
 
@@ -8,8 +8,8 @@ use stribeck_solver::shortest;
 /// Residuals in one line.
 const PER_LINE: usize = 8;
 
-/// Where a first guess came from, by the name of its seed.
-pub fn seed_in_words(seed: &str) -> &'static str {
+/// Says where a first guess came from, by the name of its seed.
+pub fn describe_seed(seed: &str) -> &'static str {
     let words = [
         ("hertz", "pressure of the dry contact"),
         ("elastic", "the elastic solution at the same beta"),
@@ -25,8 +25,8 @@ pub fn seed_in_words(seed: &str) -> &'static str {
     words.iter().find(fits).map_or("a seed of another version of the program", |(_, words)| words)
 }
 
-/// The events on the way to a case: at each point the residuals of its iterations, and estimated errors.
-pub fn way(case: &SolvedCase, residual_name: &str) -> String {
+/// Lists the events on the way to a case: at each point the residuals of its iterations, and estimated errors.
+pub fn describe_trace(case: &SolvedCase, residual_name: &str) -> String {
     let mut text = String::new();
     let written = "writing to memory does not fail";
     let mut residuals: Vec<(u64, f64)> = Vec::new();

@@ -1,9 +1,9 @@
 //! The command that solves a case again.
 
+use crate::{Recipe, SolverRecipe};
 use stribeck_solver::{Parameters, Substrate, shortest};
-use stribeck_sweep::{Recipe, SolverRecipe};
 
-/// The `stribeck solve` that solves a case alone with all that its numbers depend on: it prints the same id.
+/// The command `stribeck solve …` that solves a case alone, with all that its numbers depend on: it prints the same id.
 pub fn solve_command(recipe: &Recipe, case: &Parameters) -> String {
     let [f, alpha, beta] = [case.f, case.alpha, case.beta].map(shortest);
     let mut command = format!("stribeck solve --f {f} --alpha {alpha} --beta {beta}");
