@@ -1,12 +1,10 @@
 //! One solved case for people, as a table, and for programs, as JSON.
 
-use std::fmt::Write;
-
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::sensitivities;
-use super::wording::{count, duration};
+use crate::format::{Column, count, duration, table_line};
 use stribeck_solver::continuation::{Path, PathPoint};
 use stribeck_solver::{COLUMNS, Limits, Parameters, Sensitivities};
 use stribeck_sweep::store::{CaseEntry, Status};
@@ -26,15 +24,13 @@ pub struct SolvedProblem<'a> {
     pub unknowns: usize,
 }
 
-const IN_MEMORY: &str = "writing to memory does not fail";
-
 /// The value of a column.
 fn value(entry: &CaseEntry, name: &str) -> Option<f64> {
     let place = COLUMNS.iter().position(|column| column.name == name)?;
     Some(entry.values[place]).filter(|value| !value.is_nan())
 }
 
-/// One row for each quantity of a case, with its error and what large β has in its place; of a failed case what is known.
+/// One row for each quantity of a case, with its error and its limit for large β; of a failed case the limits.
 pub fn numbers(entry: &CaseEntry) -> String {
     match entry.outcome {
         Status::Converged => quantities(entry),
@@ -44,10 +40,9 @@ pub fn numbers(entry: &CaseEntry) -> String {
 
 fn quantities(entry: &CaseEntry) -> String {
     let mut text = String::new();
-    let mut row = |symbol: &str, value: &str, error: &str, limit: &str, unit: &str, name: &str| {
-        writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}").expect(IN_MEMORY);
-    };
-    row("symbol", "value", "error", "large beta", "unit", "name");
+    let columns =
+        [Column::Left(13), Column::Right(13), Column::Right(8), Column::Right(13), Column::Left(10), Column::Left(0)];
+    text += &table_line(&columns, &["symbol", "value", "error", "large beta", "unit", "name"]);
     for column in &COLUMNS {
         let limit_of = match column.name {
             "mu_v" => "dry_mu_v",
@@ -59,7 +54,7 @@ fn quantities(entry: &CaseEntry) -> String {
         let error = value(entry, &format!("error_{}", column.name)).map_or_else(String::new, |e| format!("{e:.0e}"));
         let limit = value(entry, limit_of).map_or_else(String::new, six);
         let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
-        row(column.name, &value, &error, &limit, column.units, column.long_name);
+        text += &table_line(&columns, &[column.name, &value, &error, &limit, column.units, column.long_name]);
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
@@ -74,7 +69,8 @@ fn limits(entry: &CaseEntry) -> String {
     let mut text = String::new();
     for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
         let limit = value(entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-        writeln!(text, "{:<13} {limit:>14}  {:<10}  {}", column.name, column.units, column.long_name).expect(IN_MEMORY);
+        let columns = [Column::Left(13), Column::Right(13), Column::Left(10), Column::Left(0)];
+        text += &table_line(&columns, &[column.name, &limit, column.units, column.long_name]);
     }
     text
 }
@@ -90,7 +86,7 @@ impl SolvedProblem<'_> {
             text += &format!("  {}\n", entry.reason);
         }
         text += &self.cost();
-        text += &self.way();
+        text += &self.path();
         text += "\n";
         text + &numbers(entry)
     }
@@ -123,16 +119,17 @@ impl SolvedProblem<'_> {
     }
 
     /// The path, a line for each point; nothing if the first guess led to the solution.
-    fn way(&self) -> String {
+    fn path(&self) -> String {
         let points = &self.path.points;
         let mut text = String::new();
         if !points.is_empty() {
             text += "\nby way of     alpha          beta             f    iterations\n";
         }
         for PathPoint { alpha, beta, f, iterations, accepted } in points {
-            let (alpha, beta, f) = (short(*alpha), short(*beta), short(*f));
-            let failed = if *accepted { "" } else { "  not solved" };
-            writeln!(text, "{alpha:>19} {beta:>13} {f:>13} {iterations:>13}{failed}").expect(IN_MEMORY);
+            let failed = if *accepted { "" } else { "not solved" };
+            let columns = [Column::Right(19), Column::Right(12), Column::Right(12), Column::Right(12), Column::Left(0)];
+            let [alpha, beta, f] = [alpha, beta, f].map(|value| short(*value));
+            text += &table_line(&columns, &[&alpha, &beta, &f, &iterations.to_string(), failed]);
         }
         text
     }
