@@ -3,9 +3,9 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use stribeck_sweep::{Column, Sweep};
 use stribeck_sweep::campaign::{Event, RunOptions, run};
 use stribeck_sweep::store::DataSet;
+use stribeck_sweep::{Column, Sweep};
 
 const SWEEP: &str =
     "[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";

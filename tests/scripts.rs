@@ -8,8 +8,8 @@ use std::process::{Command, Output};
 use crate::in_python::{check, file_of_python, run_python};
 use crate::synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
 use stribeck_solver::FieldSelection;
-use stribeck_sweep::{Column, Values};
 use stribeck_sweep::store::{CaseEntry, Status, Store};
+use stribeck_sweep::{Column, Values};
 use tempfile::{TempDir, tempdir};
 
 /// The synthetic results.
