@@ -3,7 +3,7 @@
 #![allow(dead_code)]
 
 use roxmltree::{Document, Node};
-use stribeck_charts::{FigureError, WIDTH};
+use stribeck_charts::{ChartError, WIDTH};
 
 /// All text of a picture, each text trimmed.
 pub fn texts(document: &Document) -> Vec<String> {
@@ -36,8 +36,8 @@ fn decoded(bytes: &[u8]) -> (u32, u32) {
 
 /// Both formats of a chart are well formed, of one size, and the same when drawn again.
 pub fn check_formats(
-    svg: impl Fn() -> Result<String, FigureError>,
-    png: impl Fn() -> Result<Vec<u8>, FigureError>,
+    svg: impl Fn() -> Result<String, ChartError>,
+    png: impl Fn() -> Result<Vec<u8>, ChartError>,
 ) -> String {
     let text = svg().unwrap();
     let document = Document::parse(&text).unwrap();
