@@ -1,13 +1,12 @@
 //! A quantity along an axis, one curve for each value of another.
 
-use super::bundle::{Bundle, bundles};
-use super::family::{beside, colour};
-use super::known::{self, Known, Values};
-use super::overlay::overlay;
+use super::curve_family::{CurveFamily, beside, curve_families, member_colour};
+use super::measured_points::measured_points;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
+use super::reference_curves::{self, ReferenceCurve, Values};
 use super::request::{Kind, Request, Selection};
-use super::source::Source;
+use super::sweep_data::SweepData;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
@@ -22,15 +21,15 @@ const COLUMNS: [&str; 4] = ["mu_tot", "mu_v", "mu_h", "c"];
 const ERRORS: [&str; 3] = ["error_mu_v", "error_mu_h", "error_c"];
 
 /// The pictures of curves that are asked for.
-pub(super) fn curves(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+pub(super) fn curves(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     let names: Vec<&str> = named_columns(request, &COLUMNS);
-    along_each(source, request, Kind::Curves, &names)
+    along_each(sweep, request, Kind::Curves, &names)
 }
 
 /// Errors along each axis: for sweeps that have no map of them.
-pub(super) fn errors(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     let request = Request { together: true, ..request.clone() };
-    along_each(source, &request, Kind::Errors, &ERRORS)
+    along_each(sweep, &request, Kind::Errors, &ERRORS)
 }
 
 /// The columns asked for, or a choice.
@@ -40,12 +39,13 @@ pub(super) fn named_columns<'a>(request: &'a Request, otherwise: &[&'a str]) -> 
     if named.is_empty() { otherwise.to_vec() } else { named }
 }
 
-fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) -> Result<Vec<Picture>, PictureError> {
-    let selection = Selection::of(source, request)?;
+/// The pictures of these columns along the axis asked for, or along each that has several values.
+fn along_each(sweep: &SweepData, request: &Request, kind: Kind, names: &[&str]) -> Result<Vec<Picture>, PictureError> {
+    let selection = Selection::of(sweep, request)?;
     let long = |axis: &Axis| selection.on(*axis).len() > 1;
-    let axes: Vec<Axis> = match request.along(source)? {
+    let axes: Vec<Axis> = match request.along(sweep)? {
         Some(axis) if !long(&axis) => {
-            let name = &source.axis(axis).name;
+            let name = &sweep.axis(axis).name;
             return Err(kind.missing(format!("{name} has one value here, and a curve needs two")));
         }
         Some(axis) => vec![axis],
@@ -65,45 +65,45 @@ fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) ->
                 )));
             }
             let name = match kind {
-                Kind::Errors => format!("errors-along-{}", source.axis(along).name),
-                _ => format!("{}-along-{}", names.join("-"), source.axis(along).name),
+                Kind::Errors => format!("errors-along-{}", sweep.axis(along).name),
+                _ => format!("{}-along-{}", names.join("-"), sweep.axis(along).name),
             };
-            for bundle in bundles(source, request, &selection, along) {
-                let name = format!("{name}{}", bundle.suffix);
-                pictures.extend(draw(source, request, &bundle, &names, name)?);
+            for family in curve_families(sweep, request, &selection, along) {
+                let name = format!("{name}{}", family.suffix);
+                pictures.extend(draw(sweep, request, &family, &names, name)?);
             }
         }
     }
     Ok(pictures)
 }
 
+/// The picture of a family of curves of these columns; none if it has nothing to show.
 fn draw(
-    source: &Source,
+    sweep: &SweepData,
     request: &Request,
-    bundle: &Bundle,
+    family: &CurveFamily,
     names: &[&str],
     name: String,
 ) -> Result<Option<Picture>, PictureError> {
-    let mut table = Table::new(&[&["quantity", "kind"], &source.coordinate_names()[..], &["value"]].concat());
-    let (mut solved, mut known_curves, mut measured) = (Vec::new(), Vec::new(), Vec::new());
+    let mut table = Table::new(&[&["quantity", "kind"], &sweep.coordinate_names()[..], &["value"]].concat());
+    let (mut solved, mut references, mut measured) = (Vec::new(), Vec::new(), Vec::new());
     for (i_name, column) in names.iter().enumerate() {
-        let colours: Vec<Colour> = (0..bundle.members.len())
-            .map(|member| if names.len() > 1 { Colour::Kind(i_name) } else { colour(member, bundle.members.len()) })
+        let count = family.members.len();
+        let colours: Vec<Colour> = (0..count)
+            .map(|member| if names.len() > 1 { Colour::Kind(i_name) } else { member_colour(member, count) })
             .collect();
-        solved.extend(solutions(source, bundle, column, &colours, names.len() > 1, &mut table)?);
-        measured.extend(overlay(source, bundle, column, &colours));
-        let known = if request.bare { &[] } else { known::of_column(column) };
-        for known in known {
-            let mut members = Vec::new();
-            for (member, colour) in bundle.members.iter().zip(&colours) {
-                let points = known_points(source, known, column, bundle, *member)?;
-                for (point, (_, value)) in bundle.points.iter().zip(&points) {
-                    let coordinates = source.coordinates(bundle.at(*member, *point));
-                    table.row(&[column, known.label], &[&coordinates[..], &[*value]].concat());
-                }
-                members.push((*colour, points));
+        let quantity = Quantity::of_column(column).expect("names were checked");
+        let mut curves = solutions(sweep, family, column, &mut table)?;
+        for (curve, colour) in curves.iter_mut().zip(&colours) {
+            curve.colour = *colour;
+            if names.len() > 1 {
+                curve.label = quantity.words.to_owned();
             }
-            known_curves.extend(beside(known.label, known.stroke, members));
+        }
+        solved.extend(curves);
+        measured.extend(measured_points(sweep, family, column, &colours));
+        if !request.bare {
+            references.extend(reference_curves(sweep, family, &quantity, &colours, &mut table)?);
         }
     }
     let nothing = solved.iter().all(|curve| curve.failed.is_empty() && curve.points.iter().all(|p| p.1.is_nan()));
@@ -112,49 +112,68 @@ fn draw(
     }
     let logarithmic = request.scale.is_logarithmic(solved.iter().flat_map(|curve| &curve.points).map(|point| point.1));
     let wanted: Vec<Curve> = solved.iter().chain(&measured).cloned().collect();
-    let range = request.y.or_else(|| vertical_range(&wanted, &known_curves, logarithmic));
-    let x_label = source.axis(bundle.along).label.clone();
+    let range = request.y.or_else(|| vertical_range(&wanted, &references, logarithmic));
+    let x_label = sweep.axis(family.along).label.clone();
     let chart = Lines {
-        title: source.data.title.clone(),
-        subtitle: source.list(&bundle.fixed, bundle.start),
-        x: LineAxis { label: x_label, logarithmic: is_logarithmic(source, bundle), range: None },
-        y: LineAxis { label: Quantity::common_label(names, source.data.laboratory), logarithmic, range },
-        curves: solved.into_iter().chain(known_curves).chain(measured).collect(),
+        title: sweep.data.title.clone(),
+        subtitle: sweep.list(&family.fixed, family.start),
+        x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
+        y: LineAxis { label: Quantity::common_label(names, sweep.data.laboratory), logarithmic, range },
+        curves: solved.into_iter().chain(references).chain(measured).collect(),
     };
     Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
 }
 
-/// The curve of each member of the family; `named` by the column where several stand together.
+/// The curve of each member of a family, named by the member and black.
 fn solutions(
-    source: &Source,
-    bundle: &Bundle,
+    sweep: &SweepData,
+    family: &CurveFamily,
     column: &str,
-    colours: &[Colour],
-    named: bool,
     table: &mut Table,
 ) -> Result<Vec<Curve>, PictureError> {
-    let (statuses, values) = (source.data.statuses()?, source.data.column(column)?);
+    let (statuses, values) = (sweep.data.statuses()?, sweep.data.column(column)?);
     let mut curves = Vec::new();
-    for (member, colour) in bundle.members.iter().zip(colours) {
+    for member in &family.members {
         let (mut points, mut failed) = (Vec::new(), Vec::new());
-        for point in &bundle.points {
-            let indices = bundle.at(*member, *point);
-            let (x, place) = (source.value(bundle.along, *point), source.data.place(indices));
+        for point in &family.points {
+            let indices = family.at(*member, *point);
+            let (x, place) = (sweep.value(family.along, *point), sweep.data.place(indices));
             points.push((x, values[place]));
             if statuses[place] == Status::Failed {
                 failed.push(x);
             }
-            table.row(&[column, "solution"], &[&source.coordinates(indices)[..], &[values[place]]].concat());
+            table.row(&[column, "solution"], &[&sweep.coordinates(indices)[..], &[values[place]]].concat());
         }
-        let label = if named {
-            Quantity::of_column(column).expect("names were checked").words.to_owned()
-        } else if bundle.members.len() > 1 {
-            source.words(bundle.family, *member)
-        } else {
-            "solution".to_owned()
+        let label = match family.members.len() {
+            1 => "solution".to_owned(),
+            _ => sweep.words(family.varied, *member),
         };
         let marked = points.len() <= MOST_MARKED;
-        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: *colour, marked });
+        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: Colour::Black, marked });
+    }
+    Ok(curves)
+}
+
+/// The reference curves of a quantity beside the members of a family, which have these colours.
+fn reference_curves(
+    sweep: &SweepData,
+    family: &CurveFamily,
+    quantity: &Quantity,
+    colours: &[Colour],
+    table: &mut Table,
+) -> Result<Vec<Curve>, PictureError> {
+    let mut curves = Vec::new();
+    for reference in reference_curves::of_column(quantity.column) {
+        let mut members = Vec::new();
+        for (member, colour) in family.members.iter().zip(colours) {
+            let points = reference_points(sweep, reference, quantity, family, *member)?;
+            for (point, (_, value)) in family.points.iter().zip(&points) {
+                let coordinates = sweep.coordinates(family.at(*member, *point));
+                table.row(&[quantity.column, reference.label], &[&coordinates[..], &[*value]].concat());
+            }
+            members.push((*colour, points));
+        }
+        curves.extend(beside(reference.label, reference.stroke, members));
     }
     Ok(curves)
 }
@@ -185,34 +204,34 @@ fn vertical_range(solved: &[Curve], known: &[Curve], logarithmic: bool) -> Optio
 }
 
 /// True if the running axis spans more than a factor of five.
-fn is_logarithmic(source: &Source, bundle: &Bundle) -> bool {
-    let positive: Vec<f64> = bundle.points.iter().map(|point| source.value(bundle.along, *point)).collect();
+fn is_logarithmic(sweep: &SweepData, family: &CurveFamily) -> bool {
+    let positive: Vec<f64> = family.points.iter().map(|point| sweep.value(family.along, *point)).collect();
     let finite = || positive.iter().copied().filter(|value| *value > 0.0 && value.is_finite());
     let (least, most) = (finite().fold(f64::INFINITY, f64::min), finite().fold(0.0, f64::max));
     most > 5.0 * least || positive.contains(&f64::INFINITY)
 }
 
-fn known_points(
-    source: &Source,
-    known: &Known,
-    column: &str,
-    bundle: &Bundle,
+/// The points of a reference curve for a member of a family; NaN where it does not hold.
+fn reference_points(
+    sweep: &SweepData,
+    reference: &ReferenceCurve,
+    quantity: &Quantity,
+    family: &CurveFamily,
     member: usize,
 ) -> Result<Vec<(f64, f64)>, PictureError> {
-    let places = bundle.points.iter().map(|point| (source.value(bundle.along, *point), bundle.at(member, *point)));
-    match known.values {
+    let places = family.points.iter().map(|point| (sweep.value(family.along, *point), family.at(member, *point)));
+    match reference.values {
         Values::Formula(formula) => {
-            let units = Quantity::of_column(column).expect("names were checked").units;
             let value = |indices| {
-                let value = source.parameters(indices).and_then(|case| formula(&case));
-                value.map_or(f64::NAN, |value| value * source.factor(units, indices))
+                let value = sweep.parameters(indices).and_then(|case| formula(&case));
+                value.map_or(f64::NAN, |value| value * sweep.factor(quantity.units, indices))
             };
             Ok(places.map(|(x, indices)| (x, value(indices))).collect())
         }
         Values::Columns(names) => {
-            let columns = names.iter().map(|name| source.data.column(name)).collect::<Result<Vec<_>, _>>()?;
+            let columns = names.iter().map(|name| sweep.data.column(name)).collect::<Result<Vec<_>, _>>()?;
             let sum = |place: usize| columns.iter().map(|column| column[place]).sum();
-            Ok(places.map(|(x, indices)| (x, sum(source.data.place(indices)))).collect())
+            Ok(places.map(|(x, indices)| (x, sum(sweep.data.place(indices)))).collect())
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What pictures are made of.
 
-use super::Axis;
 use super::axis::AxisWords;
 use super::quantity::Quantity;
+use super::{Axis, Kind, PictureError};
 use stribeck_lab::Measured;
 use stribeck_lab::Scales;
 use stribeck_solver::{Parameters, Substrate, shortest};
@@ -10,7 +10,7 @@ use stribeck_sweep::store::{DataSet, StoreError};
 
 /// A published data set, and what else pictures of it need.
 #[derive(Debug)]
-pub struct Source {
+pub struct SweepData {
     /// The data set.
     pub data: DataSet,
     /// The substrate it was computed for, which known limits need; none if it is not known.
@@ -24,7 +24,7 @@ pub struct Source {
     scales: Option<[Vec<f64>; 4]>,
 }
 
-impl Source {
+impl SweepData {
     /// The pictures of a data set.
     ///
     /// # Errors
@@ -94,6 +94,15 @@ impl Source {
         let factor = self.factor(quantity.units, indices);
         values.iter_mut().for_each(|value| *value /= factor);
         Ok(values)
+    }
+
+    /// Checks that the sweep has the fields that a kind of picture needs.
+    pub(super) fn check_fields(&self, kind: Kind, needed: &[&str]) -> Result<(), PictureError> {
+        match needed.iter().find(|field| !self.data.fields.contains(field)) {
+            None => Ok(()),
+            Some(field) => Err(kind
+                .missing(format!("the sweep has no field {field}; add it to fields below [output] and run it again"))),
+        }
     }
 
     /// The parameters of the case at these indices; `None` if the substrate is not known.

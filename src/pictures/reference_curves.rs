@@ -8,7 +8,7 @@ use stribeck_solver::exact::{DryContact, LargeBeta, approx_elastic_film};
 
 /// A curve that is known without solving anything.
 #[derive(Clone, Copy)]
-pub struct Known {
+pub struct ReferenceCurve {
     /// Name in the legend.
     pub label: &'static str,
     /// How it is drawn.
@@ -39,34 +39,38 @@ fn elastic_asymptote(case: &Parameters) -> Option<f64> {
 }
 
 /// What is known of a column.
-pub fn of_column(name: &str) -> &'static [Known] {
+pub fn of_column(name: &str) -> &'static [ReferenceCurve] {
     const DRY: &str = "dry limit";
     match name {
-        "mu_v" => &[Known { label: DRY, stroke: Stroke::Dashed, values: Values::Columns(&["dry_mu_v"]) }],
-        "mu_h" => &[Known {
+        "mu_v" => &[ReferenceCurve { label: DRY, stroke: Stroke::Dashed, values: Values::Columns(&["dry_mu_v"]) }],
+        "mu_h" => &[ReferenceCurve {
             label: "large-β approximation",
             stroke: Stroke::Dashed,
             values: Values::Columns(&["approx_mu_h"]),
         }],
-        "mu_tot" => &[Known {
+        "mu_tot" => &[ReferenceCurve {
             label: "dry limit of μᵥ + approximation of μₕ",
             stroke: Stroke::Dashed,
             values: Values::Columns(&["dry_mu_v", "approx_mu_h"]),
         }],
         "c" => &[
-            Known {
+            ReferenceCurve {
                 label: "Eqs. 34 and 49 of the paper",
                 stroke: Stroke::Dashed,
                 values: Values::Formula(|case| Some(LargeBeta::new(case)?.approx_c())),
             },
-            Known { label: "0.4458 β^(−3/5)", stroke: Stroke::Dotted, values: Values::Formula(elastic_asymptote) },
+            ReferenceCurve {
+                label: "0.4458 β^(−3/5)",
+                stroke: Stroke::Dotted,
+                values: Values::Formula(elastic_asymptote),
+            },
         ],
-        "p_max" => &[Known {
+        "p_max" => &[ReferenceCurve {
             label: DRY,
             stroke: Stroke::Dashed,
             values: Values::Formula(|case| Some(DryContact::of(case)?.max_pressure())),
         }],
-        "x_outlet" => &[Known {
+        "x_outlet" => &[ReferenceCurve {
             label: DRY,
             stroke: Stroke::Dashed,
             values: Values::Formula(|case| Some(DryContact::of(case)?.trailing_edge())),

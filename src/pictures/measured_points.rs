@@ -1,28 +1,27 @@
 //! Measured points over the curves of a quantity.
 
-use super::bundle::Bundle;
-use super::source::Source;
+use super::curve_family::CurveFamily;
+use super::sweep_data::SweepData;
 use stribeck_charts::{Colour, Curve, Stroke};
 use stribeck_lab::Measured;
 
-/// The measured points of a column that belong to the curves of a bundle, with their standard errors: those that were measured
+/// The measured points of a column that belong to the curves of a family, with their standard errors: those that were measured
 /// along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
 /// Points that belong to one member of several have its colour.
-pub(super) fn overlay(source: &Source, bundle: &Bundle, column: &str, colours: &[Colour]) -> Vec<Curve> {
-    let Some(measured) = source.measured.as_ref().filter(|measured| measured.column == column) else {
+pub(super) fn measured_points(sweep: &SweepData, family: &CurveFamily, column: &str, colours: &[Colour]) -> Vec<Curve> {
+    let Some(measured) = sweep.measured.as_ref().filter(|measured| measured.column == column) else {
         return Vec::new();
     };
-    let Some(along) = measured.coordinate(&source.axis(bundle.along).name) else { return Vec::new() };
+    let Some(along) = measured.coordinate(&sweep.axis(family.along).name) else { return Vec::new() };
     let mut curves = Vec::new();
-    let family_is_known = belongs_by(source, measured, bundle);
-    for (i, member) in bundle.members.iter().enumerate() {
-        let here: Vec<usize> =
-            (0..along.len()).filter(|row| belongs(source, measured, bundle, *member, *row)).collect();
+    let family_is_known = belongs_by(sweep, measured, family);
+    for (i, member) in family.members.iter().enumerate() {
+        let here: Vec<usize> = (0..along.len()).filter(|row| belongs(sweep, measured, family, *member, *row)).collect();
         if here.is_empty() {
             continue;
         }
-        let colour = if bundle.members.len() > 1 && family_is_known { colours[i] } else { Colour::Black };
+        let colour = if family.members.len() > 1 && family_is_known { colours[i] } else { Colour::Black };
         let curve = |points: Vec<(f64, f64)>, label: &str, stroke, marked| Curve {
             label: label.to_owned(),
             points,
@@ -48,20 +47,20 @@ pub(super) fn overlay(source: &Source, bundle: &Bundle, column: &str, colours: &
 }
 
 /// True if the file says to which member of the family a point belongs.
-fn belongs_by(source: &Source, measured: &Measured, bundle: &Bundle) -> bool {
-    let names = source.dimension_names(bundle.family);
+fn belongs_by(sweep: &SweepData, measured: &Measured, family: &CurveFamily) -> bool {
+    let names = sweep.dimension_names(family.varied);
     names.iter().any(|name| measured.coordinate(name).is_some())
 }
 
 /// True if a point's coordinates but that along the curve are those of a member.
-fn belongs(source: &Source, measured: &Measured, bundle: &Bundle, member: usize, row: usize) -> bool {
-    let indices = bundle.at(member, bundle.points[0]);
-    let along = &source.axis(bundle.along).name;
-    let fixed = source.data.fixed.iter().map(|(name, value)| (name.as_str(), *value));
-    let known = source.coordinate_names().into_iter().zip(source.coordinates(indices)).chain(fixed);
+fn belongs(sweep: &SweepData, measured: &Measured, family: &CurveFamily, member: usize, row: usize) -> bool {
+    let indices = family.at(member, family.points[0]);
+    let along = &sweep.axis(family.along).name;
+    let fixed = sweep.data.fixed.iter().map(|(name, value)| (name.as_str(), *value));
+    let known = sweep.coordinate_names().into_iter().zip(sweep.coordinates(indices)).chain(fixed);
     known.filter(|(name, _)| name != along).all(|(name, value)| match measured.coordinate(name) {
         // What follows from the quantities of the laboratory changes along the curve.
-        Some(_) if source.data.laboratory && (name == "alpha" || name == "beta") => true,
+        Some(_) if sweep.data.laboratory && (name == "alpha" || name == "beta") => true,
         Some(values) => Measured::is_same(values[row], value),
         None => true,
     })
