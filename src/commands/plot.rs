@@ -102,8 +102,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Ok(sweep) => Some(sweep.substrate),
         Err(_) => {
             console::tell(&format!(
-                "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} of the \
-                 program wrote, is none for this version",
+                "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} \
+                 of the program wrote, is none for this version",
                 printable(&data.version)
             ));
             None

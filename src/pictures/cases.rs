@@ -19,8 +19,8 @@ pub(super) struct Cases {
 }
 
 impl Cases {
-    /// The cases asked for, or a choice: along the axis that is `preferred` if it has several values, else the one with the most,
-    /// and in the middle of the others.
+    /// The cases asked for, or a choice: along the axis that is `preferred` if it has several values, else the one with
+    /// the most, and in the middle of the others.
     ///
     /// # Errors
     /// [`PictureError`] if more than one axis has several values that were asked for, or no case was solved.
@@ -78,8 +78,8 @@ impl Cases {
     }
 }
 
-/// Where an axis is cut if nothing else is asked for: the largest f, the α nearest to 1 (where a substrate dissipates most), the
-/// middle β; the middle of quantities of the laboratory.
+/// Where an axis is cut if nothing else is asked for: the largest f, the α nearest to 1 (where a substrate dissipates
+/// most), the middle β; the middle of quantities of the laboratory.
 pub(super) fn middle(sweep: &SweepData, axis: Axis, indices: &[usize]) -> usize {
     let off_one = |index: &usize| {
         let value = sweep.value(axis, *index);

@@ -3,7 +3,7 @@
 use super::Axis;
 use super::cases::middle;
 use super::request::{Request, Selection, spread};
-use super::sweep_data::{SweepData, rounded};
+use super::sweep_data::SweepData;
 use stribeck_charts::{Colour, Curve, Stroke};
 
 /// Most curves of a family.
@@ -37,8 +37,8 @@ impl CurveFamily {
     }
 }
 
-/// The pictures along an axis: one for each value of the third axis that was asked for, else one in its middle. With several
-/// quantities in one picture there is no room for a family, and its members have a picture each.
+/// The pictures along an axis: one for each value of the third axis that was asked for, else one in its middle. With
+/// several quantities in one picture there is no room for a family, and its members have a picture each.
 pub(super) fn curve_families(
     sweep: &SweepData,
     request: &Request,
@@ -76,13 +76,7 @@ pub(super) fn curve_families(
             start[third.dimension()] = *third_index;
             start[varied.dimension()] = members[0];
             let several = [(third, thirds.len()), (varied, groups.len())].into_iter().filter(|(_, count)| *count > 1);
-            let part = |(axis, _): (Axis, usize)| {
-                format!(
-                    "-{}-{}",
-                    sweep.axis(axis).name,
-                    rounded(sweep.value(axis, start[axis.dimension()])).replace('∞', "inf")
-                )
-            };
+            let suffix = several.map(|(axis, _)| sweep.name_part(axis, start)).collect();
             let mut fixed = vec![third];
             if members.len() == 1 {
                 fixed.push(varied);
@@ -95,7 +89,7 @@ pub(super) fn curve_families(
                 members: members.clone(),
                 fixed,
                 start,
-                suffix: several.map(part).collect(),
+                suffix,
             });
         }
     }
@@ -107,8 +101,8 @@ pub(super) fn member_colour(index: usize, count: usize) -> Colour {
     if count < 2 { Colour::Family(0.3) } else { Colour::Family(index as f64 / (count - 1) as f64) }
 }
 
-/// Reference curves beside those of a family, one for each member: a single black one where all are the same, else one in the colour
-/// of each member and a line in the legend for all. Members for which nothing is known have an empty one.
+/// Reference curves beside those of a family, one for each member: a single black one where all are the same, else one
+/// in the colour of each member and a line in the legend for all. Members for which nothing is known have an empty one.
 ///
 /// A thing of its own kind keeps its colour, so that curves of several quantities can be told apart.
 pub(super) fn beside(label: &str, stroke: Stroke, members: Vec<(Colour, Vec<(f64, f64)>)>) -> Vec<Curve> {

@@ -59,8 +59,8 @@ impl Loop {
 
 /// The loops of chosen cases in one picture.
 ///
-/// The height of the surface is w − h₀ = x²/2 − u (T3): where it starts from is the same in all cases. The area of a loop is
-/// F_v = (2/π) ∫ p dw (Eq. 22), here by trapezia over the published x, beside the μᵥ of the solver.
+/// The height of the surface is w − h₀ = x²/2 − u (T3): where it starts from is the same in all cases. The area of a
+/// loop is F_v = (2/π) ∫ p dw (Eq. 22), here by trapezia over the published x, beside the μᵥ of the solver.
 pub(super) fn loops(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     sweep.check_fields(Kind::Loops, &["pressure", "film_thickness"])?;
     let cases = Cases::choose(sweep, request, Kind::Loops, Axis::Inner)?;

@@ -123,7 +123,8 @@ pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
     let largest = largest_errors(sweep)?;
     if largest.iter().all(|error| error.is_nan()) {
         return Err(Kind::Errors.missing(
-            "no case has estimated errors; with the relaxation method ask for them: estimate = true below [solver.relaxation]",
+            "no case has estimated errors; with the relaxation method ask for them: estimate = true below \
+             [solver.relaxation]",
         ));
     }
     let label = "largest estimated relative error of μᵥ, μₕ and c";

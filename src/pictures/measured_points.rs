@@ -5,8 +5,8 @@ use super::sweep_data::SweepData;
 use stribeck_charts::{Colour, Curve, Stroke};
 use stribeck_lab::Measured;
 
-/// The measured points of a column that belong to the curves of a family, with their standard errors: those that were measured
-/// along its axis, and whose other coordinates, as far as the file has them, are those of a member.
+/// The measured points of a column that belong to the curves of a family, with their standard errors: those that were
+/// measured along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
 /// Points that belong to one member of several have its colour.
 pub(super) fn measured_points(sweep: &SweepData, family: &CurveFamily, column: &str, colours: &[Colour]) -> Vec<Curve> {

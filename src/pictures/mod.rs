@@ -4,7 +4,8 @@
 //! | --- | --- |
 //! | `request` | [`Request`]: what is wanted, and of which part of the sweep |
 //! | `curves`, `profiles`, `loops`, `surfaces`, `maps`, `stress`, `cost` | the kinds of pictures |
-//! | `curve_family`, `cases`, `surface_grid` | which curves stand in one picture; which cases have their fields shown; where surfaces are |
+//! | `curve_family`, `surface_grid` | which curves stand in one picture; where surfaces are |
+//! | `cases` | which cases have their fields shown |
 //! | `reference_curves`, `measured_points` | limits and approximations beside solutions; measured points over curves |
 //! | `axis`, `quantity` | what axes and columns are called in pictures |
 //! | `sweep_data` | [`SweepData`]: the data set |

@@ -16,7 +16,8 @@ pub(super) fn profiles(sweep: &SweepData, request: &Request) -> Result<Vec<Pictu
     let there = &sweep.data.fields;
     if there.is_empty() {
         return Err(Kind::Profiles.missing(
-            "the sweep has no fields; add fields = [\"pressure\", \"film_thickness\"] below [output] to it and run it again",
+            "the sweep has no fields; add fields = [\"pressure\", \"film_thickness\"] below [output] to it and run it \
+             again",
         ));
     }
     let named: Vec<&str> = there.iter().copied().filter(|name| request.of.iter().any(|of| of == name)).collect();
@@ -90,9 +91,5 @@ pub(super) fn shown(sweep: &SweepData, request: &Request, kind: Kind) -> Result<
 pub(super) fn suffix(sweep: &SweepData, request: &Request, cases: &Cases) -> String {
     let by_hand = |axis: &Axis| cases.fixed.contains(axis) && request.asks(sweep, *axis);
     let fixed = Axis::ALL.into_iter().filter(by_hand);
-    let part = |axis: Axis| {
-        let value = sweep.value(axis, cases.indices[0][axis.dimension()]);
-        format!("-{}-{}", sweep.axis(axis).name, super::sweep_data::rounded(value).replace('∞', "inf"))
-    };
-    fixed.map(part).collect()
+    fixed.map(|axis| sweep.name_part(axis, cases.indices[0])).collect()
 }

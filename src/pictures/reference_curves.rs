@@ -108,8 +108,8 @@ pub fn dry_pressure(contact: &DryContact) -> (Vec<f64>, Vec<f64>) {
     (x, pressure)
 }
 
-/// Ascending x over a dry contact, its edges included: dense at both edges, and down to a millionth of the contact at the leading
-/// one, where the pressure of a retarded substrate has a peak in a layer as narrow as 1/((1+f)α).
+/// Ascending x over a dry contact, its edges included: dense at both edges, and down to a millionth of the contact at
+/// the leading one, where the pressure of a retarded substrate has a peak in a layer as narrow as 1/((1+f)α).
 fn contact_points(contact: &DryContact) -> Vec<f64> {
     const EVEN: usize = 240;
     const LAYER: usize = 120;

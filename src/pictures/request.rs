@@ -140,7 +140,8 @@ impl Selection {
     /// The values asked for, the nearest ones there are; all of an axis if none is asked for.
     ///
     /// # Errors
-    /// [`PictureError::Outside`] for a value beyond the ends of its axis, [`PictureError::NoAxis`] for an axis that is not there.
+    /// [`PictureError::Outside`] for a value beyond the ends of its axis, [`PictureError::NoAxis`] for an axis that is
+    /// not there.
     pub fn of(sweep: &SweepData, request: &Request) -> Result<Self, PictureError> {
         let dimensions = &sweep.data.dimensions;
         let known = |name: &String| dimensions.iter().any(|dimension| dimension.name == *name);
@@ -235,7 +236,9 @@ mod tests {
         }
 
         #[test]
-        fn the_nearest_value_is_found(values in prop::collection::btree_set(1u32..1000, 1..30), wanted in 1.0..1000.0f64) {
+        fn the_nearest_value_is_found(
+            values in prop::collection::btree_set(1u32..1000, 1..30), wanted in 1.0..1000.0f64,
+        ) {
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
             let inside = wanted >= 0.999 * values[0] && wanted <= 1.001 * values[values.len() - 1];
             match nearest("beta", &values, wanted) {

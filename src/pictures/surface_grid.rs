@@ -26,7 +26,8 @@ impl SurfaceGrid {
                 return Err(kind.missing(match sweep.axis(axis).name.as_str() {
                     "" => why_no_grid(sweep, axis, "surface"),
                     name => format!(
-                        "{name} has {} value here with a place on a logarithmic axis, and a surface needs two; try --what curves",
+                        "{name} has {} value here with a place on a logarithmic axis, and a surface needs two; try \
+                         --what curves",
                         indices.len()
                     ),
                 }));

@@ -116,6 +116,12 @@ impl SweepData {
         self.axis(axis).words(index)
     }
 
+    /// "-beta-100": what tells the file of a picture from others.
+    pub(super) fn name_part(&self, axis: Axis, indices: [usize; 3]) -> String {
+        let value = rounded(self.value(axis, indices[axis.dimension()])).replace('∞', "inf");
+        format!("-{}-{value}", self.axis(axis).name)
+    }
+
     /// "f = 100, α = 1" of the axes named.
     pub(super) fn list(&self, axes: &[Axis], indices: [usize; 3]) -> String {
         let words: Vec<String> = axes

@@ -1,7 +1,7 @@
 //! What holds for the layout of any chart: no text covers another one, all lies inside the picture.
 
+use crate::laws::laws;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
 use super::{
     Cell, Colour, ColourScale, CrossSection, CrossSectionPanel, Curve, LineAxis, Lines, Map, MethodLine, Outcome,
@@ -174,38 +174,33 @@ fn cross_section() -> impl Strategy<Value = CrossSection> {
     })
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, rng_seed: RngSeed::Fixed(1600), ..ProptestConfig::default() })]
+laws! {
+    seed: 1600, cases: 128;
 
-    #[test]
     fn maps_keep_their_texts_apart_and_inside(map in map()) {
         let scene = map.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
     fn charts_of_lines_keep_their_texts_apart_and_inside(chart in lines()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
     fn surfaces_keep_their_texts_apart_and_inside(chart in surface3d()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
     fn cross_sections_keep_their_texts_apart_and_inside(chart in cross_section()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
     fn work_precision_charts_keep_their_texts_apart_and_inside(chart in work_precision()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);

@@ -3,12 +3,12 @@
 //! ```
 //! use stribeck_charts::{Chart, Colour, Curve, LineAxis, Lines, Stroke};
 //!
-//! let points = (1..50).map(|i| 0.1 * f64::from(i)).map(|x| (x, x.sqrt())).collect();
-//! let curve = Curve { label: "√x".into(), points, failed: vec![], stroke: Stroke::Solid, colour: Colour::Black, marked: false };
+//! let points = (1..50).map(f64::from).map(|x| (x, x.sqrt())).collect();
+//! let (stroke, colour) = (Stroke::Solid, Colour::Black);
+//! let curves = vec![Curve { label: "√x".into(), points, failed: vec![], stroke, colour, marked: false }];
 //! let axis = |label: &str| LineAxis { label: label.into(), logarithmic: true, range: None };
-//! let chart = Lines {
-//!     title: "A root".into(), subtitle: String::new(), x: axis("x"), y: axis("y"), curves: vec![curve],
-//! };
+//! let (title, subtitle) = ("A root".into(), String::new());
+//! let chart = Lines { title, subtitle, x: axis("x"), y: axis("y"), curves };
 //! assert!(chart.svg()?.starts_with("<svg"));
 //! # Ok::<(), stribeck_charts::ChartError>(())
 //! ```
@@ -23,9 +23,10 @@
 //! | [`CrossSection`] | a field below a deformed surface |
 //! | [`WorkPrecision`] | error against run time, one line for each method |
 //!
-//! Each chart has a folder, which says where its parts lie and draws them on a `frame` (heading, ticks, names of axes, panels,
-//! legend). It becomes a list of shapes, which does not depend on the format, so that SVG and PNG show the same; `paint` writes both.
-//! `axes` leads from values to places and labels, `geometry` cuts lines and areas and finds them on a grid.
+//! Each chart has a folder, which says where its parts lie and draws them on a `frame` (heading, ticks, names of axes,
+//! panels, legend). It becomes a list of shapes, which does not depend on the format, so that SVG and PNG show the
+//! same; `paint` writes both. `axes` leads from values to places and labels, `geometry` cuts lines and areas and finds
+//! them on a grid.
 
 mod axes;
 mod chart;
@@ -34,6 +35,9 @@ mod cross_section;
 mod error;
 mod frame;
 mod geometry;
+#[cfg(test)]
+#[path = "../tests/laws/mod.rs"]
+mod laws;
 #[cfg(test)]
 mod layout_laws;
 mod lines;

@@ -142,7 +142,8 @@ fn a_cross_section_has_its_axes_panels_and_bands() {
     assert_eq!(polygons(&document).filter(|polygon| polygon.attribute("fill") == Some(GREY)).count(), 3);
 }
 
-/// The cylinder fills what is above its lower side, the material what is below the surface down to the last depth; the axes cut both.
+/// The cylinder fills what is above its lower side, the material what is below the surface down to the last depth; the
+/// axes cut both.
 #[test]
 fn a_cross_section_shows_material_and_cylinder_where_they_are() {
     let both = |surface_at: f64, cylinder: f64, deepest: f64| {

@@ -2,5 +2,6 @@
 
 mod chart_files;
 mod fields;
+mod laws;
 mod plots_and_maps;
 mod surfaces;

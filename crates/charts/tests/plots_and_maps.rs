@@ -1,4 +1,5 @@
-//! Charts from outside: what is given is drawn, failures as failures, in well-formed SVG and in PNG of the promised width.
+//! Charts from outside: what is given is drawn, failures as failures, in well-formed SVG and in PNG of the promised
+//! width.
 
 use crate::chart_files::{check_formats, number, texts, with};
 use roxmltree::{Document, Node};

@@ -1,8 +1,8 @@
 //! Surfaces in space from outside: what is given is drawn, holes as holes, and what lies behind is hidden.
 
 use crate::chart_files::{check_formats, points, polygons, texts, with};
+use crate::laws::laws;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use roxmltree::Document;
 use stribeck_charts::{Chart, Surface3d, Surface3dCurve, Surface3dPanel};
 
@@ -78,11 +78,10 @@ fn a_surface_has_its_axes_panels_and_curves_named() {
     );
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, rng_seed: RngSeed::Fixed(21), ..ProptestConfig::default() })]
+laws! {
+    seed: 21, cases: 48;
 
     /// Every cell whose corners have heights is drawn, and no other.
-    #[test]
     fn a_place_without_a_height_is_a_hole(
         (columns, heights) in (2..9usize, 2..9usize).prop_flat_map(|(columns, rows)| {
             (Just(columns), prop::collection::vec(prop::option::weighted(0.8, -1.0..1.0f64), columns * rows))
@@ -97,7 +96,8 @@ proptest! {
         let mut chart = surface3d(powers(0, columns), powers(0, rows), |i, j| shown(heights[j * columns + i]));
         chart.logarithmic = logarithmic;
         let svg = chart.svg().unwrap();
-        let whole = |k: usize| k % columns + 1 < columns && [k, k + 1, k + columns, k + columns + 1].into_iter().all(known);
+        let corners = |k: usize| [k, k + 1, k + columns, k + columns + 1];
+        let whole = |k: usize| k % columns + 1 < columns && corners(k).into_iter().all(known);
         let wanted = (0..heights.len() - columns).filter(|k| whole(*k)).count();
         prop_assert_eq!(cells(&Document::parse(&svg).unwrap()), wanted);
     }
@@ -150,7 +150,8 @@ fn a_surface_hides_what_lies_behind_it() {
     };
     assert_eq!(order(1e4, 0.9), (0, true));
     assert_eq!(order(1.0, 0.1), (4, false));
-    // Two rows lie behind the grid line in the middle, and the one before it is painted first where the curve lies on it.
+    // Two rows lie behind the grid line in the middle, and the one before it is painted first where the curve lies on
+    // it.
     assert_eq!(order(1e2, 0.5), (3, true));
     assert_eq!(order(1e2, 0.2), (2, true));
 }

@@ -1,4 +1,5 @@
-//! The logarithmic axis of a map, cut into cells. 0 and ∞, which have no place on it, are cells of their own, set off at its ends.
+//! The logarithmic axis of a map, cut into cells. 0 and ∞, which have no place on it, are cells of their own, set off
+//! at its ends.
 
 use crate::axes::Axis;
 use crate::axes::number;
@@ -122,8 +123,8 @@ fn is_special(value: f64) -> bool {
     value == 0.0 || value == f64::INFINITY
 }
 
-/// Decimal logarithms of the borders of the finite positive values' cells: midway between neighbours, and as far beyond the
-/// first and last value as before it. One value alone has half a decade on each side.
+/// Decimal logarithms of the borders of the finite positive values' cells: midway between neighbours, and as far beyond
+/// the first and last value as before it. One value alone has half a decade on each side.
 fn borders(values: &[f64]) -> Vec<f64> {
     let logarithms: Vec<f64> = values.iter().filter(|v| !is_special(**v)).map(|v| v.log10()).collect();
     let (Some(first), Some(last)) = (logarithms.first(), logarithms.last()) else { return vec![] };
@@ -138,14 +139,13 @@ fn borders(values: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(2), ..ProptestConfig::default() })]
+    laws! {
+        seed: 2, cases: 256;
 
-        #[test]
         fn cells_follow_one_another_and_hold_their_values(
             logarithms in prop::collection::btree_set(-60..60i32, 0..12), zero: bool, infinity: bool,
         ) {

@@ -158,14 +158,13 @@ const BAR: f64 = 0.9;
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(3), ..ProptestConfig::default() })]
+    laws! {
+        seed: 3, cases: 256;
 
-        #[test]
         fn places_on_the_bar_grow_with_the_value(
             mut values in prop::collection::vec(1e-12..1e3f64, 1..20), logarithmic: bool,
         ) {

@@ -14,6 +14,7 @@ pub(crate) trait Axis {
     /// The place of a value, from 0 at the lower end to 1 at the upper end.
     fn share(&self, value: f64) -> f64;
 
-    /// The ticks of an axis of `length` pixels. Their labels (of font size `em`) lie along the axis or, `upright`, across it.
+    /// The ticks of an axis of `length` pixels. Their labels (of font size `em`) lie along the axis or, `upright`,
+    /// across it.
     fn ticks(&self, length: f64, em: f64, upright: bool) -> Ticks;
 }

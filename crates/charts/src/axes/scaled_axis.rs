@@ -113,16 +113,19 @@ fn around(least: f64, most: f64, logarithmic: bool, room: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(8), ..ProptestConfig::default() })]
+    laws! {
+        seed: 8, cases: 256;
 
-        #[test]
         fn places_grow_with_the_value_and_stay_inside(
-            tenths in prop::collection::btree_set(-80..80i32, 1..9), zero: bool, infinity: bool, logarithmic: bool, upright: bool,
+            tenths in prop::collection::btree_set(-80..80i32, 1..9),
+            zero: bool,
+            infinity: bool,
+            logarithmic: bool,
+            upright: bool,
         ) {
             let mut values: Vec<f64> = (zero && logarithmic).then_some(0.0).into_iter().collect();
             values.extend(tenths.into_iter().map(|tenths| 10f64.powf(0.1 * f64::from(tenths))));

@@ -95,8 +95,8 @@ pub(crate) fn linear(low: f64, high: f64, most: usize) -> Ticks {
     }
 }
 
-/// Whether labels leave room for each other: `extent` gives the two ends of a label in pixels along the axis, `gap` is the
-/// room wanted between two.
+/// Whether labels leave room for each other: `extent` gives the two ends of a label in pixels along the axis, `gap` is
+/// the room wanted between two.
 pub(crate) fn fits(ticks: &Ticks, extent: impl Fn(&Tick) -> (f64, f64), gap: f64) -> bool {
     let mut ends: Vec<(f64, f64)> = ticks.major.iter().map(extent).collect();
     ends.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -163,9 +163,9 @@ fn thinned(decades: &[i32], most: usize) -> Vec<i32> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
     fn check(ticks: &Ticks, low: f64, high: f64, most: usize) {
         let values: Vec<f64> = ticks.major.iter().map(|tick| tick.value).collect();
@@ -203,10 +203,9 @@ mod tests {
         text.parse().unwrap_or_else(|_| panic!("{label} is not a number"))
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+    laws! {
+        seed: 1, cases: 256;
 
-        #[test]
         fn any_logarithmic_range_has_a_few_ticks_inside(
             start in -30.0..20.0f64, decades in prop_oneof![1e-4..1.0f64, 1.0..40.0f64], most in 3usize..10,
         ) {
@@ -214,13 +213,11 @@ mod tests {
             check(&logarithmic(low, high, most), low, high, most);
         }
 
-        #[test]
         fn any_linear_range_has_a_few_ticks_inside(low in -1e3..1e3f64, power in -6.0..6.0f64, most in 3usize..10) {
             let high = low + 10f64.powf(power);
             check(&linear(low, high, most), low, high, most);
         }
 
-        #[test]
         fn labels_read_as_their_values(start in -30.0..20.0f64, decades in prop_oneof![1e-4..1.0f64, 1.0..40.0f64]) {
             let (low, high) = (10f64.powf(start), 10f64.powf(start + decades));
             for tick in logarithmic(low, high, 9).major {

@@ -10,8 +10,8 @@ use crate::paint::scene::Scene;
 
 /// A field, a stress for instance, as bands of colour below a deformed surface under a cylinder, in panels.
 ///
-/// A material point at depth d below x is drawn at the height surface(x) − d. Both axes are linear; what lies outside their ranges is
-/// cut off.
+/// A material point at depth d below x is drawn at the height surface(x) − d. Both axes are linear; what lies outside
+/// their ranges is cut off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossSection {
     /// Heading.

@@ -44,8 +44,8 @@ pub(crate) struct Panels {
 impl Panels {
     /// The largest panels that leave room for their labels.
     ///
-    /// The height follows from the width of a panel, and the labels that fit follow from both, so the width is found in a few
-    /// rounds.
+    /// The height follows from the width of a panel, and the labels that fit follow from both, so the width is found in
+    /// a few rounds.
     pub(crate) fn fit(demand: &Demand) -> Self {
         let (em, columns) = (demand.style.em, demand.columns as f64);
         let (x, y) = demand.axes;

@@ -12,11 +12,11 @@ pub(crate) struct Patch {
     pub(crate) band: usize,
 }
 
-/// The areas between increasing boundaries on a grid with `columns` nodes in a row, which has a value at each node. The picture
-/// of the grid has its rows in the direction of its second axis.
+/// The areas between increasing boundaries on a grid with `columns` nodes in a row, which has a value at each node. The
+/// picture of the grid has its rows in the direction of its second axis.
 ///
-/// Lines of equal value do not cross, so that of two areas with a common part one contains the other: painted from the largest to
-/// the smallest, each with the band at the inner side of its border, they need no holes.
+/// Lines of equal value do not cross, so that of two areas with a common part one contains the other: painted from the
+/// largest to the smallest, each with the band at the inner side of its border, they need no holes.
 pub(crate) fn patches(columns: usize, places: &[Point], values: &[f64], boundaries: &[f64]) -> Vec<Patch> {
     // A frame of no width, lower than everything, closes the lines along the border.
     let rows = values.len() / columns;
@@ -48,9 +48,9 @@ pub(crate) fn patches(columns: usize, places: &[Point], values: &[f64], boundari
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
     /// Whether a point lies inside a polygon: a ray to the right meets its border an odd number of times.
     fn holds(corners: &[Point], (x, y): Point) -> bool {
@@ -62,11 +62,10 @@ mod tests {
         met.count() % 2 == 1
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(13), ..ProptestConfig::default() })]
+    laws! {
+        seed: 13, cases: 256;
 
         /// Beside each node, the band on top is the one of its value.
-        #[test]
         fn the_topmost_patch_of_a_node_has_its_band(
             (columns, values) in (2..9usize, 2..9usize).prop_flat_map(|(columns, rows)| {
                 (Just(columns), prop::collection::vec(0.0..1.0f64, columns * rows))

@@ -8,8 +8,8 @@ pub(crate) fn area(corners: &[Point]) -> f64 {
     corners.iter().zip(next).map(|(one, other)| 0.5 * (one.0 * other.1 - other.0 * one.1)).sum()
 }
 
-/// The part of a polygon inside a rectangle (Sutherland and Hodgman's method). Parts that hang together outside only stay joined
-/// by lines along its border. Empty if nothing is inside.
+/// The part of a polygon inside a rectangle (Sutherland and Hodgman's method). Parts that hang together outside only
+/// stay joined by lines along its border. Empty if nothing is inside.
 pub(crate) fn clipped(corners: &[Point], within: &Area) -> Vec<Point> {
     // How far a point lies inside each side.
     let sides: [&dyn Fn(Point) -> f64; 4] =
@@ -38,21 +38,21 @@ pub(crate) fn clipped(corners: &[Point], within: &Area) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(12), ..ProptestConfig::default() })]
+    laws! {
+        seed: 12, cases: 256;
 
         /// Two halves of a picture show together what the whole shows.
-        #[test]
         fn what_a_line_parts_has_the_area_of_the_whole(
             corners in prop::collection::vec((0.0..200.0f64, 0.0..100.0f64), 3..12), at in 0.0..200.0f64,
         ) {
             let whole = Area { left: 0.0, top: 0.0, right: 200.0, bottom: 100.0 };
-            let halves = [Area { right: at, ..whole }, Area { left: at, ..whole }].map(|half| clipped(&corners, &half));
-            for (half, points) in [(Area { right: at, ..whole }, &halves[0]), (Area { left: at, ..whole }, &halves[1])] {
+            let sides = [Area { right: at, ..whole }, Area { left: at, ..whole }];
+            let halves = sides.map(|half| clipped(&corners, &half));
+            for (half, points) in sides.iter().zip(&halves) {
                 prop_assert!(points.iter().all(|point| half.grown(1e-9).contains(&Area::about(*point, 0.0))));
             }
             prop_assert!((area(&halves[0]) + area(&halves[1]) - area(&corners)).abs() < 1e-6);

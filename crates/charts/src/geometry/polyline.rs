@@ -80,9 +80,9 @@ pub(crate) fn dashes(points: &[Point], dash: f64, gap: f64) -> Vec<Vec<Point>> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
     fn length(points: &[Point]) -> f64 {
         points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
@@ -92,10 +92,9 @@ mod tests {
         prop::collection::vec((-100.0..300.0f64, -100.0..300.0f64), 2..20)
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(9), ..ProptestConfig::default() })]
+    laws! {
+        seed: 9, cases: 256;
 
-        #[test]
         fn what_is_cut_lies_inside_and_what_lies_inside_stays(points in polyline()) {
             let area = Area { left: 0.0, top: 0.0, right: 200.0, bottom: 150.0 };
             let pieces = clipped(&points, &area);
@@ -110,7 +109,6 @@ mod tests {
             prop_assert_eq!(clipped(&points, &everywhere), vec![points]);
         }
 
-        #[test]
         fn dashes_take_their_share_of_the_length(points in polyline(), dash in 1.0..30.0f64, gap in 1.0..30.0f64) {
             let pieces = dashes(&points, dash, gap);
             let (whole, drawn) = (length(&points), pieces.iter().map(|piece| length(piece)).sum::<f64>());

@@ -8,8 +8,8 @@ use crate::paint::scene::Scene;
 
 /// Curves of one quantity over another.
 ///
-/// On a logarithmic horizontal axis 0 and ∞ have places of their own, set off at its ends; points there are marked and not joined
-/// to the others. Cases that failed are × along the lower edge.
+/// On a logarithmic horizontal axis 0 and ∞ have places of their own, set off at its ends; points there are marked and
+/// not joined to the others. Cases that failed are × along the lower edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lines {
     /// Heading.

@@ -13,8 +13,8 @@ const FEWEST: usize = 4;
 /// More levels than this crowd.
 const MOST: usize = 12;
 
-/// The levels to draw: the labelled ticks of the colour bar that lie between these values; where they are few, those without label as
-/// well, or if those are many the ones that begin with 1, 2 or 5.
+/// The levels to draw: the labelled ticks of the colour bar that lie between these values; where they are few, those
+/// without label as well, or if those are many the ones that begin with 1, 2 or 5.
 pub(crate) fn levels(ticks: &Ticks, values: &[f64]) -> Vec<f64> {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -71,8 +71,8 @@ pub(crate) fn draw(map: &Map) -> Scene {
     scene
 }
 
-/// Draws all panels below `top`, each row under its label, folded if it has many columns. Labels of columns stand once above all
-/// rows, or above each fold. Returns the area of the panels.
+/// Draws all panels below `top`, each row under its label, folded if it has many columns. Labels of columns stand once
+/// above all rows, or above each fold. Returns the area of the panels.
 fn draw_panels(scene: &mut Scene, map: &Map, layout: &Layout, top: f64) -> Area {
     let (panels, folds, columns) = (&layout.panels, layout.folds, layout.columns);
     let em = panels.style.em;

@@ -8,11 +8,11 @@ use crate::chart::Drawing;
 use crate::checks;
 use crate::paint::scene::Scene;
 
-/// A quantity as colour over two logarithmic axes, in panels: a row for each method, say, and a column for each value of
-/// a third parameter.
+/// A quantity as colour over two logarithmic axes, in panels: a row for each method, say, and a column for each value
+/// of a third parameter.
 ///
-/// Each value of an axis has cells as wide as the way to its neighbours (in the logarithm). 0 and ∞ have cells of their own
-/// at the ends of the axis.
+/// Each value of an axis has cells as wide as the way to its neighbours (in the logarithm). 0 and ∞ have cells of their
+/// own at the ends of the axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// Heading.
@@ -35,8 +35,9 @@ pub struct Map {
     pub panels: Vec<Panel>,
     /// From values to colours, the same in all panels.
     pub scale: ColourScale,
-    /// Whether lines of equal value are drawn over the cells, at levels marked on the colour bar. They are interpolated between the
-    /// values of the axes, and keep out of cells without a value, of those of 0 and ∞, and of zeros on a logarithmic scale.
+    /// Whether lines of equal value are drawn over the cells, at levels marked on the colour bar. They are interpolated
+    /// between the values of the axes, and keep out of cells without a value, of those of 0 and ∞, and of zeros on a
+    /// logarithmic scale.
     pub contours: bool,
 }
 
@@ -69,8 +70,8 @@ pub struct ColourScale {
     pub label: String,
     /// Equal ratios, not equal differences, are equal steps of colour. Zeros then have a colour of their own.
     pub logarithmic: bool,
-    /// Ends of the scale, low < high (> 0 if logarithmic); from the smallest to the largest value if none. Values beyond
-    /// have the colour of the end, and the colour bar ends in a point there.
+    /// Ends of the scale, low < high (> 0 if logarithmic); from the smallest to the largest value if none. Values
+    /// beyond have the colour of the end, and the colour bar ends in a point there.
     pub range: Option<(f64, f64)>,
 }
 

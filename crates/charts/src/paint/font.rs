@@ -14,8 +14,8 @@ pub(crate) const DESCENT: f64 = 0.24;
 /// Height of the line (ascender to descender) over the size of the font: ab_glyph counts sizes in lines.
 pub(crate) const LINE_PER_EM: f64 = (1901.0 + 483.0) / 2048.0;
 
-/// Size of the font of a chart with this many panels side by side: 6 points or more when one panel is printed 8.5 cm wide, and
-/// several as wide as a page (17 cm).
+/// Size of the font of a chart with this many panels side by side: 6 points or more when one panel is printed 8.5 cm
+/// wide, and several as wide as a page (17 cm).
 pub(crate) fn size(side_by_side: usize) -> f64 {
     match side_by_side {
         1 => 40.0,

@@ -13,8 +13,8 @@ pub(crate) struct Indexed {
 /// Two colours nearer than this (squared, over three channels) look the same.
 const ALIKE: u32 = 60;
 
-/// Up to 256 colours are kept as they are. Of more, the most frequent are kept, but of those that look alike only one while there
-/// are others; the rest, which are shades along edges, become the nearest of those kept.
+/// Up to 256 colours are kept as they are. Of more, the most frequent are kept, but of those that look alike only one
+/// while there are others; the rest, which are shades along edges, become the nearest of those kept.
 pub(crate) fn indexed(pixels: &[Colour]) -> Indexed {
     let mut counts: HashMap<Colour, usize> = HashMap::new();
     for pixel in pixels {

@@ -16,8 +16,8 @@ use indexed::{Indexed, indexed};
 use palette::PAPER;
 use scene::{Anchor, Point, Scene, Shape, Text};
 
-/// Width of every picture in pixels. Font sizes are chosen for a picture printed 8.5 cm wide (one panel) or as wide as a
-/// page (several).
+/// Width of every picture in pixels. Font sizes are chosen for a picture printed 8.5 cm wide (one panel) or as wide as
+/// a page (several).
 pub const WIDTH: u32 = 1600;
 
 /// How a backend counts: pixels for one of the scene, and what it takes for the size of a font and the place of a text.

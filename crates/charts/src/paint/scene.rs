@@ -143,6 +143,8 @@ impl Scene {
     }
 
     /// Text of several lines under `top`, at most `room` wide. Returns where it ends.
+    ///
+    /// The arguments are those of [`Scene::text`] and the room: a struct for them would be filled in at each call.
     pub(crate) fn paragraph(
         &mut self,
         (x, top): Point,
@@ -160,8 +162,8 @@ impl Scene {
         bottom
     }
 
-    /// Text of several lines that reads upwards, centred at `centre` and at most `room` long. Its lines go from `left` to
-    /// the right. Returns where it ends.
+    /// Text of several lines that reads upwards, centred at `centre` and at most `room` long. Its lines go from `left`
+    /// to the right. Returns where it ends.
     pub(crate) fn upright(&mut self, (left, centre): Point, em: f64, ink: Ink, room: f64, words: &str) -> f64 {
         let mut right = left;
         for words in font::wrap(words, em, room) {

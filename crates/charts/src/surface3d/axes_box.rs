@@ -128,7 +128,8 @@ impl Axes {
         scene.shapes[first..].iter().filter_map(text).collect()
     }
 
-    /// Draws the names of the horizontal axes, clear of their labels, between `left` and `right`. Returns where they end.
+    /// Draws the names of the horizontal axes, clear of their labels, between `left` and `right`. Returns where they
+    /// end.
     pub(crate) fn draw_names(
         &self,
         scene: &mut Scene,

@@ -35,8 +35,8 @@ struct Layout {
 impl Layout {
     /// The widest boxes that leave room for their labels.
     ///
-    /// The height of a box follows from its width, and the room that labels take follows from both, so the width is found in a few
-    /// rounds. The first round starts with a guess of that room.
+    /// The height of a box follows from its width, and the room that labels take follows from both, so the width is
+    /// found in a few rounds. The first round starts with a guess of that room.
     fn new(chart: &Surface3d) -> Self {
         let count = chart.panels.len() as f64;
         let style = Style { below_all: 0.5, ..Style::panels(chart.panels.len()) };

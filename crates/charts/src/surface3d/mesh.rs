@@ -19,7 +19,8 @@ pub(crate) struct Surface {
 const SHADES: f64 = 110.0;
 /// About how many lines of the mesh run to the back, and to the right.
 const MESH: (usize, usize) = (15, 10);
-/// Neighbours overlap by this many pixels, so that no paper shines through between them where corners are rounded to pixels.
+/// Neighbours overlap by this many pixels, so that no paper shines through between them where corners are rounded to
+/// pixels.
 const OVERLAP: f64 = 1.7;
 
 /// Cells of a row from `from` up to `to`, between which none hides another.
@@ -86,8 +87,8 @@ impl Surface {
         runs
     }
 
-    /// Draws the surface and the pieces of curves. Rows from the back to the front, in each the cells from left to right: what comes
-    /// later is never behind what came before.
+    /// Draws the surface and the pieces of curves. Rows from the back to the front, in each the cells from left to
+    /// right: what comes later is never behind what came before.
     pub(crate) fn draw(&self, scene: &mut Scene, space: &Space, pieces: &[Piece]) {
         let (columns, rows) = (self.columns() as isize, self.rows() as isize);
         for row in (-1..=rows).rev() {

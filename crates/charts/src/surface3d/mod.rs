@@ -11,10 +11,12 @@ use crate::chart::Drawing;
 use crate::checks;
 use crate::paint::scene::Scene;
 
-/// A quantity as height over two logarithmic axes: a surface in space, in one panel or several side by side. Seen from a fixed angle,
-/// from the side of large x and small y, a little to the right of the y-axis's direction: a ridge along y shows both its flanks.
+/// A quantity as height over two logarithmic axes: a surface in space, in one panel or several side by side. Seen from
+/// a fixed angle, from the side of large x and small y, a little to the right of the y-axis's direction: a ridge along
+/// y shows both its flanks.
 ///
-/// Each quadrilateral between four neighbours is drawn, in the colour of its mean height; the mesh is thinned to some lines.
+/// Each quadrilateral between four neighbours is drawn, in the colour of its mean height; the mesh is thinned to some
+/// lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface3d {
     /// Heading.
@@ -31,10 +33,12 @@ pub struct Surface3d {
     pub x: Vec<f64>,
     /// Values of the axis to the back, likewise.
     pub y: Vec<f64>,
-    /// Equal ratios, not equal differences, are equal differences of height. Zeros then have no place, as if they were no values.
+    /// Equal ratios, not equal differences, are equal differences of height. Zeros then have no place, as if they were
+    /// no values.
     pub logarithmic: bool,
-    /// Ends of the heights and of the colours, low < high (> 0 if logarithmic). From the values if none; then from zero, if they are
-    /// not far above it and not logarithmic. Heights beyond lie flat at the end, and the colour bar ends in a point there.
+    /// Ends of the heights and of the colours, low < high (> 0 if logarithmic). From the values if none; then from
+    /// zero, if they are not far above it and not logarithmic. Heights beyond lie flat at the end, and the colour bar
+    /// ends in a point there.
     pub range: Option<(f64, f64)>,
     /// One to three surfaces with the same axes.
     pub panels: Vec<Surface3dPanel>,
@@ -45,13 +49,15 @@ pub struct Surface3d {
 pub struct Surface3dPanel {
     /// Heading of the panel; may be empty.
     pub label: String,
-    /// `y.len() * x.len()` heights, x running fastest. None leaves a hole. None is below zero if the axis is logarithmic.
+    /// `y.len() * x.len()` heights, x running fastest. None leaves a hole. None is below zero if the axis is
+    /// logarithmic.
     pub heights: Vec<Option<f64>>,
     /// Lines in space beside the surface.
     pub curves: Vec<Surface3dCurve>,
 }
 
-/// A line in space: a known limit at the edge of the surface, for instance. It is hidden where the surface lies before it.
+/// A line in space: a known limit at the edge of the surface, for instance. It is hidden where the surface lies before
+/// it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface3dCurve {
     /// Name in the legend. Curves of one name have one colour in all panels.

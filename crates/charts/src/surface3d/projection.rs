@@ -7,13 +7,13 @@ pub(crate) type Place = (f64, f64, f64);
 
 /// Lengths of the box to the right, to the back and upwards.
 const BOX: Place = (1.15, 0.9, 0.5);
-/// How far the viewer stands to the right of the front, and above the floor, in degrees. Of a ridge along the middle of the
-/// floor, a side that looks away is seen up to a slope of tan(elevation)/sin(azimuth), here about 2.
+/// How far the viewer stands to the right of the front, and above the floor, in degrees. Of a ridge along the middle of
+/// the floor, a side that looks away is seen up to a slope of tan(elevation)/sin(azimuth), here about 2.
 const AZIMUTH: f64 = 18.0;
 const ELEVATION: f64 = 34.0;
 
-/// Where the box lies in the picture. The corner next to the viewer is that at the right and the front; the picture of the box
-/// reaches from the corner at the left and the front to that at the right and the back.
+/// Where the box lies in the picture. The corner next to the viewer is that at the right and the front; the picture of
+/// the box reaches from the corner at the left and the front to that at the right and the back.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Space {
     /// Of the corner at the left, the front and the bottom.

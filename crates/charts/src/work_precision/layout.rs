@@ -144,7 +144,8 @@ enum Wording {
     Short,
 }
 
-/// Draws the chart, which has been checked and has a case. Where labels crowd they become shorter, then the chart higher.
+/// Draws the chart, which has been checked and has a case. Where labels crowd they become shorter, then the chart
+/// higher.
 pub(crate) fn draw(chart: &WorkPrecision) -> Scene {
     let roomy = [(900.0, Wording::Full), (900.0, Wording::Short), (1200.0, Wording::Short)];
     let scenes = roomy.into_iter().map(|(height, wording)| lay_out(chart, height, wording));
@@ -273,8 +274,8 @@ fn obstacles(chart: &WorkPrecision, layout: &Layout) -> Obstacles {
     obstacles
 }
 
-/// The labels of settings in the order in which they choose their places: those beside the band first, since they have the fewest
-/// places; then those that must be shown.
+/// The labels of settings in the order in which they choose their places: those beside the band first, since they have
+/// the fewest places; then those that must be shown.
 fn setting_labels(chart: &WorkPrecision, layout: &Layout, wording: Wording) -> Vec<SettingLabel> {
     let mut labels = Vec::new();
     for (i, line) in chart.lines.iter().enumerate() {

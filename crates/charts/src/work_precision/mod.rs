@@ -11,10 +11,10 @@ use crate::paint::scene::Scene;
 
 /// Error against run time on logarithmic axes, one line for each method.
 ///
-/// Single cases are small faint markers. A large marker stands at the median (of the logarithms) of the seconds and errors
-/// of the cases of a setting whose errors are known, and a line joins the settings of a method. A case that failed is a × in a
-/// band along the upper edge, at its seconds; the label of the setting says how many did. An error of exactly zero lies in a band
-/// along the lower edge. A case whose error is not known is drawn nowhere.
+/// Single cases are small faint markers. A large marker stands at the median (of the logarithms) of the seconds and
+/// errors of the cases of a setting whose errors are known, and a line joins the settings of a method. A case that
+/// failed is a × in a band along the upper edge, at its seconds; the label of the setting says how many did. An error
+/// of exactly zero lies in a band along the lower edge. A case whose error is not known is drawn nowhere.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkPrecision {
     /// Heading.
@@ -132,22 +132,22 @@ impl WorkPrecision {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
     fn outcome() -> impl Strategy<Value = Outcome> {
-        prop_oneof![4 => (1e-12..1.0f64).prop_map(Outcome::Error), 1 => Just(Outcome::Unknown), 1 => Just(Outcome::Failed)]
+        let error = (1e-12..1.0f64).prop_map(Outcome::Error);
+        prop_oneof![4 => error, 1 => Just(Outcome::Unknown), 1 => Just(Outcome::Failed)]
     }
 
     fn point(cases: Vec<(f64, Outcome)>) -> SettingPoint {
         SettingPoint { label: "one".to_string(), cases }
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(5), ..ProptestConfig::default() })]
+    laws! {
+        seed: 5, cases: 256;
 
-        #[test]
         fn medians_are_those_of_known_errors_and_forget_the_order_of_cases(
             cases in prop::collection::vec((1e-4..1e3f64, outcome()), 1..30),
         ) {

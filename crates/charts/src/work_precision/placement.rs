@@ -29,8 +29,9 @@ pub(crate) enum Effort {
     Always,
 }
 
-/// What it costs to cover a marker or a label, to lead a line through one, to cover a line or a small mark, and to step away from
-/// the point. The first step away is worth two small marks: labels leave a cloud of cases that is dense, not one that is thin.
+/// What it costs to cover a marker or a label, to lead a line through one, to cover a line or a small mark, and to step
+/// away from the point. The first step away is worth two small marks: labels leave a cloud of cases that is dense, not
+/// one that is thin.
 const SOLID: u64 = 1_000_000;
 const CROSSED: u64 = 10_000;
 const LINE: u64 = 60;

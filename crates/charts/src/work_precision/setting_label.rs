@@ -20,8 +20,8 @@ pub(crate) struct SettingLabel {
 }
 
 impl SettingLabel {
-    /// Finds room at `reach` from the point or further away, and draws what lies behind the text. Returns the text, to be
-    /// drawn when all labels have their place; none if there is no room.
+    /// Finds room at `reach` from the point or further away, and draws what lies behind the text. Returns the text, to
+    /// be drawn when all labels have their place; none if there is no room.
     pub(crate) fn place(&self, obstacles: &mut Obstacles, reach: f64, em: f64, scene: &mut Scene) -> Vec<Shape> {
         let attempts: &[(f64, Effort)] = match self.effort {
             Effort::Near => &[(1.0, Effort::Near)],
