@@ -70,7 +70,7 @@ fn map(columns: &[&str], rows: &[&str], x: &[f64], y: &[f64], cell: impl Fn(usiz
 #[test]
 fn every_label_is_in_the_picture() {
     let chart = two_methods();
-    let text = check_formats(|| chart.svg(), || chart.png());
+    let text = check_formats(&chart);
     let texts = texts(&Document::parse(&text).unwrap());
     for wanted in [
         "Error & time <of both>",
@@ -167,7 +167,7 @@ fn cases_without_a_known_error_are_drawn_nowhere() {
     };
     let without = with_unknown(&[]).svg().unwrap();
     let chart = with_unknown(&[(1e-3, Unknown), (1e3, Unknown)]);
-    let svg = check_formats(|| chart.svg(), || chart.png());
+    let svg = check_formats(&chart);
     let document = Document::parse(&svg).unwrap();
     let found = texts(&document);
     for wanted in ["1 of 4 failed", "1 of 3 failed"] {
@@ -190,7 +190,7 @@ fn cases_without_a_known_error_are_drawn_nowhere() {
 fn a_chart_without_a_known_error_says_why() {
     let says = |cases: &[(f64, Outcome)]| {
         let chart = work_precision(vec![("one", vec![setting("801", cases)])]);
-        let svg = check_formats(|| chart.svg(), || chart.png());
+        let svg = check_formats(&chart);
         texts(&Document::parse(&svg).unwrap())
     };
     let reasons = ["no error is known", "no case was solved", "no error above zero"];
@@ -225,7 +225,7 @@ fn charts_with_next_to_nothing_are_drawn() {
         )]),
     ];
     for chart in &charts {
-        check_formats(|| chart.svg(), || chart.png());
+        check_formats(chart);
     }
     let failed = texts(&Document::parse(&charts[2].svg().unwrap()).unwrap());
     assert!(failed.contains(&"no case was solved".to_string()) && failed.contains(&"all 2 failed".to_string()));
@@ -275,7 +275,7 @@ fn maps_show_every_cell_and_say_what_the_marks_mean() {
         _ => Cell::Value(1e-9 * (i as f64 + 1.0)),
     };
     let chart = map(&["f = 1", "f = 100"], &["collocation", "relaxation, 801 points"], &x, &y, kind);
-    let svg = check_formats(|| chart.svg(), || chart.png());
+    let svg = check_formats(&chart);
     let document = Document::parse(&svg).unwrap();
     let texts = texts(&document);
     for wanted in [
@@ -327,12 +327,12 @@ fn maps_of_next_to_nothing_are_drawn() {
     let one = |cell: Cell| map(&["f = 1"], &["method"], &[1.0], &[10.0], move |_| cell);
     for cell in [Cell::Value(3.0), Cell::Value(0.0), Cell::Failed, Cell::Absent, Cell::Unknown] {
         let mut chart = one(cell);
-        check_formats(|| chart.svg(), || chart.png());
+        check_formats(&chart);
         chart.scale.logarithmic = false;
-        check_formats(|| chart.svg(), || chart.png());
+        check_formats(&chart);
     }
     let limits = map(&["f = 1"], &["method"], &[0.0, f64::INFINITY], &[0.0], |i| Cell::Value(i as f64));
-    check_formats(|| limits.svg(), || limits.png());
+    check_formats(&limits);
 }
 
 #[test]

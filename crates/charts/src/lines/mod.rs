@@ -4,6 +4,7 @@ mod layout;
 
 use crate::ChartError;
 use crate::chart::Drawing;
+use crate::checks;
 use crate::paint::scene::Scene;
 
 /// Curves of one quantity over another.
@@ -97,17 +98,7 @@ impl Lines {
 
     fn check(&self) -> Result<(), ChartError> {
         for axis in [&self.x, &self.y] {
-            let Some((low, high)) = axis.range else { continue };
-            let ordered = low < high && high.is_finite() && low.is_finite() && (!axis.logarithmic || low > 0.0);
-            if !ordered {
-                return Err(ChartError::Value {
-                    chart: self.title.clone(),
-                    what: "the upper end",
-                    value: high,
-                    place: format!("the range of \"{}\" from {low}", axis.label),
-                    wanted: "a range goes from a lower to a higher number, both above zero if the axis is logarithmic",
-                });
-            }
+            checks::range(&self.title, &axis.label, axis.range, axis.logarithmic)?;
         }
         let failed = self.curves.iter().any(|curve| !curve.failed.is_empty());
         if self.shown().next().is_none() && !failed {
