@@ -7,7 +7,7 @@ use miette::MietteHandlerOpts;
 
 use super::solve::ESTIMATE_POINTS;
 use crate::pictures::PictureError;
-use stribeck_charts::FigureError;
+use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
 use stribeck_lab::{MeasuredError, RelaxationFitError};
@@ -188,7 +188,7 @@ pub enum CliError {
     },
     /// A picture cannot be drawn.
     #[error("cannot draw a picture: {0}; please report it with the study file or the command")]
-    Figure(#[from] FigureError),
+    Chart(#[from] ChartError),
     /// A picture that a data set has nothing for.
     #[error(transparent)]
     Picture(#[from] PictureError),
@@ -261,8 +261,8 @@ impl CliError {
             | CliError::Slurm { .. }
             | CliError::Directory { .. }
             | CliError::Unwritten { .. }
-            | CliError::Figure(_)
-            | CliError::Picture(PictureError::Store(_) | PictureError::Figure(_))
+            | CliError::Chart(_)
+            | CliError::Picture(PictureError::Store(_) | PictureError::Chart(_))
             | CliError::Stopped { .. }
             | CliError::System { .. } => 4,
         }
