@@ -9,11 +9,12 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::wording::{count, duration};
-use super::{CliError, Exit, console, shell, threads};
+use super::{CliError, Exit, console, replaceable, shell, threads};
+use crate::format::{count, duration};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 use stribeck_input::shown;
 use stribeck_solver::continuation::Interrupt;
+use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
 use stribeck_sweep::store::holds_text;
 use stribeck_sweep::store::{StoreError, write_whole};
@@ -97,11 +98,11 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
 /// Where a study goes: the directory asked for, or `results/<file stem>`.
 ///
 /// # Errors
-/// [`CliError::NotADirectory`] if a file is there, [`CliError::Occupied`] if files are there that no study has written.
+/// [`CliError::NotADirectory`] if a file is there, [`CliError::Foreign`] if files are there that no study has written.
 fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError> {
     let path = asked.map_or_else(|| Path::new("results").join(&study.name), Path::to_owned);
     if path.exists() && !path.is_dir() {
-        return Err(CliError::NotADirectory { path });
+        return Err(CampaignError::NotADirectory { path }.into());
     }
     if path.exists() && !path.join(COPY).exists() {
         let ours = |file: &PathBuf| {
@@ -109,7 +110,7 @@ fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError>
             ["sweep.toml"].into_iter().chain(TABLES).any(|table| name == table) || is_picture(file)
         };
         if let Some(file) = files(&path)?.into_iter().find(ours) {
-            return Err(CliError::Occupied { file });
+            replaceable::check(&file, "study", "choose another directory", || Ok(false))?;
         }
     }
     Ok(path)

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::wording::{bytes, count};
 use super::{CliError, Exit, console};
+use crate::format::{bytes, count};
 use stribeck_input::shown;
-use stribeck_sweep::store::{VerifyReport, verify};
+use stribeck_sweep::campaign::{VerifyReport, verify};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\

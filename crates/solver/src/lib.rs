@@ -74,6 +74,10 @@ pub mod relaxation;
 mod solve;
 
 pub use continuation::{Failure, FailureKind, Interrupt, Interrupted, Seed, Solution, SolvedCase};
-pub use model::*;
+pub use model::{
+    CavityShear, DisplacementKernel, FieldSelection, Fields, Friction, Limits, OutOfRange, Output, Parameters,
+    Quantities, RelativeErrors, Retardation, RetardationMode, Sensitivities, Substrate, SubstrateError, gauss, kernel,
+    shortest, stress, viscoelastic_error_scale,
+};
 pub use points::solve_points;
 pub use solve::{Method, Settings, Solver, solve};

@@ -29,7 +29,7 @@ pub use context::{SolveContext, SolveError};
 pub use failure::{ErrorMeasure, Failure, FailureKind, Iterations, Waypoint, kind_name_of_text};
 pub use line::{Line, NoLine, distance, secant};
 pub use path::{Path, PathPoint};
-pub use seed::Seed;
+pub use seed::{NotASeed, Seed};
 pub use step::StepControl;
 pub use trace::{Event, Trace};
 

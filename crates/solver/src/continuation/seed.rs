@@ -1,6 +1,7 @@
 //! Where first guesses come from.
 
 use std::fmt;
+use std::str::FromStr;
 
 /// Where the first guess of a case came from; recorded with the case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +58,49 @@ impl fmt::Display for Seed {
         match self.points() {
             Some(points) => write!(formatter, "{}-{points}", self.name()),
             None => formatter.write_str(self.name()),
+        }
+    }
+}
+
+/// A text that names no [`Seed`].
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is not the name of a seed")]
+pub struct NotASeed(String);
+
+impl FromStr for Seed {
+    type Err = NotASeed;
+
+    /// The seed that is displayed as this text.
+    fn from_str(text: &str) -> Result<Self, NotASeed> {
+        let points = text.rsplit_once('-').and_then(|(_, points)| points.parse().ok()).unwrap_or(0);
+        let seeds = [
+            Seed::None,
+            Seed::Hertz,
+            Seed::Elastic,
+            Seed::RescaledElastic,
+            Seed::ThickFilm,
+            Seed::Neighbour,
+            Seed::Predictor,
+            Seed::Intermediate(points),
+            Seed::March(points),
+        ];
+        seeds.into_iter().find(|seed| seed.to_string() == text).ok_or_else(|| NotASeed(text.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_seed_is_read_as_it_is_written() {
+        let alone = [Seed::None, Seed::Hertz, Seed::Elastic, Seed::RescaledElastic, Seed::ThickFilm, Seed::Neighbour];
+        let counted = [0, 1, 12].into_iter().flat_map(|points| [Seed::Intermediate(points), Seed::March(points)]);
+        for seed in alone.into_iter().chain([Seed::Predictor]).chain(counted) {
+            assert_eq!(seed.to_string().parse(), Ok(seed));
+        }
+        for text in ["", "march", "march-", "march--1", "march-01", "Hertz", "hertz-1"] {
+            assert!(text.parse::<Seed>().is_err(), "{text}");
         }
     }
 }

@@ -13,7 +13,7 @@ mod sensitivities;
 
 pub use displacement::{DisplacementKernel, retarded_mode, retarded_mode_derivative};
 pub use number::shortest;
-pub use outcome::{COLUMNS, Column, Fields, Friction, Limits, Quantities, RelativeErrors, viscoelastic_error_scale};
+pub use outcome::{Fields, Friction, Limits, Quantities, RelativeErrors, viscoelastic_error_scale};
 pub use output::{CavityShear, FieldSelection, Output};
 pub use parameters::{OutOfRange, Parameters, Retardation, RetardationMode, Substrate, SubstrateError};
 pub use sensitivities::Sensitivities;

@@ -1,0 +1,213 @@
+//! Fits to measured friction: the quantities of the laboratory whose solutions agree with it best.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `unknown` | [`Unknown`]: what a fit may look for |
+//! | `prediction` | friction at the measured points, and how it changes with the unknowns |
+//! | `problem` | residuals and their Jacobian, for the Levenberg–Marquardt method |
+//! | `statistics` | standard errors and correlations |
+//!
+//! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard errors
+//! σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
+
+mod prediction;
+mod problem;
+mod statistics;
+mod unknown;
+
+use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
+use nalgebra::{DMatrix, DVector};
+
+use crate::{Experiment, Measured};
+use prediction::Predictor;
+use problem::{Found, Problem};
+pub use statistics::Inseparable;
+use statistics::{Statistics, statistics};
+use stribeck_solver::{CavityShear, Failure, Substrate};
+pub use unknown::Unknown;
+
+/// Relative changes of residuals and unknowns below which a fit has converged.
+const TOLERANCE: f64 = 1e-8;
+/// A slope of the residuals (a cosine) below which the search has ended at a minimum.
+const FLAT: f64 = 0.01;
+/// Norm of the first step over the scale of the problem: what is far away is reached in several steps.
+const FIRST_STEP: f64 = 1.0;
+
+/// Measured points, the experiment that they belong to, and what is unknown of it.
+#[derive(Clone, Debug)]
+pub struct FrictionTask<'a> {
+    /// The measured points.
+    pub measured: &'a Measured,
+    /// The experiment, with the start of each unknown; the columns of the points replace its values.
+    pub experiment: Experiment,
+    /// The retardation spectrum.
+    pub substrate: &'a Substrate,
+    /// What fills the gap behind the outlet.
+    pub cavity_shear: CavityShear,
+    /// The unknowns, at least one and each once.
+    pub unknowns: Vec<Unknown>,
+    /// Relative error wanted of the solutions; a fit takes 1e-7 or less.
+    pub tolerance: f64,
+}
+
+/// The reason why nothing was fitted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FrictionFitError {
+    /// The file does not go with the task.
+    #[error("{what}")]
+    Task {
+        /// What is wrong, and what to do.
+        what: String,
+    },
+    /// A point has no solution at the start.
+    #[error(
+        "the point on line {line} has no solution at the start of the fit: {failure}; begin nearer to the expected values"
+    )]
+    Start {
+        /// Line of the point.
+        line: u64,
+        /// Why it failed.
+        failure: Failure,
+    },
+    /// The search ended without a minimum.
+    #[error("no minimum was found after {evaluations} evaluations: {why}; begin nearer to the expected values")]
+    NoMinimum {
+        /// The number of times that all points were solved.
+        evaluations: usize,
+        /// The reason of its end.
+        why: String,
+    },
+    /// Some unknowns have the same effect.
+    #[error(transparent)]
+    Inseparable(#[from] Inseparable),
+}
+
+/// One unknown, found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The unknown.
+    pub unknown: Unknown,
+    /// The value at which the search began.
+    pub start: f64,
+    /// Its value.
+    pub value: f64,
+    /// Its standard error.
+    pub error: f64,
+}
+
+/// One point, fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FittedPoint {
+    /// Its line in the file.
+    pub line: u64,
+    /// Its experiment, with the unknowns found.
+    pub experiment: Experiment,
+    /// The measured friction coefficient.
+    pub measured: f64,
+    /// Its standard error, if the file has it.
+    pub error: Option<f64>,
+    /// The friction coefficient of the solution.
+    pub fitted: f64,
+    /// (μ − μᵢ)/σᵢ, or ln(μ/μᵢ) without standard errors.
+    pub residual: f64,
+}
+
+/// Quantities of the laboratory fitted to measured friction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrictionFit {
+    /// The unknowns.
+    pub estimates: Vec<Estimate>,
+    /// Their correlations, row by row.
+    pub correlation: Vec<Vec<f64>>,
+    /// The points, in the order of the file.
+    pub points: Vec<FittedPoint>,
+    /// Points less unknowns.
+    pub degrees_of_freedom: usize,
+    /// Sum of the squared residuals over the degrees of freedom: about 1 where standard errors are known and right, else the
+    /// square of the relative error of a point. NaN without degrees of freedom.
+    pub reduced_chi_squared: f64,
+    /// The number of times that all points were solved.
+    pub evaluations: usize,
+}
+
+impl FrictionFit {
+    /// Fits the unknowns of a task.
+    ///
+    /// # Errors
+    /// [`FrictionFitError`] if points and unknowns do not go together, points have no solution, the search finds no
+    /// minimum, or the unknowns have the same effect.
+    pub fn new(task: &FrictionTask<'_>) -> Result<Self, FrictionFitError> {
+        let predictor = Predictor::new(task)?;
+        let (Found { unknowns, friction, residuals, jacobian }, evaluations) = search(task, &predictor)?;
+        let known_errors = task.measured.errors.is_some();
+        let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } =
+            statistics(&jacobian, &residuals, known_errors, &task.unknowns)?;
+        let estimates = task.unknowns.iter().zip(&unknowns).zip(&errors).map(|((unknown, value), relative)| Estimate {
+            unknown: *unknown,
+            start: unknown.value(&task.experiment),
+            value: *value,
+            error: value * relative,
+        });
+        let points = predictor.experiments(&unknowns).into_iter().enumerate().map(|(i, experiment)| FittedPoint {
+            line: task.measured.lines[i],
+            experiment,
+            measured: task.measured.friction[i],
+            error: task.measured.errors.as_ref().map(|errors| errors[i]),
+            fitted: friction[i],
+            residual: residuals[i],
+        });
+        Ok(Self {
+            estimates: estimates.collect(),
+            correlation,
+            points: points.collect(),
+            degrees_of_freedom,
+            reduced_chi_squared,
+            evaluations,
+        })
+    }
+}
+
+/// Searches for the minimum; also returns the number of evaluations.
+fn search(task: &FrictionTask<'_>, predictor: &Predictor<'_>) -> Result<(Found, usize), FrictionFitError> {
+    let start: Vec<f64> = task.unknowns.iter().map(|unknown| unknown.value(&task.experiment)).collect();
+    let problem = Problem::new(predictor, task.measured, start)?;
+    let method = LevenbergMarquardt::new()
+        .with_ftol(TOLERANCE)
+        .with_xtol(TOLERANCE)
+        .with_gtol(TOLERANCE)
+        .with_stepbound(FIRST_STEP);
+    let (problem, report) = method.minimize(problem);
+    let (evaluations, was_refused) = (problem.evaluations(), problem.was_refused());
+    let no_minimum = |why: String| Err(FrictionFitError::NoMinimum { evaluations, why });
+    match report.termination {
+        // What is left is below the errors of the solutions.
+        TerminationReason::NoImprovementPossible(_) => {}
+        reason if reason.was_successful() => {}
+        reason => return no_minimum(describe(&reason)),
+    }
+    let Some(found) = problem.found() else {
+        return no_minimum("the last values tried have no solution".to_owned());
+    };
+    // Steps that are taken back one after the other look like convergence.
+    if was_refused && slope(&found.residuals, &found.jacobian) > FLAT {
+        return no_minimum("beyond these values cases have no solution, or an unknown runs away".to_owned());
+    }
+    Ok((found, evaluations))
+}
+
+/// The largest cosine between the residuals and a column of the Jacobian: 0 at a minimum.
+fn slope(residuals: &DVector<f64>, jacobian: &DMatrix<f64>) -> f64 {
+    let cosine = |column: nalgebra::DVectorView<'_, f64>| {
+        let length = column.norm() * residuals.norm();
+        if length > 0.0 { (column.dot(residuals) / length).abs() } else { 0.0 }
+    };
+    jacobian.column_iter().map(cosine).fold(0.0, f64::max)
+}
+
+fn describe(reason: &TerminationReason) -> String {
+    match reason {
+        TerminationReason::LostPatience => "the residuals still fall".to_owned(),
+        TerminationReason::Numerical(what) => format!("a number of the search is none ({what})"),
+        other => format!("{other:?}"),
+    }
+}

@@ -1,0 +1,72 @@
+//! The unknowns of a fit.
+
+use crate::{Experiment, LaboratoryQuantity, Powers};
+
+/// A quantity of an experiment that a fit may look for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unknown {
+    /// f, strength of retardation.
+    Strength,
+    /// A quantity of the laboratory.
+    Quantity(LaboratoryQuantity),
+}
+
+impl Unknown {
+    /// All unknowns that there are. Poisson's ratio is none: it appears in the plane-strain modulus only.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let quantities = LaboratoryQuantity::ALL.into_iter();
+        let quantities = quantities.filter(|quantity| *quantity != LaboratoryQuantity::PoissonRatio);
+        std::iter::once(Self::Strength).chain(quantities.map(Self::Quantity))
+    }
+
+    /// The unknown of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|unknown| unknown.name() == name)
+    }
+
+    /// Its name, as in `[laboratory]`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Strength => "f",
+            Self::Quantity(quantity) => quantity.name(),
+        }
+    }
+
+    /// Its unit; `1` for f.
+    pub fn units(self) -> &'static str {
+        match self {
+            Self::Strength => "1",
+            Self::Quantity(quantity) => quantity.units(),
+        }
+    }
+
+    /// True for the two moduli.
+    pub(super) fn is_modulus(self) -> bool {
+        use LaboratoryQuantity::{InstantaneousModulus, RelaxedModulus};
+        matches!(self, Self::Quantity(RelaxedModulus | InstantaneousModulus))
+    }
+
+    /// Its value in an experiment.
+    pub fn value(self, experiment: &Experiment) -> f64 {
+        match self {
+            Self::Strength => experiment.f,
+            Self::Quantity(quantity) => experiment.value(quantity),
+        }
+    }
+
+    /// Sets its value in an experiment.
+    pub(super) fn set(self, experiment: &mut Experiment, value: f64) {
+        match self {
+            Self::Strength => experiment.f = value,
+            Self::Quantity(quantity) => experiment.set(quantity, value),
+        }
+    }
+
+    /// The powers by which α, β and a₀/R change with it.
+    pub(super) fn powers(self, experiment: &Experiment) -> Powers {
+        match self {
+            Self::Strength => experiment.powers_of_strength(),
+            Self::Quantity(quantity) => experiment.powers(quantity),
+        }
+    }
+}
