@@ -8,7 +8,8 @@ use crate::program::{code, err, out, paths, say, stribeck};
 use stribeck_solver::collocation::{self, CollocationSolver};
 use stribeck_solver::continuation::{CaseSolver, Interrupt, solve_chain};
 use stribeck_solver::relaxation::{RelaxationSolver, Settings};
-use stribeck_solver::{COLUMNS, Output, Parameters, Sensitivities};
+use stribeck_solver::{Output, Parameters, Sensitivities};
+use stribeck_sweep::{Column, Values};
 use tempfile::{TempDir, tempdir};
 
 /// Three rows, the elastic one at two places.
@@ -466,12 +467,14 @@ fn solved_json(arguments: &str) -> serde_json::Value {
 
 /// Whether an object of `solve --json` says what the library gives for the same case.
 fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &S, parameters: Parameters) {
+    let limits = stribeck_solver::exact::limits(&parameters);
     let solved = solve_chain(solver, &[parameters], &stribeck_solver::Output::default(), &Interrupt::new());
     let case = solved.expect("not interrupted").remove(0);
     let solution = case.outcome.expect("converged");
-    let row = solution.quantities.row(&solution.errors, &case.limits);
-    for (column, value) in COLUMNS.iter().zip(row).filter(|(column, _)| column.in_summary) {
-        assert_eq!(object[column.name].as_f64().map(f64::to_bits), Some(value.to_bits()), "{}", column.name);
+    let values = Values::converged(&solution.quantities, &solution.errors, &limits);
+    for column in Column::summary() {
+        let (name, value) = (column.name(), values[column]);
+        assert_eq!(object[name].as_f64().map(f64::to_bits), Some(value.to_bits()), "{name}");
     }
     assert_eq!(object["seed"], case.seed.to_string());
     assert_eq!(object["iterations"], case.effort.iterations);
@@ -527,9 +530,9 @@ fn sensitivities_are_shown_where_they_are_asked_for() {
     let solved = solve_chain(&solver, &[Parameters::new(1.0, 300.0, 100.0)], &output, &Interrupt::new());
     let solution = solved.expect("not interrupted").remove(0).outcome.expect("solved");
     let known = solution.sensitivities.expect("asked for");
-    for (column, value) in Sensitivities::COLUMNS.iter().zip(known.row()) {
-        assert_eq!(object[column.name].as_f64(), Some(value), "{}", column.name);
-        assert!(plain.get(column.name).is_none());
+    for (name, value) in Sensitivities::NAMES.into_iter().zip(known.row()) {
+        assert_eq!(object[name].as_f64(), Some(value), "{name}");
+        assert!(plain.get(name).is_none());
     }
     let directory = tempdir().expect("a temporary directory");
     let arguments = format!("solve {case} --sensitivities");

@@ -10,9 +10,10 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::Value;
 use stribeck::report::page;
-use stribeck_solver::{COLUMNS, Fields, Output};
-use stribeck_sweep::CaseId;
+use stribeck_solver::continuation::Seed;
+use stribeck_solver::{Fields, Output};
 use stribeck_sweep::store::{CaseEntry, DataSet, Status, Store, Timing};
+use stribeck_sweep::{CaseId, Column, Field, Values};
 use tempfile::tempdir;
 
 /// All that is awkward: no dissipation, infinite α, cases that fail, a title that looks like a page.
@@ -71,7 +72,11 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
             id: id(place),
             outcome: if failed { Status::Failed } else { Status::Converged },
             reason: if failed { format!("stalled after {place} passes, residual 1e-3") } else { String::new() },
-            values: std::array::from_fn(|i| if failed { f64::NAN } else { size * 10_f64.powi(i as i32 - 12) / 3.0 }),
+            failure_kind: failed.then(|| "stalled".to_owned()),
+            values: match failed {
+                true => Values::UNKNOWN,
+                false => Values(std::array::from_fn(|i| size * 10_f64.powi(i as i32 - 12) / 3.0)),
+            },
             fields: Fields {
                 pressure: field(&|x| {
                     (1.0 - (x / size).powi(2)).max(0.0).sqrt() + 0.4 * (-((x + 0.9) / 0.03).powi(2)).exp()
@@ -84,7 +89,7 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
                 seconds: 1e-3 * size,
                 iterations: 5,
                 factorisations: 2,
-                seed: "predictor".into(),
+                seed: Some(Seed::Predictor),
                 time_limit: None,
             },
         }
@@ -121,10 +126,10 @@ fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() 
     assert!(promised > 0.0 && promised < 0.05, "{note}");
 
     let contents = contents(&page.html);
-    for (column, written) in COLUMNS.iter().zip(contents["columns"].as_array().unwrap()) {
-        assert_eq!(written["name"], column.name);
-        for (written, value) in floats(&written["values"]).iter().zip(data.column(column.name).unwrap()) {
-            assert!((written / value - 1.0).abs() < 1e-7, "{}: {written}, {value}", column.name);
+    for (column, written) in Column::summary().zip(contents["columns"].as_array().unwrap()) {
+        assert_eq!(written["name"], column.name());
+        for (written, value) in floats(&written["values"]).iter().zip(data.column(column).unwrap()) {
+            assert!((written / value - 1.0).abs() < 1e-7, "{}: {written}, {value}", column.name());
         }
     }
 
@@ -132,18 +137,18 @@ fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() 
     let (x, slots, indices) = (floats(&fields["x"]), integers(&fields["slots"]), shorts(&fields["indices"]));
     let kept = fields["points"].as_u64().unwrap() as usize;
     assert!(kept >= 60 && slots.iter().all(|slot| *slot >= 0), "every case has its fields, at {kept} points");
-    for name in ["pressure", "film_thickness", "displacement"] {
-        let field = &fields["fields"][name];
-        let (low, high, steps) = (floats(&field["low"]), floats(&field["high"]), shorts(&field["steps"]));
+    for field in Field::ALL {
+        let part = &fields["fields"][field.name()];
+        let (low, high, steps) = (floats(&part["low"]), floats(&part["high"]), shorts(&part["steps"]));
         for place in (0..slots.len()).step_by(97) {
             let slot = slots[place] as usize;
             let own = slot * kept..(slot + 1) * kept;
-            let logarithmic = field["logarithmic"][slot] == 1;
+            let logarithmic = part["logarithmic"][slot] == 1;
             let span = high[slot] - low[slot];
             let shown: Vec<f64> =
                 steps[own.clone()].iter().map(|step| low[slot] + span * *step as f64 / 65535.0).collect();
             let indices_on = [place / (61 * 41), place / 41 % 61, place % 41];
-            let whole = data.field(name, indices_on).unwrap();
+            let whole = data.field(field, indices_on).unwrap();
             let chosen = &indices[own];
             assert_eq!((chosen[0], chosen[kept - 1]), (0, x.len() - 1));
             for (pair, values) in chosen.windows(2).zip(shown.windows(2)) {
@@ -153,7 +158,10 @@ fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() 
                     let true_value = if logarithmic { value.log10() } else { *value };
                     // Half a unit of the last digit of the promise, half a step of the range, and seven digits.
                     let allowed = (promised + 0.0005 + 0.5 / 65535.0) * span + 2e-7 * true_value.abs();
-                    assert!((drawn - true_value).abs() <= allowed, "{name} of {place} at {i}: {drawn}, {true_value}");
+                    assert!(
+                        (drawn - true_value).abs() <= allowed,
+                        "{field:?} of {place} at {i}: {drawn}, {true_value}"
+                    );
                 }
             }
         }
@@ -252,10 +260,11 @@ fn a_page_of_outdated_results_says_so() {
         id: CaseId(7),
         outcome: Status::Failed,
         reason: "late".into(),
-        values: [f64::NAN; COLUMNS.len()],
+        failure_kind: None,
+        values: Values::UNKNOWN,
         fields: Fields::default(),
         sensitivities: None,
-        timing: Timing { seconds: 0.0, iterations: 0, factorisations: 0, seed: "none".into(), time_limit: None },
+        timing: Timing::default(),
     };
     store.commit(&[late]).unwrap();
     drop(store);

@@ -185,7 +185,7 @@ fn describe_solved_again(again: &SolvedAgain, place: &CasePlace, method: Method)
 fn describe_comparison(comparison: &Comparison) -> String {
     match comparison {
         Comparison::ConvergesNow => "it converges now".to_owned(),
-        Comparison::FailsNow(failure) => format!("it fails now: {}", failure.reason),
+        Comparison::FailsNow(failure) => format!("it fails now: {failure}"),
         Comparison::FailsAgain => "it fails again".to_owned(),
         Comparison::SameNumbers => "the same numbers to the last bit".to_owned(),
         Comparison::OtherNumbers(differences) => format!(

@@ -5,8 +5,9 @@ use serde::Serialize;
 use super::contents::{AxisValue, Words};
 use super::encoding::integers;
 use crate::pictures::AxisWords;
+use stribeck_solver::continuation::kind_name_of_text;
 use stribeck_sweep::GridIndex;
-use stribeck_sweep::store::{DataSet, Status, kind_of_reason};
+use stribeck_sweep::store::{DataSet, Status};
 
 /// Most failed places that are listed.
 const MOST_LISTED: usize = 1000;
@@ -27,7 +28,7 @@ pub(super) struct FailurePart {
     reason_of: String,
 }
 
-/// Places that failed for reasons that differ in numbers alone.
+/// Places that failed for reasons of one kind.
 #[derive(Debug, Serialize)]
 struct Kind {
     count: usize,
@@ -52,7 +53,7 @@ impl FailurePart {
         let mut count = 0;
         for place in failed {
             let reason = &reasons[place];
-            let index = words.index(&kind_of_reason(reason));
+            let index = words.index(kind_name_of_text(reason));
             match kinds.get_mut(index) {
                 Some(kind) => {
                     kind.count += 1;

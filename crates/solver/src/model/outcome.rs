@@ -1,4 +1,4 @@
-//! What a solved case is worth: friction, film and their estimated errors, and why a case failed.
+//! The numbers of a solved case: friction, film and their estimated errors.
 
 /// Friction forces over N a₀/R, that is friction coefficients over a₀/R (section "Friction" of `docs/theory.md`).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +23,18 @@ impl Friction {
     pub fn total(&self) -> f64 {
         self.viscoelastic + self.hydrodynamic()
     }
+
+    /// What the relative error of F_v is relative to; see [`viscoelastic_error_scale`].
+    pub fn viscoelastic_error_scale(&self) -> f64 {
+        viscoelastic_error_scale(self.viscoelastic, self.total())
+    }
+}
+
+/// What the relative error of μ_v is relative to: max(|μ_v|, μ_tot/1000).
+///
+/// μ_v vanishes on an elastic substrate, where an error relative to μ_v itself would mean nothing.
+pub fn viscoelastic_error_scale(mu_v: f64, mu_tot: f64) -> f64 {
+    mu_v.abs().max(1e-3 * mu_tot)
 }
 
 /// Every number of a case but its fields.
@@ -51,11 +63,11 @@ pub struct Quantities {
 /// Estimated relative errors; NaN where there is no estimate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelativeErrors {
-    /// Of μ_v.
+    /// Error of μ_v, relative to [`viscoelastic_error_scale`].
     pub mu_v: f64,
-    /// Of μ_h.
+    /// Error of μ_h.
     pub mu_h: f64,
-    /// Of c.
+    /// Error of c.
     pub c: f64,
 }
 
@@ -70,7 +82,7 @@ impl RelativeErrors {
     }
 }
 
-/// Fields on the x of the sweep's output; a field that was not asked for is `None`.
+/// Fields at the positions [`Output::x`](super::Output::x); a field that was not asked for is `None`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fields {
     /// p(x), over 2N/(πa₀).
@@ -79,22 +91,6 @@ pub struct Fields {
     pub film_thickness: Option<Vec<f64>>,
     /// w(x) of (T10), over a₀²/R.
     pub displacement: Option<Vec<f64>>,
-}
-
-/// Why a case has no solution. Failing is a result, not an error of the run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Failure {
-    /// One line for a person: what happened, and where.
-    pub reason: String,
-    /// True if the method found the state it looked for and refused it: no other first guess would lead elsewhere.
-    pub conclusive: bool,
-}
-
-impl Failure {
-    /// A failure that another first guess might avoid.
-    pub fn new(reason: String) -> Self {
-        Self { reason, conclusive: false }
-    }
 }
 
 /// The limits beside a solution; NaN where not asked for, or where it is not known.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
 use super::MergedCatalog;
-use crate::store::{Holdings, Status, StoreError, kind_of_reason};
+use crate::store::{Holdings, Status, StoreError};
 use crate::{CaseId, Part, Plan};
 use stribeck_solver::{Parameters, shortest};
 
@@ -68,6 +68,8 @@ impl fmt::Display for FailureRegion {
 /// Failures of one kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FailureGroup {
+    /// The name of their kind, as [`FailureKind::name`](stribeck_solver::continuation::FailureKind::name) gives it.
+    pub kind: String,
     /// The number of failures.
     pub cases: u64,
     /// The reason of one of them.
@@ -106,7 +108,7 @@ impl fmt::Display for Decade {
     }
 }
 
-/// Failures of a region by their kind, in words without numbers.
+/// Failures of a region by the name of their kind.
 type Kinds = BTreeMap<String, FailureGroup>;
 
 /// The regions of a plan with failed cases, those with most failures first.
@@ -114,10 +116,10 @@ pub(super) fn failure_regions(plan: &Plan, stored: &MergedCatalog<'_>) -> Result
     let mut places = failed_places(plan, stored);
     let mut regions: BTreeMap<[Decade; 3], Kinds> = BTreeMap::new();
     for catalog in stored.catalogs() {
-        catalog.visit_failures(|id, reason| {
+        catalog.visit_failures(|id, kind, reason| {
             // Once, though it may have failed in several directories.
             if let Some(decades) = places.remove(&id) {
-                add(regions.entry(decades).or_default(), reason);
+                add(regions.entry(decades).or_default(), kind, reason);
             }
         })?;
     }
@@ -139,12 +141,9 @@ fn failed_places(plan: &Plan, stored: &MergedCatalog<'_>) -> HashMap<CaseId, [De
 }
 
 /// Counts a failure among those of its kind.
-fn add(kinds: &mut Kinds, reason: &str) {
-    let group = kinds.entry(kind_of_reason(reason)).or_default();
-    if group.cases == 0 {
-        group.example = reason.to_owned();
-    }
-    group.cases += 1;
+fn add(kinds: &mut Kinds, kind: &str, reason: &str) {
+    let first = || FailureGroup { kind: kind.to_owned(), cases: 0, example: reason.to_owned() };
+    kinds.entry(kind.to_owned()).or_insert_with(first).cases += 1;
 }
 
 #[cfg(test)]

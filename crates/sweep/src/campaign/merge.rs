@@ -9,6 +9,7 @@ use super::sweep_directory::part_directories;
 use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
 use crate::store::{Ending, Holdings, Inspection, Joined, Published, Store};
 use crate::{Column, Method, Plan, Sweep, Values};
+use stribeck_solver::viscoelastic_error_scale;
 
 /// What a merge did.
 #[derive(Clone, Debug)]
@@ -138,8 +139,7 @@ fn agree(sweep: &Sweep, here: &Values, there: &Values) -> bool {
     };
     [Column::MuV, Column::MuH, Column::C].into_iter().all(|column| {
         let (a, b) = (here[column], there[column]);
-        // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
-        let scale = if column == Column::MuV { a.abs().max(1e-3 * here[Column::MuTot]) } else { a.abs() };
+        let scale = if column == Column::MuV { viscoelastic_error_scale(a, here[Column::MuTot]) } else { a.abs() };
         (a - b).abs() <= tolerance * scale
     })
 }

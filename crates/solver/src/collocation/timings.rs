@@ -1,10 +1,10 @@
-//! Where the time goes.
+//! The seconds that each kind of work takes.
 
 use std::time::Instant;
 
 /// Seconds spent on each kind of work.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Stages {
+pub struct Timings {
     /// The elastic displacement of new meshes.
     pub kernel: f64,
     /// The retardation filter on them.
@@ -19,8 +19,8 @@ pub struct Stages {
     pub sensitivities: f64,
 }
 
-impl Stages {
-    /// The sum of two.
+impl Timings {
+    /// The sums of two timings.
     pub fn and(self, other: Self) -> Self {
         Self {
             kernel: self.kernel + other.kernel,
@@ -32,16 +32,16 @@ impl Stages {
         }
     }
 
-    /// All of them.
+    /// The sum of all seconds.
     pub fn total(&self) -> f64 {
         self.kernel + self.filter + self.assembly + self.factorisation + self.step + self.sensitivities
     }
 }
 
-/// Does a piece of work and adds its time to a stage.
-pub fn timed<T>(stage: &mut f64, work: impl FnOnce() -> T) -> T {
+/// Does some work and adds the seconds that it took to a sum.
+pub fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let result = work();
-    *stage += start.elapsed().as_secs_f64();
+    *seconds += start.elapsed().as_secs_f64();
     result
 }

@@ -1,24 +1,33 @@
-//! The work on one case: what it has cost, whether to go on with it, and what happened on the way.
+//! The context of solving one case: its cost so far, when to abort it, and the record of what happened.
 
 use std::time::{Duration, Instant};
 
-use super::{Effort, Interrupt, Trace};
-use crate::model::{Failure, Parameters};
+use super::{Effort, Failure, FailureKind, Interrupt, Trace};
+use crate::model::Parameters;
 
 /// Why a solver stops without a solution.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Halt {
-    /// There is none to be found, for this reason.
-    Failed(Failure),
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SolveError {
+    /// The method finds no solution.
+    #[error(transparent)]
+    Failed(#[from] Failure),
     /// The user asked to stop.
+    #[error("interrupted")]
     Interrupted,
     /// The case has taken as long as it may.
+    #[error("out of time")]
     OutOfTime,
 }
 
-/// What a case has cost so far, and whether to go on with it.
+impl From<FailureKind> for SolveError {
+    fn from(kind: FailureKind) -> Self {
+        Self::Failed(kind.into())
+    }
+}
+
+/// The cost of a case so far, its deadline, and the record of what happens.
 #[derive(Debug)]
-pub struct Work<'a> {
+pub struct SolveContext<'a> {
     /// Cost so far.
     pub effort: Effort,
     /// Set when the user asks to stop.
@@ -27,35 +36,35 @@ pub struct Work<'a> {
     trace: Option<Trace>,
 }
 
-impl<'a> Work<'a> {
-    /// Nothing done yet, and all the time that it takes.
+impl<'a> SolveContext<'a> {
+    /// A context without a time limit or a record.
     pub fn new(interrupt: &'a Interrupt) -> Self {
         Self { effort: Effort::default(), interrupt, deadline: None, trace: None }
     }
 
-    /// The same with a limit to the time it may take, from now on.
+    /// The same context with a time limit that starts now.
     #[must_use]
-    pub fn within(self, limit: Duration) -> Self {
+    pub fn with_time_limit(self, limit: Duration) -> Self {
         // A moment beyond what a clock can tell is none.
         Self { deadline: Instant::now().checked_add(limit), ..self }
     }
 
-    /// The same with a record of what happens.
+    /// The same context with a record of what happens.
     #[must_use]
     pub fn traced(self) -> Self {
         Self { trace: Some(Trace::default()), ..self }
     }
 
-    /// Whether to go on: solvers ask at every iteration.
+    /// Checks whether to abort the case; solvers call it at every iteration.
     ///
     /// # Errors
-    /// [`Halt::Interrupted`] or [`Halt::OutOfTime`] if not.
-    pub fn go_on(&self) -> Result<(), Halt> {
+    /// [`SolveError::Interrupted`] or [`SolveError::OutOfTime`] if so.
+    pub fn check_abort(&self) -> Result<(), SolveError> {
         if self.interrupt.requested() {
-            return Err(Halt::Interrupted);
+            return Err(SolveError::Interrupted);
         }
         match self.deadline {
-            Some(deadline) if Instant::now() >= deadline => Err(Halt::OutOfTime),
+            Some(deadline) if Instant::now() >= deadline => Err(SolveError::OutOfTime),
             _ => Ok(()),
         }
     }
@@ -86,7 +95,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    pub(super) fn note_end(&mut self, end: Result<(), &Halt>) {
+    pub(super) fn note_end(&mut self, end: Result<(), &SolveError>) {
         if let Some(trace) = &mut self.trace {
             trace.end(end);
         }
@@ -105,16 +114,23 @@ mod tests {
     #[test]
     fn work_goes_on_until_it_is_interrupted_or_out_of_time() {
         let interrupt = Interrupt::new();
-        let work = Work::new(&interrupt);
-        assert_eq!(work.go_on(), Ok(()));
-        assert_eq!(Work::new(&interrupt).within(Duration::from_secs(3600)).go_on(), Ok(()));
-        assert_eq!(Work::new(&interrupt).within(Duration::MAX).go_on(), Ok(()), "longer than any clock");
-        assert_eq!(Work::new(&interrupt).within(Duration::ZERO).go_on(), Err(Halt::OutOfTime));
-        interrupt.request();
-        assert_eq!(work.go_on(), Err(Halt::Interrupted));
+        let context = SolveContext::new(&interrupt);
+        assert_eq!(context.check_abort(), Ok(()));
+        assert_eq!(SolveContext::new(&interrupt).with_time_limit(Duration::from_secs(3600)).check_abort(), Ok(()));
         assert_eq!(
-            Work::new(&interrupt).within(Duration::ZERO).go_on(),
-            Err(Halt::Interrupted),
+            SolveContext::new(&interrupt).with_time_limit(Duration::MAX).check_abort(),
+            Ok(()),
+            "longer than any clock"
+        );
+        assert_eq!(
+            SolveContext::new(&interrupt).with_time_limit(Duration::ZERO).check_abort(),
+            Err(SolveError::OutOfTime)
+        );
+        interrupt.request();
+        assert_eq!(context.check_abort(), Err(SolveError::Interrupted));
+        assert_eq!(
+            SolveContext::new(&interrupt).with_time_limit(Duration::ZERO).check_abort(),
+            Err(SolveError::Interrupted),
             "who asks comes first"
         );
     }

@@ -1,11 +1,11 @@
 //! How the displacement of a given pressure changes with the substrate, and what sums over it take of the pressure.
 
 use super::displacement::{Along, Displacement};
-use super::retardation_rates::FilterRates;
+use super::retardation_derivatives::FilterDerivatives;
 use super::retardation_transpose::Taken;
 
 /// Derivatives of the displacement of one pressure along the mesh with respect to the logarithm of a parameter.
-pub struct AlongRates {
+pub struct DisplacementDerivatives {
     /// Of w less w(0) at the film's Gauss points.
     pub film: Vec<f64>,
     /// Of Σ f_j/(1+f) v_j′ there.
@@ -17,10 +17,10 @@ pub struct AlongRates {
 impl Displacement {
     /// Derivatives with respect to ln α, all modes' rates together (T50); 0 without retardation. `along` is that of the pressure,
     /// what is behind the outlet included.
-    pub fn rates_with_alpha(&self, pressure: &[f64], along: &Along) -> AlongRates {
+    pub fn derivatives_with_alpha(&self, pressure: &[f64], along: &Along) -> DisplacementDerivatives {
         let discretisation = &self.discretisation;
         let points = discretisation.film_points();
-        let mut sum = AlongRates {
+        let mut sum = DisplacementDerivatives {
             film: vec![0.0; points],
             retarded_slope: vec![0.0; points],
             behind: vec![0.0; discretisation.behind().len()],
@@ -28,11 +28,11 @@ impl Displacement {
         if self.filters.is_empty() {
             return sum;
         }
-        let rates = self.filter_rates.get_or_init(|| {
-            self.filters.iter().map(|(_, filter)| FilterRates::new(discretisation, filter.alpha())).collect()
+        let derivatives = self.filter_derivatives.get_or_init(|| {
+            self.filters.iter().map(|(_, filter)| FilterDerivatives::new(discretisation, filter.alpha())).collect()
         });
-        for ((weight, filter), rates) in self.filters.iter().zip(rates) {
-            let mode = rates.along(filter, discretisation, &along.elastic, pressure);
+        for ((weight, filter), derivatives) in self.filters.iter().zip(derivatives) {
+            let mode = derivatives.along(filter, discretisation, &along.elastic, pressure);
             let pairs =
                 [(&mut sum.film, mode.film), (&mut sum.retarded_slope, mode.slope), (&mut sum.behind, mode.behind)];
             for (sum, values) in pairs {
@@ -46,13 +46,13 @@ impl Displacement {
 
     /// Derivatives with respect to ln f at fixed shares: (w − e)/(1 + f), and the retarded part alike (T51); 0 in the relaxed
     /// elastic limit.
-    pub fn rates_with_f(&self, pressure: &[f64], along: &Along) -> AlongRates {
+    pub fn derivatives_with_f(&self, pressure: &[f64], along: &Along) -> DisplacementDerivatives {
         let discretisation = &self.discretisation;
         let mut displaced = vec![0.0; discretisation.film_points()];
         self.relative.multiply_rows(0, pressure, &mut displaced);
         let (e, compliance) = (&along.elastic, self.elastic_weight);
         let retarded = |w: &[f64], e: &[f64]| w.iter().zip(e).map(|(w, e)| compliance * (w - e)).collect();
-        AlongRates {
+        DisplacementDerivatives {
             film: retarded(&displaced, &e[discretisation.film()]),
             retarded_slope: along.retarded_slope.iter().map(|slope| compliance * slope).collect(),
             behind: retarded(&along.behind, &e[discretisation.behind()]),
@@ -84,7 +84,7 @@ mod tests {
 
     use super::super::mesh::Mesh;
     use super::super::reference::{ReferencePanel, dot};
-    use super::super::stages::Stages;
+    use super::super::timings::Timings;
     use super::*;
     use crate::model::{DisplacementKernel, Parameters, RetardationMode, Substrate};
 
@@ -98,7 +98,7 @@ mod tests {
     fn displacement(kernel: &DisplacementKernel) -> Displacement {
         let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(8)));
         let ends = vec![0.0, 1e-3, 0.01, 0.1, 0.3, 0.6, 1.0, 1.5, 2.5, 5.0, 12.0, 40.0];
-        displacement.set_mesh(&Mesh::new(8, 3.0, ends), kernel, &mut Stages::default());
+        displacement.set_mesh(&Mesh::new(8, 3.0, ends), kernel, &mut Timings::default());
         displacement
     }
 
@@ -111,11 +111,11 @@ mod tests {
         std::iter::once(0.0).chain(nodes).map(|y| y * y / (1.0 + y * y) / (1.0 + (y / 2.0).powi(6))).collect()
     }
 
-    fn values(displacement: &Displacement, pressure: &[f64]) -> AlongRates {
+    fn values(displacement: &Displacement, pressure: &[f64]) -> DisplacementDerivatives {
         let mut film = vec![0.0; displacement.discretisation.film_points()];
         displacement.relative.multiply_rows(0, pressure, &mut film);
         let along = displacement.along(pressure, true);
-        AlongRates { film, retarded_slope: along.retarded_slope, behind: along.behind }
+        DisplacementDerivatives { film, retarded_slope: along.retarded_slope, behind: along.behind }
     }
 
     /// The derivatives are those of the discrete displacement, against differences of fourth order on the same mesh.
@@ -130,8 +130,8 @@ mod tests {
             let difference = |at: &dyn Fn(f64) -> DisplacementKernel| {
                 let at = |steps: f64| values(&displacement(&at((steps * step).exp())), &p);
                 let (near, far) = ([at(1.0), at(-1.0)], [at(2.0), at(-2.0)]);
-                let of = |part: fn(&AlongRates) -> &Vec<f64>| -> Vec<f64> {
-                    let values = |rates: &AlongRates, i: usize| part(rates)[i];
+                let of = |part: fn(&DisplacementDerivatives) -> &Vec<f64>| -> Vec<f64> {
+                    let values = |derivatives: &DisplacementDerivatives, i: usize| part(derivatives)[i];
                     (0..part(&near[0]).len())
                         .map(|i| {
                             (8.0 * (values(&near[0], i) - values(&near[1], i)) - values(&far[0], i)
@@ -140,27 +140,27 @@ mod tests {
                         })
                         .collect()
                 };
-                AlongRates {
-                    film: of(|rates| &rates.film),
-                    retarded_slope: of(|rates| &rates.retarded_slope),
-                    behind: of(|rates| &rates.behind),
+                DisplacementDerivatives {
+                    film: of(|derivatives| &derivatives.film),
+                    retarded_slope: of(|derivatives| &derivatives.retarded_slope),
+                    behind: of(|derivatives| &derivatives.behind),
                 }
             };
             let pairs = [
-                (here.rates_with_alpha(&p, &along), difference(&|factor| two_modes(alpha * factor, f))),
-                (here.rates_with_f(&p, &along), difference(&|factor| two_modes(alpha, f * factor))),
+                (here.derivatives_with_alpha(&p, &along), difference(&|factor| two_modes(alpha * factor, f))),
+                (here.derivatives_with_f(&p, &along), difference(&|factor| two_modes(alpha, f * factor))),
             ];
-            for (rates, differences) in pairs {
+            for (derivatives, differences) in pairs {
                 let parts = [
-                    (rates.film, differences.film),
-                    (rates.retarded_slope, differences.retarded_slope),
-                    (rates.behind, differences.behind),
+                    (derivatives.film, differences.film),
+                    (derivatives.retarded_slope, differences.retarded_slope),
+                    (derivatives.behind, differences.behind),
                 ];
-                for (part, (rates, differences)) in parts.into_iter().enumerate() {
-                    let largest = rates.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-                    for (rate, difference) in rates.iter().zip(&differences) {
-                        let error = (rate - difference).abs();
-                        assert!(error < 1e-8 * largest.max(1e-3), "α {alpha}, {part}: {rate:e} {difference:e}");
+                for (part, (derivatives, differences)) in parts.into_iter().enumerate() {
+                    let largest = derivatives.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+                    for (derivative, difference) in derivatives.iter().zip(&differences) {
+                        let error = (derivative - difference).abs();
+                        assert!(error < 1e-8 * largest.max(1e-3), "α {alpha}, {part}: {derivative:e} {difference:e}");
                     }
                 }
             }
@@ -173,7 +173,7 @@ mod tests {
         for alpha in [1e-3, 0.3, 4.0, 1e3] {
             let displacement = displacement(&two_modes(alpha, 20.0));
             let p = pressure(&displacement);
-            let AlongRates { retarded_slope, behind, .. } = values(&displacement, &p);
+            let DisplacementDerivatives { retarded_slope, behind, .. } = values(&displacement, &p);
             let weights =
                 |count: usize, phase: f64| -> Vec<f64> { (0..count).map(|i| (phase + 1.7 * i as f64).sin()).collect() };
             let (a, b) = (weights(retarded_slope.len(), 0.3), weights(behind.len(), 1.1));
