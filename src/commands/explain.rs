@@ -51,8 +51,8 @@ fn case_name(text: &str) -> Result<CaseName, String> {
         Some(&[f, alpha, beta]) if [f, alpha, beta].iter().all(|number| *number >= 0.0) => {
             Ok(CaseName::Near([f, alpha, beta]))
         }
-        _ => Err("give the id of a case (16 hexadecimal digits, as in the column `case` of summary.csv), or f, alpha and beta \
-                  with commas between them, as in 100,1,1000"
+        _ => Err("give the id of a case (16 hexadecimal digits, as in the column `case` of summary.csv), or f, alpha \
+                  and beta with commas between them, as in 100,1,1000"
             .to_owned()),
     }
 }
@@ -110,7 +110,8 @@ fn describe_place(place: &CasePlace) -> String {
     };
     let end = |case: Option<&Parameters>| case.map_or_else(String::new, |case| shortest(case.beta));
     format!(
-        "{experiment}  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {} of the {} of its chain, beta from {} to {}\n",
+        "{experiment}  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {} of the {} of its chain, beta from \
+         {} to {}\n",
         place.index + 1,
         place.chain.len(),
         end(place.chain.first()),
@@ -189,8 +190,8 @@ fn describe_comparison(comparison: &Comparison) -> String {
         Comparison::FailsAgain => "it fails again".to_owned(),
         Comparison::SameNumbers => "the same numbers to the last bit".to_owned(),
         Comparison::OtherNumbers(differences) => format!(
-            "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had another \
-             chain, or on another machine",
+            "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had \
+             another chain, or on another machine",
             differences.map(|(column, difference)| format!("{} by {difference:.0e}", column.name())).join(", ")
         ),
     }

@@ -1,9 +1,10 @@
-//! Whole sweeps as functions: [`run`] and resume one, [`plan`] it, ask for its [`status`], [`merge`] its parts, [`explain`] a
-//! case, [`verify`] what is stored.
+//! Whole sweeps as functions: [`run`] and resume one, [`plan`] it, ask for its [`status`], [`merge`] its parts,
+//! [`explain`] a case, [`verify`] what is stored.
 //!
-//! Each function takes plain options and returns a typed result. It prints nothing: what happens in between is told to a callback
-//! as an [`Event`], when it happens. A run may be stopped at any moment through [`RunOptions::interrupt`], or be killed: run the
-//! same sweep into the same directory again, and it goes on with what is missing. The published bytes are the same.
+//! Each function takes plain options and returns a typed result. It prints nothing: what happens in between is told to
+//! a callback as an [`Event`], when it happens. A run may be stopped at any moment through [`RunOptions::interrupt`],
+//! or be killed: run the same sweep into the same directory again, and it goes on with what is missing. The published
+//! bytes are the same.
 //!
 //! ```no_run
 //! use std::path::Path;
@@ -27,7 +28,8 @@
 //! | `sweep_directory`, `merged_catalog` | what a results directory and its parts hold, apart and together |
 //! | `pending`, `stale` | which cases of a plan are left to be solved; why a stored case is of no use |
 //! | `parts` | how far the parts of a sweep are |
-//! | `solving`, `entry`, `publication` | the work of a run; from a solved case to what is stored; from stored cases to files |
+//! | `solving`, `entry` | the work of a run; from a solved case to what is stored |
+//! | `publication` | from stored cases to the files for the user |
 //! | `cost` | the time and the bytes that a sweep is expected to take |
 //! | `failures` | failed cases, listed and by region |
 //! | `solve_command` | the command that solves a case again |
