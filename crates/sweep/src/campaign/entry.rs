@@ -32,7 +32,8 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
     CaseEntry { id, outcome, reason, failure_kind, values, fields, sensitivities, timing }
 }
 
-/// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case alone.
+/// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case
+/// alone.
 pub(super) fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
     let failed = |parameters: &Parameters| {
         let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };

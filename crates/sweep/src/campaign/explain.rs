@@ -140,7 +140,8 @@ fn what_is_stored(
 }
 
 impl CaseReport {
-    /// Solves the chain of the case again up to it, on this thread; `None` if the case is not stored, or not in the sweep.
+    /// Solves the chain of the case again up to it, on this thread; `None` if the case is not stored, or not in the
+    /// sweep.
     pub fn solve_again(&self) -> Option<Repeated> {
         let (Found::Stored { entry, .. }, Some(place)) = (&self.found, &self.place) else { return None };
         let solver = Solver::new(&self.sweep.solver_settings());

@@ -47,15 +47,16 @@ pub struct IncompletePart {
     pub state: PartState,
 }
 
-/// Merges results directories of one sweep, their parts included, into `target`, and publishes the sweep if no case is missing.
+/// Merges results directories of one sweep, their parts included, into `target`, and publishes the sweep if no case is
+/// missing.
 ///
-/// Shards are linked, or copied from another file system, so that the sources may be deleted afterwards. `target` may be one of
-/// the sources. A merge that was interrupted is started again.
+/// Shards are linked, or copied from another file system, so that the sources may be deleted afterwards. `target` may
+/// be one of the sources. A merge that was interrupted is started again.
 ///
 /// # Errors
 /// [`CampaignError::OtherSweep`] if the directories are not of one sweep (nothing is written then),
-/// [`StoreError::Disagreement`](crate::store::StoreError::Disagreement) if a case is there twice with numbers that differ by more
-/// than the tolerance, others if a file cannot be read or written.
+/// [`StoreError::Disagreement`](crate::store::StoreError::Disagreement) if a case is there twice with numbers that
+/// differ by more than the tolerance, others if a file cannot be read or written.
 pub fn merge(sources: &[PathBuf], target: &Path, observe: &mut Observer<'_>) -> Result<MergeReport, CampaignError> {
     let (sweep, directories) = one_sweep(sources)?;
     let plan = Plan::new(&sweep);
@@ -74,8 +75,8 @@ pub fn merge(sources: &[PathBuf], target: &Path, observe: &mut Observer<'_>) -> 
     Ok(MergeReport { joined, outcome })
 }
 
-/// Takes over what directories hold, one after the other, so that memory has the cases of one at a time beside those that are
-/// joined.
+/// Takes over what directories hold, one after the other, so that memory has the cases of one at a time beside those
+/// that are joined.
 pub(super) fn join_all(
     directories: impl IntoIterator<Item = PathBuf>,
     sweep: &Sweep,

@@ -7,8 +7,8 @@ use crate::store::{Holdings, Status};
 
 /// The catalogs of several results directories, seen as one: each case where it is stored best.
 ///
-/// Best is where the case converged with all that is asked for, then where it failed so; of failures the one that was given most
-/// time; then where the case is stored at all.
+/// Best is where the case converged with all that is asked for, then where it failed so; of failures the one that was
+/// given most time; then where the case is stored at all.
 #[derive(Debug)]
 pub struct MergedCatalog<'a> {
     catalogs: Vec<&'a Holdings>,

@@ -1,9 +1,10 @@
-//! Whole sweeps as functions: [`run`] and resume one, [`plan`] it, ask for its [`status`], [`merge`] its parts, [`explain`] a
-//! case, [`verify`] what is stored.
+//! Whole sweeps as functions: [`run`] and resume one, [`plan`] it, ask for its [`status`], [`merge`] its parts,
+//! [`explain`] a case, [`verify`] what is stored.
 //!
-//! Each function takes plain options and returns a typed result. It prints nothing: what happens in between is told to a callback
-//! as an [`Event`], when it happens. A run may be stopped at any moment through [`RunOptions::interrupt`], or be killed: run the
-//! same sweep into the same directory again, and it goes on with what is missing. The published bytes are the same.
+//! Each function takes plain options and returns a typed result. It prints nothing: what happens in between is told to
+//! a callback as an [`Event`], when it happens. A run may be stopped at any moment through [`RunOptions::interrupt`],
+//! or be killed: run the same sweep into the same directory again, and it goes on with what is missing. The published
+//! bytes are the same.
 //!
 //! ```no_run
 //! use std::path::Path;

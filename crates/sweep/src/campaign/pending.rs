@@ -38,8 +38,8 @@ pub struct Stale {
 }
 
 impl Pending {
-    /// Asks for each case of the plan, or of a part of it, whether it is stored. Where nothing is stored there is nothing to ask,
-    /// which makes the plan of a billion cases quick.
+    /// Asks for each case of the plan, or of a part of it, whether it is stored. Where nothing is stored there is
+    /// nothing to ask, which makes the plan of a billion cases quick.
     pub fn survey(sweep: &Sweep, plan: &Plan, part: Option<Part>, stored: &MergedCatalog<'_>) -> Self {
         let chains = plan.chains_of(part);
         if stored.known() == 0 {
@@ -111,8 +111,8 @@ impl Pending {
 
     /// The cases of a pending chain that have to be computed, by their places in it and in their order.
     ///
-    /// These are the missing ones and, where a method is slow to start anew, those before them, which seed them. They keep
-    /// what is stored of them.
+    /// These are the missing ones and, where a method is slow to start anew, those before them, which seed them. They
+    /// keep what is stored of them.
     pub fn places(&self, plan: &Plan, index: u32) -> Vec<usize> {
         let length = plan.chain(index as usize).cases.len();
         let mut missing = (0..length).filter(|&place| self.is_missing(index, place));

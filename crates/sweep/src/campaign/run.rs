@@ -74,12 +74,13 @@ pub enum RunOutcome {
 
 /// Runs a sweep into a results directory, or resumes it: solves the cases that are not stored yet, then publishes.
 ///
-/// Cases are stored soon after they are solved, so that nothing is solved twice after an interruption. The whole sweep takes over
-/// what its parts have solved. A part works in a directory of its own below `directory`, and publishes nothing.
+/// Cases are stored soon after they are solved, so that nothing is solved twice after an interruption. The whole sweep
+/// takes over what its parts have solved. A part works in a directory of its own below `directory`, and publishes
+/// nothing.
 ///
 /// # Errors
-/// [`CampaignError::Stopped`] if the disk or a file ended the run while it worked, other variants if it could not begin. Failed
-/// cases are no error: [`Published::failed`] counts them.
+/// [`CampaignError::Stopped`] if the disk or a file ended the run while it worked, other variants if it could not
+/// begin. Failed cases are no error: [`Published::failed`] counts them.
 pub fn run(
     sweep: &Sweep,
     directory: &Path,
@@ -140,8 +141,8 @@ pub(super) fn open_store(
     Ok(store)
 }
 
-/// What is stored beside the directory of a run. The whole takes it over from its parts, so that nothing is left elsewhere. A part
-/// finds cases of the whole and of other splits; those of its own split are cases of other parts.
+/// What is stored beside the directory of a run. The whole takes it over from its parts, so that nothing is left
+/// elsewhere. A part finds cases of the whole and of other splits; those of its own split are cases of other parts.
 fn stored_elsewhere(
     directory: &Path,
     sweep: &Sweep,

@@ -62,8 +62,8 @@ pub(super) struct Comparison<'a> {
 
 impl<'a> Comparison<'a> {
     pub(super) fn new(sweep: &Sweep, plan: &Plan, stored: &'a MergedCatalog<'a>) -> Self {
-        // A recipe that does not read is one of a method or setting that this version does not know: its cases are of no use,
-        // and no case here can be told to be one of them.
+        // A recipe that does not read is one of a method or setting that this version does not know: its cases are of
+        // no use, and no case here can be told to be one of them.
         let all = stored.catalogs().iter().flat_map(|catalog| catalog.recipes());
         let mut recipes: Vec<Recipe> = Vec::new();
         for recipe in all.filter_map(|recipe| serde_json::from_value(recipe.clone()).ok()) {

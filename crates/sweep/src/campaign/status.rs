@@ -18,7 +18,8 @@ pub struct StatusReport {
     pub workers: Vec<String>,
     /// True if a process works in the directory itself.
     pub running: bool,
-    /// The runs in the directory itself, oldest first, each with the number of its log; those of its parts are not among them.
+    /// The runs in the directory itself, oldest first, each with the number of its log; those of its parts are not
+    /// among them.
     pub starts: Vec<(u32, Start)>,
     /// Cases per second: of those who work here together, else of the last run that solved cases.
     pub rate: Option<f64>,

@@ -112,8 +112,8 @@ pub(super) fn part_directories(directory: &Path) -> Result<Vec<PathBuf>, Campaig
     Ok(parts(directory)?.into_iter().map(|part| part_directory(directory, part)).collect())
 }
 
-/// The copy of the sweep file that was run last in a results directory or in one of its parts; where there is none, the path at
-/// which it would be.
+/// The copy of the sweep file that was run last in a results directory or in one of its parts; where there is none, the
+/// path at which it would be.
 ///
 /// # Errors
 /// [`CampaignError::Parts`] if the parts cannot be listed.
@@ -137,7 +137,8 @@ pub fn sweep_file(directory: &Path) -> Result<PathBuf, CampaignError> {
 /// The copy keeps the name under which the sweep was run, which is the title of a sweep whose file gives none.
 ///
 /// # Errors
-/// [`CampaignError::Input`] if the file is not a valid sweep, [`CampaignError::Store`] if the log beside a copy cannot be read.
+/// [`CampaignError::Input`] if the file is not a valid sweep, [`CampaignError::Store`] if the log beside a copy cannot
+/// be read.
 pub fn read_sweep(path: &Path) -> Result<Sweep, CampaignError> {
     let sweep = Sweep::read(path)?;
     let home = path.parent().filter(|home| path.ends_with("sweep.toml") && home.join("log").is_dir());
@@ -150,10 +151,12 @@ pub fn read_sweep(path: &Path) -> Result<Sweep, CampaignError> {
     Ok(Sweep::parse(&name, &sweep.text)?)
 }
 
-/// Checks that a sweep could be run into a directory: it is no file, and holds no files of others that a run would replace.
+/// Checks that a sweep could be run into a directory: it is no file, and holds no files of others that a run would
+/// replace.
 ///
 /// # Errors
-/// [`CampaignError::NotADirectory`], and [`StoreError::Occupied`] or [`StoreError::NotText`] in [`CampaignError::Store`].
+/// [`CampaignError::NotADirectory`], and [`StoreError::Occupied`] or [`StoreError::NotText`] in
+/// [`CampaignError::Store`].
 pub fn check_available(directory: &Path) -> Result<(), CampaignError> {
     check_directory(directory)?;
     Ok(Store::may_take(directory)?)

@@ -1,8 +1,8 @@
 //! Takes over what other results directories of the same sweep hold.
 //!
-//! Shards are immutable and named by their cases, so joining is linking: a shard gets a second name here (or is copied, where
-//! the other directory is on another file system), and its record is written once more. Goes through the other directory
-//! shard by shard; memory grows with the cases here alone.
+//! Shards are immutable and named by their cases, so joining is linking: a shard gets a second name here (or is copied,
+//! where the other directory is on another file system), and its record is written once more. Goes through the other
+//! directory shard by shard; memory grows with the cases here alone.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,9 +35,9 @@ pub type Agreement<'a> = dyn Fn(&Values, &Values) -> bool + 'a;
 impl Store {
     /// Takes over all shards of another directory that are as they were written.
     ///
-    /// A case that is here already is fine if both agree. Of two shards with the same cases and other bytes the one whose
-    /// checksum sorts first stays; of a case in several shards one counts as always ([`Holdings::holds`]), whatever the order
-    /// of joining.
+    /// A case that is here already is fine if both agree. Of two shards with the same cases and other bytes the one
+    /// whose checksum sorts first stays; of a case in several shards one counts as always ([`Holdings::holds`]),
+    /// whatever the order of joining.
     ///
     /// # Errors
     /// [`StoreError::Disagreement`] if a case is here with other numbers, others if a file cannot be read, linked or

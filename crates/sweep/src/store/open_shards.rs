@@ -7,8 +7,8 @@ use super::index::Slot;
 use super::{Holdings, StoreError};
 use crate::CaseId;
 
-/// Shards kept open. Who goes through a sweep in its order needs few: a chain runs along β, and a shard holds chains that
-/// finished at about the same time, so neighbours.
+/// Shards kept open. Who goes through a sweep in its order needs few: a chain runs along β, and a shard holds chains
+/// that finished at about the same time, so neighbours.
 const OPEN_SHARDS: usize = 32;
 
 /// Cases of the shards kept open, at some hundred bytes each; a single shard may have more.

@@ -46,7 +46,8 @@ impl Store {
     ///
     /// # Errors
     /// [`StoreError::Locked`] if another process works there, [`StoreError::Occupied`] if files are there that would be
-    /// replaced and no run has written, [`StoreError::NotText`] if HDF5 cannot take the path (nothing is changed then), others if the directory cannot be read or written.
+    /// replaced and no run has written, [`StoreError::NotText`] if HDF5 cannot take the path (nothing is changed then),
+    /// others if the directory cannot be read or written.
     pub fn open(path: &Path, sweep_text: &str, output: &Output) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
         directory.must_be_ours_or_free()?;
@@ -60,8 +61,8 @@ impl Store {
         Ok(Self { holdings, log: None, recipe: Value::Null, _lock: lock })
     }
 
-    /// The store with a description of what the cases that are committed from now on are solved with. It is kept with them
-    /// for those who plan: to the store it means nothing.
+    /// The store with a description of what the cases that are committed from now on are solved with. It is kept with
+    /// them for those who plan: to the store it means nothing.
     #[must_use]
     pub fn solving_with(self, recipe: Value) -> Self {
         Self { recipe, ..self }
@@ -92,8 +93,8 @@ impl Store {
         self.append(&Record::End { ending, time: clock() }).map(drop)
     }
 
-    /// Commits finished chains as one shard: when this returns, their cases survive whatever happens to the process or the
-    /// power. It takes about as long for one case as for a thousand, most of it waiting for the disk.
+    /// Commits finished chains as one shard: when this returns, their cases survive whatever happens to the process or
+    /// the power. It takes about as long for one case as for a thousand, most of it waiting for the disk.
     ///
     /// Fields and sensitivities that the output does not ask for are left out.
     ///

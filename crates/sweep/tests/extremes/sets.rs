@@ -6,7 +6,8 @@ use stribeck_solver::collocation::Settings;
 
 use crate::extremes::cases::{SHIPPED, Set, Verdict, outcome, outcomes, verdicts};
 
-/// Most iterations of a case that is solved from its neighbours, or by a march from a thick film; and of one that fails.
+/// Most iterations of a case that is solved from its neighbours, or by a march from a thick film; and of one that
+/// fails.
 const MOST_ITERATIONS: u64 = 300;
 const MOST_IN_VAIN: u64 = 1000;
 
@@ -68,8 +69,8 @@ fn the_least_tolerance_ends_where_rounding_begins() {
     assert!((1..=solved.len() / 4).contains(&failed), "{failed} of {}", solved.len());
 }
 
-/// No wrong answer says that it has converged: alone, on panels of a higher degree and with a hundredth of the tolerance, the
-/// answer is the same within twice the tolerance, rounding errors of both included.
+/// No wrong answer says that it has converged: alone, on panels of a higher degree and with a hundredth of the
+/// tolerance, the answer is the same within twice the tolerance, rounding errors of both included.
 #[test]
 #[ignore = "slow: each case of the shipped sets again, with a hundredth of its tolerance"]
 fn solutions_of_the_shipped_sets_are_right() {
