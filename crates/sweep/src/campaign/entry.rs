@@ -22,7 +22,7 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
         }
         Err(failure) => {
             let mut reason = failure.to_string();
-            if failure.kind.name() == "panic" {
+            if matches!(failure.kind, FailureKind::Panic { .. } | FailureKind::ChainPanic { .. }) {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
             (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)

@@ -9,14 +9,14 @@
 //! ```no_run
 //! use std::path::Path;
 //! use stribeck_sweep::campaign::{RunOptions, RunOutcome, run};
-//! use stribeck_sweep::{Sweep, store::DataSet};
+//! use stribeck_sweep::{Column, Sweep, store::DataSet};
 //!
 //! let sweep = Sweep::read("sweeps/quick.toml")?;
 //! let directory = Path::new("results/quick");
 //! let report = run(&sweep, directory, &RunOptions::default(), &mut |_| {})?;
 //! if let RunOutcome::Published(published) = report.outcome {
 //!     println!("{} converged, {} failed", published.converged, published.failed);
-//!     println!("friction: {:?}", DataSet::open(directory)?.column("mu_tot")?);
+//!     println!("friction: {:?}", DataSet::open(directory)?.column(Column::MuTot)?);
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -57,12 +57,12 @@ pub use cost::{CaseSeconds, Cost, Size};
 pub use entry::case_entry;
 pub use error::CampaignError;
 pub use event::{Event, Observer};
-pub use explain::{CaseName, CasePlace, CaseReport, Found, Repeated, Repetition, explain};
+pub use explain::{CaseName, CasePlace, CaseReport, CaseStorage, Comparison, SolvedAgain, explain};
 pub use failures::{Decade, FailedCase, FailureGroup, FailureRegion};
 pub use merge::{IncompletePart, MergeOutcome, MergeReport, Missing, merge};
 pub use merged_catalog::MergedCatalog;
 pub use parts::{PartActivity, PartState};
-pub use pending::{Pending, Stale};
+pub use pending::{Pending, StaleCases};
 pub use plan::{DirectoryState, PlanOptions, PlanReport, plan};
 pub use run::{RunOptions, RunOutcome, RunReport, available_threads, run};
 pub use solve_command::solve_command;

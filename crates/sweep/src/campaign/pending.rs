@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::stale::{CaseState, Comparison};
+use super::stale::{CaseState, Survey};
 use super::{MergedCatalog, StaleReason};
 use crate::store::Status;
 use crate::{Method, Part, Plan, Sweep};
@@ -19,7 +19,7 @@ pub struct Pending {
     /// Cases that were never solved.
     pub new: u64,
     /// Cases that are stored and of no use, by the reason: they are solved again.
-    pub stale: Vec<Stale>,
+    pub stale: Vec<StaleCases>,
     /// Cases that are stored and converged.
     pub converged: u64,
     /// Cases that are stored and failed; they are not tried again.
@@ -30,7 +30,7 @@ pub struct Pending {
 
 /// Stored cases that are of no use for the same reason.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stale {
+pub struct StaleCases {
     /// The reason.
     pub reason: StaleReason,
     /// How many cases there are.
@@ -45,7 +45,7 @@ impl Pending {
         if stored.known() == 0 {
             return Self::all(plan, chains);
         }
-        let comparison = Comparison::new(sweep, plan, stored);
+        let survey = Survey::new(sweep, plan, stored);
         let mut pending = Self::default();
         let mut in_place = 0;
         for index in chains {
@@ -53,8 +53,8 @@ impl Pending {
             let mut missing = 0_u64;
             for (place, parameters) in plan.parameters(&chain).iter().enumerate() {
                 let id = plan.id(parameters);
-                in_place += comparison.forms(id, parameters);
-                let state = comparison.state(id, parameters);
+                in_place += survey.forms(id, parameters);
+                let state = survey.state(id, parameters);
                 missing |= u64::from(!matches!(state, CaseState::Done(_))) << place;
                 pending.count(state);
             }
@@ -84,7 +84,7 @@ impl Pending {
             CaseState::New => self.new += 1,
             CaseState::Stale(reason) => match self.stale.iter_mut().find(|stale| stale.reason == reason) {
                 Some(stale) => stale.cases += 1,
-                None => self.stale.push(Stale { reason, cases: 1 }),
+                None => self.stale.push(StaleCases { reason, cases: 1 }),
             },
         }
     }
