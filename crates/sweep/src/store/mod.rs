@@ -18,6 +18,7 @@
 //! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file,
 //! data set and column is described in `docs/output.md`.
 
+mod catalog;
 mod claims;
 mod contents;
 mod damage;
@@ -29,7 +30,6 @@ mod error;
 mod files;
 mod hdf5_file;
 mod history;
-mod holdings;
 mod index;
 mod joining;
 mod log;
@@ -45,6 +45,7 @@ mod verify;
 mod warning;
 mod writing;
 
+pub use catalog::{Catalog, Counts, Origin};
 pub use claims::Inspection;
 pub use contents::Contents;
 pub use data_set::{Cost, DataSet};
@@ -52,7 +53,6 @@ pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
 pub use files::{holds_text, write_whole};
 pub use history::{Beginning, History, Start};
-pub use holdings::{Counts, Holdings, Origin};
 pub use joining::{Agreement, Joined};
 pub use publication::{Point, Publication};
 pub use publish::Published;
