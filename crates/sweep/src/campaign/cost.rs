@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use super::{MergedCatalog, Pending};
-use crate::store::Holdings;
+use crate::store::Catalog;
 use crate::{Field, Method, Plan, Sweep};
 use stribeck_solver::{Interrupt, Solver, relaxation};
 
@@ -126,7 +126,7 @@ fn tried_seconds(sweep: &Sweep, plan: &Plan, pending: &Pending) -> f64 {
     (0..tried).map(of_chain).sum::<f64>() / tried as f64
 }
 
-fn mean_seconds(catalogs: &[&Holdings]) -> Option<f64> {
+fn mean_seconds(catalogs: &[&Catalog]) -> Option<f64> {
     let starts = catalogs.iter().flat_map(|catalog| catalog.history().starts()).map(|(_, start)| start);
     let (cases, seconds) = starts.fold((0, 0.0), |(cases, seconds), start| {
         (cases + start.converged + start.failed, seconds + start.case_seconds)

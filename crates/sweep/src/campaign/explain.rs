@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::stale::{CaseState, Survey};
 use super::{CampaignError, MergedCatalog, StaleReason, SweepDirectory, read_sweep, sweep_file};
-use crate::store::{CaseEntry, Holdings, Inspection, Origin, Status, StoreError, Warning};
+use crate::store::{CaseEntry, Catalog, Inspection, Origin, Status, StoreError, Warning};
 use crate::{CaseId, Column, Grid, GridIndex, Plan, Sweep, Values};
 use stribeck_lab::Experiment;
 use stribeck_solver::{Failure, Parameters, SolvedCase, Solver};
@@ -129,7 +129,7 @@ fn what_is_stored(
     stored: &MergedCatalog<'_>,
     stale: impl Fn() -> Option<StaleReason>,
 ) -> Result<CaseStorage, StoreError> {
-    let holder: &Holdings = stored.holder(id).unwrap_or(stored.catalogs()[0]);
+    let holder: &Catalog = stored.holder(id).unwrap_or(stored.catalogs()[0]);
     Ok(match (holder.entry(id)?, holder.origin(id)?) {
         (Some(entry), Some(origin)) => {
             let lacks = if holder.holds(id).is_none() { holder.lacks(id) } else { Vec::new() };

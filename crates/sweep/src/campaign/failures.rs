@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
 use super::MergedCatalog;
-use crate::store::{Holdings, Status, StoreError};
+use crate::store::{Catalog, Status, StoreError};
 use crate::{CaseId, Part, Plan};
 use stribeck_solver::{Parameters, shortest};
 
@@ -33,7 +33,7 @@ impl fmt::Display for FailedCase {
 pub(super) fn first_failures(
     plan: &Plan,
     part: Option<Part>,
-    stored: &Holdings,
+    stored: &Catalog,
     most: usize,
 ) -> Result<Vec<FailedCase>, StoreError> {
     let chains = plan.chains_of(part).into_iter().map(|index| plan.chain(index as usize));

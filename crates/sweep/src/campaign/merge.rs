@@ -7,7 +7,7 @@ use super::publication::publish;
 use super::run::open_store;
 use super::sweep_directory::part_directories;
 use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
-use crate::store::{Ending, Holdings, Inspection, Joined, Published, Store};
+use crate::store::{Catalog, Ending, Inspection, Joined, Published, Store};
 use crate::{Column, Method, Plan, Sweep, Values};
 use stribeck_solver::viscoelastic_error_scale;
 
@@ -85,7 +85,7 @@ pub(super) fn join_all(
 ) -> Result<Joined, CampaignError> {
     let mut all = Joined::default();
     for directory in directories {
-        let catalog = Holdings::read(&directory, &sweep.output, Inspection::Bytes)?;
+        let catalog = Catalog::read(&directory, &sweep.output, Inspection::Bytes)?;
         catalog.warnings().iter().for_each(|warning| observe(Event::Damaged(warning)));
         let Joined { shards, cases, twice } = store.join(&catalog, &|here, there| agree(sweep, here, there))?;
         all = Joined { shards: all.shards + shards, cases: all.cases + cases, twice: all.twice + twice };
@@ -120,7 +120,7 @@ fn one_sweep(directories: &[PathBuf]) -> Result<(Sweep, Vec<PathBuf>), CampaignE
     }
     // The title of a sweep without one is the name of its file, which is not that of the copies in results directories.
     for home in files.iter().filter_map(|file| file.parent()) {
-        if let Some(name) = Holdings::name_of_sweep(home)? {
+        if let Some(name) = Catalog::name_of_sweep(home)? {
             return Ok((Sweep::parse(&name, &sweep.text)?, sources));
         }
     }

@@ -11,7 +11,7 @@ use super::solving::{Solving, group_wait, queue_length};
 use super::sweep_directory::{had_other_sweep, part_directories, part_directory};
 use super::{CampaignError, Event, FailedCase, MergedCatalog, Observer, Pending, SweepDirectory, check_available};
 use crate::engine::Engine;
-use crate::store::{Ending, Holdings, Inspection, Published, Store, StoreError};
+use crate::store::{Catalog, Ending, Inspection, Published, Store, StoreError};
 use crate::{Part, Plan, Sweep};
 use stribeck_solver::Interrupt;
 
@@ -164,7 +164,7 @@ fn stored_elsewhere(
 }
 
 /// A store and what is stored elsewhere, as one.
-fn with<'a>(store: &'a Store, elsewhere: &[&'a Holdings]) -> MergedCatalog<'a> {
+fn with<'a>(store: &'a Store, elsewhere: &[&'a Catalog]) -> MergedCatalog<'a> {
     MergedCatalog::new(std::iter::once(&**store).chain(elsewhere.iter().copied()).collect())
 }
 

@@ -26,7 +26,7 @@ pub struct Counts {
 
 /// What a results directory holds. Memory: some 25 bytes per case, nothing else grows with their number.
 #[derive(Debug)]
-pub struct Holdings {
+pub struct Catalog {
     pub(super) directory: Directory,
     pub(super) output: Output,
     pub(super) index: Index,
@@ -52,7 +52,7 @@ pub struct Origin {
     pub recipe: Value,
 }
 
-impl Holdings {
+impl Catalog {
     /// Reads a directory without locking or changing it, also while a run works there.
     ///
     /// `output` is what counts as done: a case whose shard lacks a field or limit it asks for is not held. `inspection`
@@ -93,7 +93,7 @@ impl Holdings {
     /// The name of the sweep that was run last in a directory; `None` if it is not known.
     ///
     /// # Errors
-    /// As for [`Holdings::read`].
+    /// As for [`Catalog::read`].
     pub fn name_of_sweep(path: &Path) -> Result<Option<String>, StoreError> {
         let directory = Directory::new(path);
         directory.must_exist()?;
