@@ -27,7 +27,8 @@ pub enum CliError {
     Measured(#[from] MeasuredError),
     /// A sweep without quantities of the laboratory.
     #[error(
-        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] (docs/sweep-file.md)",
+        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of \
+         [axes] (docs/sweep-file.md)",
         shown(file)
     )]
     NotLaboratory {
@@ -113,8 +114,8 @@ pub enum CliError {
     },
     /// A part that would be told to stop before it has begun.
     #[error(
-        "a time limit of {limit} leaves a part no time to work: it is told to stop {signal} s before the limit, which Slurm may \
-         do {early} s early; give a longer --time, or fewer --signal-seconds"
+        "a time limit of {limit} leaves a part no time to work: it is told to stop {signal} s before the limit, \
+         which Slurm may do {early} s early; give a longer --time, or fewer --signal-seconds"
     )]
     NoTimeToWork {
         /// The time limit as it was given.
@@ -126,8 +127,8 @@ pub enum CliError {
     },
     /// A path that cannot be the log of a job.
     #[error(
-        "Slurm cannot write logs below {:?}: a %, a double quote, a backslash, a line feed or bytes that are no text stand in its \
-         name; choose another directory with -o",
+        "Slurm cannot write logs below {:?}: a %, a double quote, a backslash, a line feed or bytes that are no \
+         text stand in its name; choose another directory with -o",
         path
     )]
     NameForSlurm {
