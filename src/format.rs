@@ -51,9 +51,9 @@ pub fn utc_timestamp(seconds: u64) -> String {
     }
 }
 
-/// A column of a table of text: on which side its cells stand, and its least width in characters.
+/// How the cells of a column of text stand: on which side, and the least width in characters.
 #[derive(Clone, Copy)]
-pub enum Column {
+pub enum Align {
     /// Cells begin at the left.
     Left(usize),
     /// Cells end at the right.
@@ -61,10 +61,10 @@ pub enum Column {
 }
 
 /// One line of a table: a cell in each column, two blanks between them and none at the end.
-pub fn table_line(columns: &[Column], cells: &[impl AsRef<str>]) -> String {
-    let padded = |(column, cell): (&Column, &_)| match (*column, AsRef::<str>::as_ref(cell)) {
-        (Column::Left(width), cell) => format!("{cell:<width$}"),
-        (Column::Right(width), cell) => format!("{cell:>width$}"),
+pub fn table_line(columns: &[Align], cells: &[impl AsRef<str>]) -> String {
+    let padded = |(column, cell): (&Align, &_)| match (*column, AsRef::<str>::as_ref(cell)) {
+        (Align::Left(width), cell) => format!("{cell:<width$}"),
+        (Align::Right(width), cell) => format!("{cell:>width$}"),
     };
     let line = columns.iter().zip(cells).map(padded).collect::<Vec<_>>().join("  ");
     line.trim_end().to_owned() + "\n"
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn cells_stand_in_their_columns() {
-        let columns = [Column::Left(4), Column::Right(5), Column::Left(3)];
+        let columns = [Align::Left(4), Align::Right(5), Align::Left(3)];
         assert_eq!(table_line(&columns, &["μ", "1.5", "1"]), "μ       1.5  1\n");
         assert_eq!(table_line(&columns, &["longer", "", ""]), "longer\n");
     }

@@ -131,7 +131,11 @@ fn describe_stored(entry: &CaseEntry, origin: &Origin) -> String {
         line("with", &describe_recipe(&origin.recipe));
     }
     let timing = &entry.timing;
-    line("seed", &format!("{}: {}", timing.seed, describe_seed(&timing.seed)));
+    let seed = match timing.seed {
+        Some(seed) => format!("{seed}: {}", describe_seed(seed)),
+        None => "one of another version of the program".to_owned(),
+    };
+    line("seed", &seed);
     let factorisations = match timing.factorisations {
         0 => String::new(),
         number => format!("{}, ", count(number, "factorisation")),
@@ -181,13 +185,13 @@ fn describe_repeated(repeated: &Repeated, place: &CasePlace, method: Method) -> 
 fn describe_repetition(repetition: &Repetition) -> String {
     match repetition {
         Repetition::ConvergesNow => "it converges now".to_owned(),
-        Repetition::FailsNow(failure) => format!("it fails now: {}", failure.reason),
+        Repetition::FailsNow(failure) => format!("it fails now: {failure}"),
         Repetition::FailsAgain => "it fails again".to_owned(),
         Repetition::SameNumbers => "the same numbers to the last bit".to_owned(),
         Repetition::OtherNumbers(differences) => format!(
             "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had another \
              chain, or on another machine",
-            differences.map(|(name, difference)| format!("{name} by {difference:.0e}")).join(", ")
+            differences.map(|(column, difference)| format!("{} by {difference:.0e}", column.name())).join(", ")
         ),
     }
 }

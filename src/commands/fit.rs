@@ -117,5 +117,5 @@ fn beginning(axes: &LaboratoryAxes, measured: &Measured, unknowns: &[Unknown]) -
             return Err(format!("{name} has {values} values in the sweep file and is no column here; give it one"));
         }
     }
-    Ok(axes.experiment([0, 0, 0]))
+    Ok(axes.experiment([0, 0, 0].into()))
 }

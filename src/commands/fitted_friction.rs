@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::terminal_plot::{TextAxis, plot};
-use crate::format::{Column, count, table_line};
+use crate::format::{Align, count, table_line};
 use crate::pictures::Table;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::shown;
@@ -44,7 +44,7 @@ impl FittedFriction<'_> {
     }
 
     fn estimates(&self) -> String {
-        let columns = [Column::Left(22), Column::Right(12), Column::Right(12), Column::Left(5), Column::Right(12)];
+        let columns = [Align::Left(22), Align::Right(12), Align::Right(12), Align::Left(5), Align::Right(12)];
         let mut text = table_line(&columns, &["unknown", "value", "std. error", "unit", "start"]);
         for Estimate { unknown, value, error, start } in &self.fit.estimates {
             let [value, error, start] = [value, error, start].map(|number| format!("{number:.5e}"));

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::format::{Column, count, table_line};
+use crate::format::{Align, count, table_line};
 use crate::pictures::Chart;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::printable;
@@ -44,11 +44,10 @@ impl FittedMaterial<'_> {
             ("retardation time", material.retardation_time, "s, mean weighted by shares"),
         ];
         for (name, value, meaning) in rows {
-            text +=
-                &table_line(&[Column::Left(18), Column::Right(11), Column::Left(0)], &[name, &digits(value), meaning]);
+            text += &table_line(&[Align::Left(18), Align::Right(11), Align::Left(0)], &[name, &digits(value), meaning]);
         }
         text += "\nrelaxation   modulus/Pa       time/s      retardation        share       time/s\n";
-        let columns = [23, 11, 28, 11].map(Column::Right);
+        let columns = [23, 11, 28, 11].map(Align::Right);
         // One line for each term: the retardation time above a relaxation time and below the next.
         for (term, (strength, time)) in self.terms().iter().zip(material.retardation()) {
             text += &table_line(&columns, &[term.modulus, term.time, strength / material.f, time].map(digits));

@@ -1,12 +1,12 @@
 //! How the friction of a case changes with its parameters, for people to read.
 
-use crate::format::{Column, table_line};
+use crate::format::{Align, table_line};
 use stribeck_solver::Sensitivities;
 
 /// A table of dμ/d ln θ and d ln μ/d ln θ for θ = α, β and f; a dash where μ = 0.
 pub fn table(sensitivities: &Sensitivities, mu_v: f64, mu_h: f64) -> String {
     let mut text = String::new();
-    let columns = [Column::Left(13), Column::Right(13), Column::Right(13), Column::Right(13), Column::Left(0)];
+    let columns = [Align::Left(13), Align::Right(13), Align::Right(13), Align::Right(13), Align::Left(0)];
     let mut row = |symbol: &str, [alpha, beta, f]: [String; 3], unit: &str| {
         text += &table_line(&columns, &[symbol, &alpha, &beta, &f, unit]);
     };

@@ -4,11 +4,11 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::sensitivities;
-use crate::format::{Column, count, duration, table_line};
+use crate::format::{Align, count, duration, table_line};
 use stribeck_solver::continuation::{Path, PathPoint};
-use stribeck_solver::{COLUMNS, Limits, Parameters, Sensitivities};
+use stribeck_solver::{Parameters, Sensitivities};
 use stribeck_sweep::store::{CaseEntry, Status};
-use stribeck_sweep::{Method, SolverSettings};
+use stribeck_sweep::{Column, Method, SolverSettings};
 
 /// A case as it was asked for, what came of it, and how it was reached.
 pub struct SolvedProblem<'a> {
@@ -24,12 +24,6 @@ pub struct SolvedProblem<'a> {
     pub unknowns: usize,
 }
 
-/// The value of a column.
-fn value(entry: &CaseEntry, name: &str) -> Option<f64> {
-    let place = COLUMNS.iter().position(|column| column.name == name)?;
-    Some(entry.values[place]).filter(|value| !value.is_nan())
-}
-
 /// One row for each quantity of a case, with its error and its limit for large β; of a failed case the limits.
 pub fn numbers(entry: &CaseEntry) -> String {
     match entry.outcome {
@@ -40,25 +34,20 @@ pub fn numbers(entry: &CaseEntry) -> String {
 
 fn quantities(entry: &CaseEntry) -> String {
     let mut text = String::new();
-    let columns =
-        [Column::Left(13), Column::Right(13), Column::Right(8), Column::Right(13), Column::Left(10), Column::Left(0)];
-    text += &table_line(&columns, &["symbol", "value", "error", "large beta", "unit", "name"]);
-    for column in &COLUMNS {
-        let limit_of = match column.name {
-            "mu_v" => "dry_mu_v",
-            "mu_h" => "approx_mu_h",
-            name if name.starts_with("error_") || Limits::COLUMNS.contains(&name) => continue,
-            _ => "",
-        };
+    let widths =
+        [Align::Left(13), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10), Align::Left(0)];
+    text += &table_line(&widths, &["symbol", "value", "error", "large beta", "unit", "name"]);
+    for column in Column::ALL.into_iter().filter(|column| !column.is_error() && !column.is_limit()) {
+        let known = |column: Option<Column>| column.and_then(|column| entry.values.known(column));
         let six = |value: f64| format!("{value:.6e}");
-        let error = value(entry, &format!("error_{}", column.name)).map_or_else(String::new, |e| format!("{e:.0e}"));
-        let limit = value(entry, limit_of).map_or_else(String::new, six);
-        let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
-        text += &table_line(&columns, &[column.name, &value, &error, &limit, column.units, column.long_name]);
+        let error = known(column.error()).map_or_else(String::new, |error| format!("{error:.0e}"));
+        let limit = known(column.limit()).map_or_else(String::new, six);
+        let value = known(Some(column)).map_or_else(|| "-".to_owned(), six);
+        text += &table_line(&widths, &[column.name(), &value, &error, &limit, column.units(), column.long_name()]);
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
-        let [mu_v, mu_h] = ["mu_v", "mu_h"].map(|name| value(entry, name).unwrap_or(f64::NAN));
+        let (mu_v, mu_h) = (entry.values[Column::MuV], entry.values[Column::MuH]);
         text += &format!("\n{}", sensitivities::table(known, mu_v, mu_h));
     }
     text
@@ -67,10 +56,10 @@ fn quantities(entry: &CaseEntry) -> String {
 /// What is known of a case that failed.
 fn limits(entry: &CaseEntry) -> String {
     let mut text = String::new();
-    for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
-        let limit = value(entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-        let columns = [Column::Left(13), Column::Right(13), Column::Left(10), Column::Left(0)];
-        text += &table_line(&columns, &[column.name, &limit, column.units, column.long_name]);
+    for column in Column::ALL.into_iter().filter(|column| column.is_limit()) {
+        let limit = entry.values.known(column).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
+        let widths = [Align::Left(13), Align::Right(13), Align::Left(10), Align::Left(0)];
+        text += &table_line(&widths, &[column.name(), &limit, column.units(), column.long_name()]);
     }
     text
 }
@@ -109,13 +98,13 @@ impl SolvedProblem<'_> {
                 (format!("{} passes", timing.iterations), format!("{} points", settings.relaxation.points))
             }
         };
-        format!(
-            "case {}, {}, {setting}\nseed {}, {effort}, {}\n",
-            self.entry.id,
-            settings.method,
-            timing.seed,
-            duration(timing.seconds)
-        )
+        let (id, method, seconds) = (self.entry.id, settings.method, duration(timing.seconds));
+        format!("case {id}, {method}, {setting}\nseed {}, {effort}, {seconds}\n", self.seed())
+    }
+
+    /// The name of the seed.
+    fn seed(&self) -> String {
+        self.entry.timing.seed.map_or_else(String::new, |seed| seed.to_string())
     }
 
     /// The path, a line for each point; nothing if the first guess led to the solution.
@@ -127,7 +116,7 @@ impl SolvedProblem<'_> {
         }
         for PathPoint { alpha, beta, f, iterations, accepted } in points {
             let failed = if *accepted { "" } else { "not solved" };
-            let columns = [Column::Right(19), Column::Right(12), Column::Right(12), Column::Right(12), Column::Left(0)];
+            let columns = [Align::Right(19), Align::Right(12), Align::Right(12), Align::Right(12), Align::Left(0)];
             let [alpha, beta, f] = [alpha, beta, f].map(|value| short(*value));
             text += &table_line(&columns, &[&alpha, &beta, &f, &iterations.to_string(), failed]);
         }
@@ -146,13 +135,11 @@ impl SolvedProblem<'_> {
             ("status", Value::from(entry.outcome.name())),
             ("reason", reason),
         ];
-        let columns = COLUMNS.iter().zip(entry.values).filter(|(column, _)| column.in_summary);
-        pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+        pairs.extend(Column::summary().map(|column| (column.name(), Value::from(entry.values[column]))));
         if let Some(known) = &entry.sensitivities {
-            let columns = Sensitivities::COLUMNS.iter().zip(known.row());
-            pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+            pairs.extend(Sensitivities::NAMES.into_iter().zip(known.row().map(Value::from)));
         }
-        pairs.push(("seed", Value::from(entry.timing.seed.as_str())));
+        pairs.push(("seed", Value::from(self.seed())));
         let point = |point: &PathPoint| {
             let &PathPoint { alpha, beta, f, iterations, accepted } = point;
             json!({ "alpha": number(alpha), "beta": beta, "f": f, "iterations": iterations, "accepted": accepted })

@@ -232,7 +232,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         console::tell(&format!("note: no errors are estimated; that takes {ESTIMATE_POINTS} points or more"));
     }
     let plan = Plan::new(&sweep);
-    let parameters = plan.parameters_at(0, 0, 0);
+    let parameters = plan.parameters_at([0, 0, 0].into());
     let solver = Solver::new(&sweep.solver_settings());
     let solved = solver.solve_chain(std::slice::from_ref(&parameters), &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);

@@ -1,28 +1,26 @@
-//! How a case was reached, for people to read: its seed, and the trace of its iterations.
+//! How a case was reached: its seed, and the trace of its iterations.
 
 use std::fmt::Write;
 
-use stribeck_solver::continuation::{Event, SolvedCase};
+use stribeck_solver::continuation::{Event, Seed, SolvedCase};
 use stribeck_solver::shortest;
 
 /// Residuals in one line.
 const PER_LINE: usize = 8;
 
-/// Says where a first guess came from, by the name of its seed.
-pub fn describe_seed(seed: &str) -> &'static str {
-    let words = [
-        ("hertz", "pressure of the dry contact"),
-        ("elastic", "the elastic solution at the same beta"),
-        ("rescaled-elastic", "the elastic solution for the instantaneous modulus"),
-        ("thick-film", "the film of a rigid cylinder on a rigid plane"),
-        ("neighbour", "the case before it in its chain"),
-        ("predictor", "extrapolated from the two cases before it in its chain"),
-        ("intermediate-", "the case before it in its chain, by way of cases between them that are not published"),
-        ("march-", "a case of thicker film, by way of cases that are not published"),
-        ("none", "there was no first guess"),
-    ];
-    let fits = |(name, _): &&(&str, &str)| if name.ends_with('-') { seed.starts_with(name) } else { seed == *name };
-    words.iter().find(fits).map_or("a seed of another version of the program", |(_, words)| words)
+/// Says where a first guess came from.
+pub fn describe_seed(seed: Seed) -> &'static str {
+    match seed {
+        Seed::Hertz => "pressure of the dry contact",
+        Seed::Elastic => "the elastic solution at the same beta",
+        Seed::RescaledElastic => "the elastic solution for the instantaneous modulus",
+        Seed::ThickFilm => "the film of a rigid cylinder on a rigid plane",
+        Seed::Neighbour => "the case before it in its chain",
+        Seed::Predictor => "extrapolated from the two cases before it in its chain",
+        Seed::Intermediate(_) => "the case before it in its chain, by way of cases between them that are not published",
+        Seed::March(_) => "a case of thicker film, by way of cases that are not published",
+        Seed::None => "there was no first guess",
+    }
 }
 
 /// Lists the events on the way to a case: at each point the residuals of its iterations, and estimated errors.

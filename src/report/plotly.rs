@@ -1,7 +1,7 @@
 //! The drawing library of the page.
 
-/// Plotly as an element that the page's script runs once its words are on the screen; without MathJax, which the crate puts behind
-/// it and the page has no formulas for.
+/// Writes Plotly as an element that the page's script runs once its words are on the screen. MathJax, which the crate
+/// puts behind it, is left out: the page has no formulas.
 pub(super) fn element() -> String {
     const START: &str = "<script type=\"text/javascript\">";
     const END: &str = "</script>";

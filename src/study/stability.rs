@@ -5,7 +5,7 @@ use super::run::Session;
 use super::variant::guarded;
 use super::{Examination, Setting, Variant};
 use stribeck_solver::continuation::Seed;
-use stribeck_solver::{Failure, Interrupted, Parameters, Solution, SolvedCase};
+use stribeck_solver::{FailureKind, Interrupted, Parameters, Solution, SolvedCase};
 
 /// β of the neighbours from which a case is solved once more, over its own. The first is above, where films are
 /// thinner: every other way to a case comes from thicker ones.
@@ -84,12 +84,17 @@ impl Session<'_> {
         let is_seeded = matches!(other.seed, Seed::Neighbour | Seed::Predictor | Seed::Intermediate(_));
         if !is_seeded && other.outcome.is_ok() {
             // it went the usual way after all, which says nothing about the seed
-            other.outcome = Err(Failure::new("no neighbour leads to it".to_owned()));
+            other.outcome = Err(FailureKind::Other("no neighbour leads to it".to_owned()).into());
         }
         let both = solved.outcome.as_ref().ok().zip(other.outcome.as_ref().ok());
         let difference = both.map(|(ours, theirs)| Errors::between(&theirs.quantities, &ours.quantities).largest());
         let allowed = both.map(|both| agreement(&variant.setting, both.into()));
-        Ok(Other { seed: other.seed, failure: other.outcome.err().map(|failure| failure.reason), difference, allowed })
+        Ok(Other {
+            seed: other.seed,
+            failure: other.outcome.err().map(|failure| failure.to_string()),
+            difference,
+            allowed,
+        })
     }
 }
 

@@ -8,7 +8,7 @@ mod points;
 pub mod relaxation;
 mod solve;
 
-pub use continuation::{Interrupt, Interrupted, Solution, SolvedCase};
+pub use continuation::{Failure, FailureKind, Interrupt, Interrupted, Solution, SolvedCase};
 pub use model::*;
 pub use points::solve_points;
 pub use solve::{Method, Settings, Solver, solve};

@@ -1,10 +1,11 @@
 //! One way to solve: cases, chains and lists of points, by the method that the settings name.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::collocation::{self, CollocationSolver};
-use crate::continuation::{CaseSolver, Chain, Interrupt, Interrupted, Solution, SolvedCase};
-use crate::model::{Failure, Output, Parameters};
+use crate::continuation::{CaseSolver, Chain, Failure, Interrupt, Interrupted, Solution, SolvedCase};
+use crate::exact::ChainLimits;
+use crate::model::{Output, Parameters};
 use crate::relaxation::{self, RelaxationSolver};
 
 /// A numerical method with its settings.
@@ -119,13 +120,20 @@ impl Solver {
         trace_last: bool,
         interrupt: &Interrupt,
     ) -> Result<Vec<SolvedCase>, Interrupted> {
+        let mut limits = ChainLimits::default();
         let mut chain = Chain::new(solver, &self.output, interrupt);
         if let Some(limit) = self.time_limit {
-            chain = chain.within(limit);
+            chain = chain.with_time_limit(limit);
         }
         let solve = |(place, case)| {
             chain.traced(trace_last && place + 1 == cases.len());
-            chain.solve(case)
+            let mut solved = chain.solve(case)?;
+            if self.output.limits {
+                let start = Instant::now();
+                solved.limits = limits.of(case);
+                solved.effort.seconds += start.elapsed().as_secs_f64();
+            }
+            Ok(solved)
         };
         cases.iter().enumerate().map(solve).collect()
     }

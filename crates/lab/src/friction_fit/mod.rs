@@ -62,8 +62,7 @@ pub enum FrictionFitError {
     },
     /// A point has no solution at the start.
     #[error(
-        "the point on line {line} has no solution at the start of the fit: {}; begin nearer to the expected values",
-        failure.reason
+        "the point on line {line} has no solution at the start of the fit: {failure}; begin nearer to the expected values"
     )]
     Start {
         /// Line of the point.

@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use super::{MergedCatalog, Pending};
 use crate::store::Holdings;
-use crate::{Method, Plan, Sweep};
+use crate::{Field, Method, Plan, Sweep};
 use stribeck_solver::{Interrupt, Solver, relaxation};
 
 /// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
@@ -62,9 +62,9 @@ impl Size {
     /// The size of `cases` stored cases in `chains` shards, and of the whole sweep published.
     fn of(sweep: &Sweep, plan: &Plan, cases: u64, chains: u64) -> Self {
         let output = &sweep.output;
-        let of_field = |name| if name == "pressure" { PRESSURE_VALUE } else { FIELD_VALUE };
-        let values = |name| FIELD + of_field(name) * output.x.len() as f64;
-        let fields: f64 = output.fields.names().into_iter().map(values).sum();
+        let of_field = |field| if field == Field::Pressure { PRESSURE_VALUE } else { FIELD_VALUE };
+        let values = |field| FIELD + of_field(field) * output.x.len() as f64;
+        let fields: f64 = Field::selected(output.fields).map(values).sum();
         let stored = cases as f64 * (LOGGED_CASE + fields) + chains as f64 * SHARD;
         let published = FRAME + plan.cases() as f64 * (PLACE + TABLE_ROW + fields);
         Self { stored: stored as u64, published: published as u64 }

@@ -1,43 +1,42 @@
 //! From what the solver gives to what the store keeps.
 
-use std::panic::catch_unwind;
-
 use super::solve_command;
-use crate::Plan;
 use crate::store::{CaseEntry, Status, Timing};
-use stribeck_solver::continuation::{Cut, Effort};
-use stribeck_solver::{Failure, Fields, Limits, Output, Parameters, SolvedCase, exact};
+use crate::{Plan, Values};
+use stribeck_solver::continuation::{Effort, FailureKind};
+use stribeck_solver::{Fields, Limits, Output, Parameters, SolvedCase, exact};
 
 /// Makes what the store keeps of a solved case of a plan.
 pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
     let Effort { iterations, factorisations, seconds, .. } = case.effort;
-    let time_limit = match case.cut {
-        Some(Cut::TimeLimit(limit)) => Some(limit.as_secs_f64()),
-        Some(Cut::Panic) | None => None,
+    let time_limit = match case.outcome.as_ref().map_err(|failure| &failure.kind) {
+        Err(FailureKind::TimeLimit(limit)) => Some(limit.as_secs_f64()),
+        _ => None,
     };
-    let timing = Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit };
+    let timing = Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit };
+    let failure_kind = case.outcome.as_ref().err().map(|failure| failure.kind.name().to_owned());
     let (outcome, reason, values, fields, sensitivities) = match case.outcome {
         Ok(solution) => {
-            let values = solution.quantities.row(&solution.errors, &case.limits);
+            let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
             (Status::Converged, String::new(), values, solution.fields, solution.sensitivities)
         }
-        Err(Failure { mut reason, .. }) => {
-            if case.cut == Some(Cut::Panic) {
+        Err(failure) => {
+            let mut reason = failure.to_string();
+            if failure.kind.name() == "panic" {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
-            (Status::Failed, reason, case.limits.failed_row(), Fields::default(), None)
+            (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)
         }
     };
-    CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, sensitivities, timing }
+    let id = plan.id(parameters);
+    CaseEntry { id, outcome, reason, failure_kind, values, fields, sensitivities, timing }
 }
 
 /// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case alone.
 pub(super) fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
-    let reason = format!("the solver of its chain panicked: {message}");
     let failed = |parameters: &Parameters| {
-        let limits = output.limits.then(|| catch_unwind(|| exact::limits(parameters)).ok()).flatten();
-        let failed = SolvedCase::failed(Failure::new(reason.clone()), limits.unwrap_or(Limits::UNKNOWN));
-        SolvedCase { cut: Some(Cut::Panic), ..failed }
+        let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };
+        SolvedCase { limits, ..SolvedCase::failed(FailureKind::ChainPanic { message: message.to_owned() }) }
     };
     cases.iter().map(failed).collect()
 }
@@ -45,9 +44,8 @@ pub(super) fn panicked(cases: &[Parameters], output: &Output, message: &str) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Sweep;
     use crate::store::Store;
-    use stribeck_solver::COLUMNS;
+    use crate::{Column, Sweep};
 
     #[test]
     fn cases_of_a_panic_can_be_stored_with_their_limits_and_the_command_that_repeats_them() {
@@ -66,9 +64,8 @@ mod tests {
                 "the solver of its chain panicked: index out of bounds; please report it with `stribeck solve --f 10 --alpha 1 \
                  --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
             );
-            assert_eq!(entry.reason, expected);
-            let dry = COLUMNS.iter().position(|column| column.name == "dry_mu_v").expect("a column");
-            assert_eq!(entry.values[dry], exact::limits(parameters).dry_mu_v);
+            assert_eq!((&entry.reason, entry.failure_kind.as_deref()), (&expected, Some("panic")));
+            assert_eq!(entry.values[Column::DryMuV], exact::limits(parameters).dry_mu_v);
         }
         let directory = tempfile::tempdir().expect("a temporary directory");
         let mut store = Store::open(directory.path(), "", &sweep.output).expect("opened");

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::stale::{CaseState, Comparison};
 use super::{CampaignError, MergedCatalog, StaleReason, SweepDirectory, read_sweep, sweep_file};
 use crate::store::{CaseEntry, Holdings, Inspection, Origin, Status, StoreError, Warning};
-use crate::{CaseId, Grid, Plan, Sweep};
+use crate::{CaseId, Column, Grid, GridIndex, Plan, Sweep, Values};
 use stribeck_lab::Experiment;
-use stribeck_solver::{COLUMNS, Failure, Parameters, SolvedCase, Solver};
+use stribeck_solver::{Failure, Parameters, SolvedCase, Solver};
 
 /// How a case is named.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +92,7 @@ pub enum Repetition {
     /// All numbers are the same to the last bit.
     SameNumbers,
     /// Some numbers differ. Those of μ_v, μ_h and c differ by these parts of themselves.
-    OtherNumbers([(&'static str, f64); 3]),
+    OtherNumbers([(Column, f64); 3]),
 }
 
 /// Finds a case in a results directory and its parts, and tells what is stored of it. Solves nothing, writes nothing.
@@ -106,7 +106,7 @@ pub fn explain(directory: &Path, name: CaseName) -> Result<CaseReport, CampaignE
     let stored = found.merged();
     let place = match name {
         CaseName::Near(numbers) => Some(nearest(&sweep, numbers)),
-        CaseName::Id(id) => plan.find(id).map(|(i_f, i_alpha, i_beta)| [i_f, i_alpha, i_beta]),
+        CaseName::Id(id) => plan.find(id),
     };
     let place = place.map(|place| CasePlace::new(&sweep, &plan, place));
     let id = match (&place, name) {
@@ -157,21 +157,19 @@ fn compare(entry: &CaseEntry, case: &SolvedCase) -> Repetition {
         (Err(_), Status::Failed) => return Repetition::FailsAgain,
         (Ok(solution), Status::Converged) => solution,
     };
-    let row = solution.quantities.row(&solution.errors, &case.limits);
+    let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
     // Limits may not have been asked for when it was stored.
     let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || a.is_nan() || b.is_nan();
-    if row.iter().zip(&entry.values).all(same) {
+    if values.0.iter().zip(&entry.values.0).all(same) {
         return Repetition::SameNumbers;
     }
-    Repetition::OtherNumbers(["mu_v", "mu_h", "c"].map(|name| {
-        let place = COLUMNS.iter().position(|column| column.name == name).expect("a column");
-        (name, (row[place] / entry.values[place] - 1.0).abs())
-    }))
+    let difference = |column| (column, (values[column] / entry.values[column] - 1.0).abs());
+    Repetition::OtherNumbers([Column::MuV, Column::MuH, Column::C].map(difference))
 }
 
 impl CasePlace {
-    fn new(sweep: &Sweep, plan: &Plan, place @ [i_f, i_alpha, i_beta]: [usize; 3]) -> Self {
-        let parameters = plan.parameters_at(i_f, i_alpha, i_beta);
+    fn new(sweep: &Sweep, plan: &Plan, place: GridIndex) -> Self {
+        let parameters = plan.parameters_at(place);
         let in_chain = |chain: &Vec<Parameters>| chain.iter().position(|case| *case == parameters);
         let mut chains = plan.chains().map(|chain| plan.parameters(&chain));
         let found = chains.find_map(|chain| in_chain(&chain).map(|index| (chain, index)));
@@ -182,10 +180,9 @@ impl CasePlace {
 }
 
 /// The place whose f, α and β are nearest by their ratios, f first, then α, then β.
-fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> [usize; 3] {
+fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> GridIndex {
     // These are magnitudes; the ends, 0 and infinity, are near to themselves alone.
     let distance = |value: f64, wanted: f64| if value == wanted { 0.0 } else { (value.ln() - wanted.ln()).abs() };
-    let [strengths, rows, length] = sweep.grid.shape();
     match &sweep.grid {
         Grid::Dimensionless(axes) => {
             let near = |axis: &[f64], wanted| {
@@ -193,13 +190,14 @@ fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> [usize; 3] {
                     |a: &usize, b: &usize| distance(axis[*a], wanted).total_cmp(&distance(axis[*b], wanted));
                 (0..axis.len()).min_by(by_distance).expect("an axis has values")
             };
-            [near(&axes.f, wanted[0]), near(&axes.alpha, wanted[1]), near(&axes.beta, wanted[2])]
+            let [f, alpha, beta] = wanted;
+            GridIndex { f: near(&axes.f, f), row: near(&axes.alpha, alpha), along: near(&axes.beta, beta) }
         }
         Grid::Laboratory(_) => {
             // α and β change together: f comes first, then both.
-            let places = (0..strengths * rows * length)
-                .map(|place| [place / (rows * length), place / length % rows, place % length]);
-            let distances = |place: [usize; 3]| {
+            let shape = sweep.grid.shape();
+            let places = (0..shape.places()).map(|place| shape.index(place));
+            let distances = |place: GridIndex| {
                 let [f, alpha, beta] = sweep.grid.numbers(place);
                 (distance(f, wanted[0]), distance(alpha, wanted[1]).hypot(distance(beta, wanted[2])))
             };

@@ -8,8 +8,8 @@ use super::run::open_store;
 use super::sweep_directory::part_directories;
 use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
 use crate::store::{Ending, Holdings, Inspection, Joined, Published, Store};
-use crate::{Method, Plan, Sweep};
-use stribeck_solver::COLUMNS;
+use crate::{Column, Method, Plan, Sweep, Values};
+use stribeck_solver::viscoelastic_error_scale;
 
 /// What a merge did.
 #[derive(Clone, Debug)]
@@ -131,17 +131,15 @@ fn same_place(a: &Path, b: &Path) -> bool {
 }
 
 /// Whether two solutions of one case agree within what the solver was asked for. The last bits depend on the processor.
-fn agree(sweep: &Sweep, here: &[f64; COLUMNS.len()], there: &[f64; COLUMNS.len()]) -> bool {
+fn agree(sweep: &Sweep, here: &Values, there: &Values) -> bool {
     let tolerance = match sweep.solver.method {
         Method::Collocation => sweep.solver.tolerance,
         // A residual, not an error: friction and film follow it with a factor of some hundreds.
         Method::Relaxation => 1e3 * sweep.solver.relaxation.tolerance,
     };
-    let place = |name| COLUMNS.iter().position(|column| column.name == name).expect("a column");
-    ["mu_v", "mu_h", "c"].into_iter().all(|name| {
-        let (a, b) = (here[place(name)], there[place(name)]);
-        // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
-        let scale = if name == "mu_v" { a.abs().max(1e-3 * here[place("mu_tot")]) } else { a.abs() };
+    [Column::MuV, Column::MuH, Column::C].into_iter().all(|column| {
+        let (a, b) = (here[column], there[column]);
+        let scale = if column == Column::MuV { viscoelastic_error_scale(a, here[Column::MuTot]) } else { a.abs() };
         (a - b).abs() <= tolerance * scale
     })
 }

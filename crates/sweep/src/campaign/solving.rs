@@ -8,7 +8,7 @@ use super::entry::{case_entry, panicked};
 use super::{CampaignError, Event, Observer, Pending};
 use crate::engine::{Engine, Finished, Report};
 use crate::store::{CaseEntry, Ending, Status, Store, StoreError};
-use crate::{CaseId, MAX_CHAIN, Part, Plan, Sweep};
+use crate::{CaseId, Field, MAX_CHAIN, Part, Plan, Sweep};
 use stribeck_solver::{Interrupt, Output, Parameters, Solver};
 
 /// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
@@ -105,7 +105,7 @@ impl Solving<'_> {
 /// The number of finished chains that may wait for a slow disk: some for each thread, of a part as many as make a large commit,
 /// fewer where their fields would take much memory.
 pub(super) fn queue_length(threads: NonZeroUsize, part: Option<Part>, output: &Output) -> usize {
-    let field_values = MAX_CHAIN * output.fields.names().len() * output.x.len();
+    let field_values = MAX_CHAIN * Field::selected(output.fields).count() * output.x.len();
     let chains = WAITING_CHAINS * threads.get();
     let chains = if part.is_some() { chains.max(PART_CHAINS) } else { chains };
     chains.min(WAITING_FIELD_VALUES / field_values.max(1))
