@@ -60,8 +60,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         return Err(refuse(format!("--unknown has {name} twice")));
     }
     if sweep.solver.method != Method::Collocation {
-        let what = "a fit needs sensitivities, which the collocation method alone has; write method = \"collocation\" in \
-                    [solver]";
+        let what = "a fit needs sensitivities, which the collocation method alone has; write method = \
+                    \"collocation\" in [solver]";
         return Err(refuse(what.to_owned()));
     }
     let axes = laboratory(&sweep, &arguments.sweep)?;

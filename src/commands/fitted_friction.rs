@@ -74,8 +74,8 @@ impl FittedFriction<'_> {
                 "\nas many points as unknowns: nothing is left to tell whether the model holds\n".to_owned()
             }
             Some(_) => format!(
-                "\nreduced chi-squared {reduced_chi_squared:.4} with {degrees} of freedom: near 1 where the given errors are \
-                 right and the model holds\n"
+                "\nreduced chi-squared {reduced_chi_squared:.4} with {degrees} of freedom: near 1 where the \
+                 given errors are right and the model holds\n"
             ),
             None => format!(
                 "\nrelative error of a point {:.3} %, from the residuals with {degrees} of freedom\n",

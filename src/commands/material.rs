@@ -18,8 +18,8 @@ Examples:
   stribeck material rubber.csv --terms 12 -o fit.svg    with a picture of it
   stribeck material rubber.csv --terms 12 --json
 
-The table has columns omega (rad/s) or frequency (Hz), storage and loss (both Pa). Times of the terms are spread over the
-measured range; those that the data do not ask for are dropped. docs/materials.md has more.")]
+The table has columns omega (rad/s) or frequency (Hz), storage and loss (both Pa). Times of the terms are spread over
+the measured range; those that the data do not ask for are dropped. docs/materials.md has more.")]
 pub struct Arguments {
     /// A table of measured moduli (CSV)
     #[arg(value_name = "DATA")]

@@ -2,7 +2,8 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `curve`, `fit`, `plot`, `report`, `study`, `material` | the commands |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify` | commands: sweeps and cases |
+//! | `curve`, `fit`, `material`, `plot`, `report`, `study` | commands: experiments, pictures and methods |
 //! | `destination` | the results directory of a sweep |
 //! | `published` | the published data set, for commands that show it |
 //! | `run_report`, `trace_report` | what a run tells of itself; how a case was reached |
@@ -10,7 +11,8 @@
 //! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `fitted_material`, `fitted_friction` | a fit as a table, as JSON and as charts |
-//! | `error`, `console`, `shell`, `threads` | errors with their exit codes; output; quoted commands; number of threads |
+//! | `error`, `console` | errors with their exit codes; output |
+//! | `shell`, `threads` | quoted commands; number of threads |
 //! | `replaceable` | files that a command replaces only if it wrote them |
 
 mod console;

@@ -9,8 +9,8 @@ pub fn own_command() -> String {
     std::env::args_os().map(|word| quoted(&word)).collect::<Vec<_>>().join(" ")
 }
 
-/// A word as a POSIX shell needs it to read the same word, in one line. Bytes that are no text, or no one should see raw on a
-/// terminal, are written as `$'\xff'`, which bash, zsh and ksh read.
+/// A word as a POSIX shell needs it to read the same word, in one line. Bytes that are no text, or no one should see
+/// raw on a terminal, are written as `$'\xff'`, which bash, zsh and ksh read.
 pub fn quoted(word: &OsStr) -> String {
     let plain = |byte: &u8| byte.is_ascii_alphanumeric() || b"_-./=:,+@%".contains(byte);
     let bytes = word.as_encoded_bytes();

@@ -30,10 +30,10 @@ Examples:
   stribeck slurm my.toml -o /shared/my --tasks 5000 --time 60 --account abc --sbatch=--constraint=avx2
   stribeck slurm my.toml -o /shared/my --tasks 64 --setup \"module load hdf5\"
 
-Writes DIR/slurm/part.sh and DIR/slurm/merge.sh, and with --submit submits them: an array of the parts (several arrays, if
-there are more tasks than the site allows in one), and a job that merges when all of them have ended. A part that is near
-its time limit stores what is finished and requeues itself; one whose node fails is requeued by Slurm. Without --submit
-the commands to be typed are printed. docs/cluster.md has more.")]
+Writes DIR/slurm/part.sh and DIR/slurm/merge.sh, and with --submit submits them: an array of the parts (several arrays,
+if there are more tasks than the site allows in one), and a job that merges when all of them have ended. A part that is
+near its time limit stores what is finished and requeues itself; one whose node fails is requeued by Slurm. Without
+--submit the commands to be typed are printed. docs/cluster.md has more.")]
 pub struct Arguments {
     /// The sweep file (TOML)
     sweep: PathBuf,
@@ -207,7 +207,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// Checks that the files are free, or written by an earlier `stribeck slurm`; a sweep file beside its scripts is so too.
+/// Checks that the files are free, or written by an earlier `stribeck slurm`; a sweep file beside its scripts is so
+/// too.
 fn check_replaceable(part: &Path, merge: &Path, kept: &Path) -> Result<(), CliError> {
     let check = |file: &Path, is_ours: &dyn Fn() -> io::Result<bool>| {
         replaceable::check(file, "slurm", "choose another directory", is_ours)
@@ -233,8 +234,8 @@ fn create(path: &Path) -> Result<(), CliError> {
     fs::create_dir_all(path).map_err(|source| CliError::Directory { action: "make", path: path.to_owned(), source })
 }
 
-/// The arrays that have so many tasks: how many each has, and how many there are in those before it. Slurm numbers the tasks of
-/// an array up to its MaxArraySize, which is excluded.
+/// The arrays that have so many tasks: how many each has, and how many there are in those before it. Slurm numbers
+/// the tasks of an array up to its MaxArraySize, which is excluded.
 fn arrays(tasks: u32, max_array_size: u32) -> Vec<(u32, u32)> {
     let most = max_array_size.saturating_sub(1).max(1);
     (0..tasks.div_ceil(most)).map(|number| ((tasks - number * most).min(most), number * most)).collect()

@@ -58,8 +58,8 @@ impl Job<'_> {
 
 /// The script of one part: the task's number, plus the number that is given to the script, of all.
 ///
-/// A part that stored nothing before its time limit is not started again: it would not get further the next time, and be
-/// started for ever.
+/// A part that stored nothing before its time limit is not started again: it would not get further the next time, and
+/// be started for ever.
 pub fn part_script(job: &Job<'_>) -> String {
     let mut own = vec!["--requeue".to_owned(), format!("--cpus-per-task={}", job.cpus)];
     own.extend(job.time.map(|time| format!("--time={time}")));
@@ -73,13 +73,15 @@ pub fn part_script(job: &Job<'_>) -> String {
 program=
 limit=no
 trap 'waiting=yes limit=yes; [ -z "$program" ] || kill -TERM "$program" 2>/dev/null' USR1
-# TERM, for a job that is cancelled or gives way to another, reaches the program as well at some sites and this shell alone at
-# others. A program that has it already is gone in a second; a second one too early would end it before it has stored all.
+# TERM, for a job that is cancelled or gives way to another, reaches the program as well at some sites and this shell
+# alone at others. A program that has it already is gone in a second; a second one too early would end it before it has
+# stored all.
 trap 'waiting=yes; [ -z "$program" ] || {{ sleep 1; kill -TERM "$program" 2>/dev/null; }}' TERM
 
 {setup}
 part=$((SLURM_ARRAY_TASK_ID + ${{1:-0}}))
-echo "part $part of {tasks}, start $((${{SLURM_RESTART_COUNT:-0}} + 1)), on $SLURMD_NODENAME, $(date -u '+%Y-%m-%d %H:%M:%S') UTC"
+echo "part $part of {tasks}, start $((${{SLURM_RESTART_COUNT:-0}} + 1)), on $SLURMD_NODENAME," \
+    "$(date -u '+%Y-%m-%d %H:%M:%S') UTC"
 stored() {{ find {directory}/parts/"$part-of-{tasks}"/shards -name '*.h5' 2>/dev/null | wc -l; }}
 before=$(stored)
 {program} run {sweep} -o {directory} \

@@ -65,8 +65,8 @@ fn limits(entry: &CaseEntry) -> String {
 }
 
 impl SolvedProblem<'_> {
-    /// What came of the case, its cost, its path, and one row for each quantity, with its error and what large β has in its
-    /// place.
+    /// What came of the case, its cost, its path, and one row for each quantity, with its error and what large β has
+    /// in its place.
     pub fn table(&self) -> String {
         let (Parameters { f, alpha, beta, .. }, entry) = (self.asked, self.entry);
         let same = if self.asked.is_relaxed_elastic() { " (elastic: depends on beta alone)" } else { "" };

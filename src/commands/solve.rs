@@ -42,8 +42,9 @@ pub struct Arguments {
     /// Method of solution: collocation or relaxation
     #[arg(long, default_value_t, value_parser = method)]
     method: Method,
-    /// With collocation the relative error wanted in mu_v, mu_h and c, 1e-10 to 1e-1 [default: 1e-5]; with relaxation the
-    /// residuals of Reynolds' equation and of the load at which the case is converged, 1e-12 to 1e-2 [default: 1e-8]
+    /// With collocation the relative error wanted in mu_v, mu_h and c, 1e-10 to 1e-1 [default: 1e-5]; with relaxation
+    /// the residuals of Reynolds' equation and of the load at which the case is converged, 1e-12 to 1e-2 [default:
+    /// 1e-8]
     #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Relaxation: points of the uniform grid, odd, 51 to 20001 [default: 801]

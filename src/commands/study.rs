@@ -1,6 +1,5 @@
 //! `stribeck study`: error against run time, and where each method is stable.
 
-use std::fmt::Write;
 use std::fs;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -167,18 +166,16 @@ fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliEr
 }
 
 fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize, seconds: f64) -> String {
-    let written = "writing to memory does not fail";
     let rows = &findings.rows;
     let failed = rows.iter().filter(|row| row.failure.is_some()).count();
     let cases = count(study.cases.len() as u64, "case");
     let mut text = format!("{cases} with {}: ", count(study.variants.len() as u64, "setting"));
-    writeln!(text, "{} converged, {failed} failed, in {}", rows.len() - failed, duration(seconds)).expect(written);
+    text += &format!("{} converged, {failed} failed, in {}\n", rows.len() - failed, duration(seconds));
     for (method, variants) in study.methods() {
         let of = rows.iter().filter(|row| variants.contains(&row.variant));
         let failed = of.clone().filter(|row| row.failure.is_some()).count();
-        writeln!(text, "  {method}: {} of {} converged", of.clone().count() - failed, of.count()).expect(written);
+        text += &format!("  {method}: {} of {} converged\n", of.clone().count() - failed, of.count());
     }
     let pictures = count(pictures as u64, "picture");
-    writeln!(text, "results in {}: study.md, study.csv, {pictures} as SVG and PNG", shown(directory)).expect(written);
-    text
+    text + &format!("results in {}: study.md, study.csv, {pictures} as SVG and PNG\n", shown(directory))
 }

@@ -5,8 +5,8 @@ use faer::linalg::solvers::DenseSolveCore;
 
 /// The condition number ‖A‖₁ ‖A⁻¹‖₁ of a square matrix whose rows, then columns, are divided by their largest entry.
 ///
-/// Scaling takes the units of equations and unknowns out of it: what is left is how much the errors of a solution may exceed
-/// those of its equations, both relative. Infinite if the matrix is singular, or an entry is not finite.
+/// The scaling removes the units of equations and unknowns. What remains bounds the relative error of a solution over
+/// that of its equations. It is infinite if the matrix is singular, or an entry is not finite.
 pub(super) fn condition(mut matrix: Mat<f64>) -> f64 {
     equilibrate(&mut matrix);
     let inverse = matrix.partial_piv_lu().inverse();

@@ -1,4 +1,4 @@
-//! What a solution looks like from the inside of its method.
+//! A solution from the inside of its method.
 
 use faer::Mat;
 
@@ -8,26 +8,26 @@ use stribeck_solver::collocation::CollocationSolver;
 use stribeck_solver::continuation::CaseSolver;
 use stribeck_solver::relaxation::RelaxationSolver;
 
-/// Most equations that a condition number is computed of: that takes a time in proportion to their cube, a second or two for
-/// so many.
+/// The most equations of which a condition number is computed. The time grows with their cube: a second or two for this
+/// many.
 pub const MOST_EQUATIONS: usize = 2001;
 
-/// What is found of a solution.
+/// The state of a solution inside its method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Examination {
     /// The smallest pressure over the largest; 0 where it is nowhere negative.
     pub tension: f64,
-    /// Condition number of the equations about the solution, equilibrated; infinite if they are singular, `None` if they are
-    /// more than [`MOST_EQUATIONS`].
+    /// Condition number of the equations about the solution, equilibrated. It is infinite if they are singular, and
+    /// `None` if they are more than [`MOST_EQUATIONS`].
     pub condition: Option<f64>,
 }
 
-/// A method whose solutions can be looked at from the inside.
+/// A method whose solutions can be examined from the inside.
 pub(super) trait Examine: CaseSolver {
     /// The smallest pressure over the largest.
     fn tension(&self, state: &Self::State) -> f64;
 
-    /// How many equations there are, at most.
+    /// The number of equations, at most.
     fn equations(&self, state: &Self::State) -> usize;
 
     /// The matrix of the linearised equations about a solution.
@@ -63,7 +63,7 @@ impl Examine for RelaxationSolver {
     }
 }
 
-/// Looks at a solution.
+/// Examines a solution.
 pub(super) fn examine<S: Examine>(
     solver: &S,
     workspace: &mut S::Workspace,

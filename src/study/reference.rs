@@ -1,23 +1,24 @@
-//! What errors are measured against.
+//! References: the solutions that errors are measured against.
 
+use super::run::Session;
 use super::variant::guarded;
 use super::{Setting, Variant};
-use stribeck_solver::collocation::{CollocationSolver, Settings};
-use stribeck_solver::continuation::{Interrupt, Interrupted, solve_chain};
-use stribeck_solver::{Output, Parameters, Quantities, RelativeErrors};
+use stribeck_solver::collocation::Settings;
+use stribeck_solver::{Interrupted, Method, Parameters, Quantities, RelativeErrors, Solution, Solver};
 
-/// How much tighter a reference is than the tightest setting.
+/// The tolerance of a reference over that of the tightest setting.
 const TIGHTER: f64 = 1e-2;
-/// Where panels are fixed the error is not known beforehand: the reference is as tight as the method can.
+/// The tolerance beside fixed panels, whose error is not known beforehand: the tightest one of the method.
 const OF_PANELS: f64 = *Settings::TOLERANCE.start();
-/// The error of a grid does not come near this.
+/// The tolerance beside grids, whose errors do not come near it.
 const OF_GRIDS: f64 = 1e-7;
-/// No reference is looser than this.
+/// The loosest tolerance of a reference.
 const LOOSEST: f64 = 1e-4;
-/// Degrees of the panels of a reference: the first one that no variant has, so that no error is common to both.
+/// Degrees of the panels of a reference. The first one that no variant has is taken, so that no error is common to
+/// both.
 const DEGREES: [usize; 3] = [12, 14, 10];
 
-/// A collocation solution that is so much better than what is compared with it that its own error hardly counts.
+/// A collocation solution so accurate that its own error hardly counts in a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
     /// Its numbers.
@@ -34,8 +35,8 @@ impl Reference {
         self.errors.largest().expect("collocation estimates its errors")
     }
 
-    /// The errors of some numbers, in the order of [`Errors::QUANTITIES`]; `None` where they are below what the reference knows
-    /// itself. (Of the smallest film it knows no more than of the rest.)
+    /// The errors of some numbers, in the order of [`Errors::QUANTITIES`]; `None` where they are below the
+    /// reference's own errors. (The error of its smallest film is taken to be the largest of the others.)
     pub fn errors_of(&self, numbers: &Quantities) -> [Option<f64>; 4] {
         let RelativeErrors { mu_v, mu_h, c } = self.errors;
         let known = [mu_v, mu_h, c, self.error()];
@@ -85,7 +86,7 @@ impl Errors {
     }
 }
 
-/// How the references of some variants are solved: a hundredth of the tightest tolerance, as far as the method goes.
+/// The settings of the references for some variants: a hundredth of the tightest tolerance, as far as the method goes.
 pub fn settings(variants: &[Variant]) -> Settings {
     let tolerance = |variant: &Variant| match variant.setting {
         Setting::Tolerance(settings) => TIGHTER * settings.tolerance,
@@ -109,32 +110,31 @@ fn rounded(tolerance: f64) -> f64 {
     format!("{tolerance:.2e}").parse().expect("a number was printed")
 }
 
-/// References of some cases. Where a tolerance is out of reach (a film too thin for it) one ten times as large is tried, up to
-/// 1e-4; `Err` says why there is none at all.
-///
-/// # Errors
-/// [`Interrupted`] if the user asks to stop.
-pub fn references(
-    cases: &[Parameters],
-    settings: Settings,
-    output: &Output,
-    interrupt: &Interrupt,
-) -> Result<Vec<Result<Reference, String>>, Interrupted> {
-    let mut found = Vec::with_capacity(cases.len());
-    for case in cases {
+impl Session<'_> {
+    /// References of some cases; `Err` says why a case has none.
+    ///
+    /// Where a tolerance is out of reach (a film too thin for it) one ten times as large is tried, up to 1e-4.
+    ///
+    /// # Errors
+    /// [`Interrupted`] if the user asks to stop.
+    pub(super) fn references(&self, cases: &[Parameters]) -> Result<Vec<Result<Reference, String>>, Interrupted> {
+        let settings = settings(&self.study.variants);
+        cases.iter().map(|case| self.reference(case, settings)).collect()
+    }
+
+    fn reference(&self, case: &Parameters, settings: Settings) -> Result<Result<Reference, String>, Interrupted> {
         let case = std::slice::from_ref(case);
         let mut tolerance = settings.tolerance;
-        found.push(loop {
-            let solver = CollocationSolver::new(Settings { tolerance, ..settings });
-            let solved = guarded(case, || solve_chain(&solver, case, output, interrupt))?.remove(0);
+        loop {
+            let method = Method::Collocation(Settings { tolerance, ..settings });
+            let solver =
+                Solver::new(&stribeck_solver::Settings { method, time_limit: None, output: self.output.clone() });
+            let solved = guarded(case, || solver.solve_chain(case, self.interrupt))?.remove(0);
             match solved.outcome {
-                Ok(solution) => {
-                    break Ok(Reference { quantities: solution.quantities, tolerance, errors: solution.errors });
-                }
-                Err(failure) if 10.0 * tolerance > 1.01 * LOOSEST => break Err(failure.to_string()),
+                Ok(Solution { quantities, errors, .. }) => return Ok(Ok(Reference { quantities, tolerance, errors })),
+                Err(failure) if 10.0 * tolerance > 1.01 * LOOSEST => return Ok(Err(failure.to_string())),
                 Err(_) => tolerance = rounded(10.0 * tolerance),
             }
-        });
+        }
     }
-    Ok(found)
 }

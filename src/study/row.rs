@@ -22,8 +22,8 @@ pub struct Row {
     pub iterations: u64,
     /// Unknowns, or points of the grid; `None` if it failed.
     pub unknowns: Option<usize>,
-    /// Errors against the reference, in the order of [`Errors::QUANTITIES`](super::Errors::QUANTITIES); `None` if the case failed, or the reference is
-    /// missing or no better.
+    /// Errors against the reference, in the order of [`Errors::QUANTITIES`](super::Errors::QUANTITIES); `None` if the
+    /// case failed, or the reference is missing or no better.
     pub errors: [Option<f64>; 4],
     /// The reference of the case, or why there is none.
     pub reference: Result<Reference, String>,
@@ -33,7 +33,7 @@ pub struct Row {
     pub stability: Option<Stability>,
 }
 
-/// What a case cost.
+/// The cost of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
     /// The median of the repeats.
@@ -42,7 +42,7 @@ pub struct Cost {
     pub peak_bytes: u64,
 }
 
-/// How stable a solution is; `None` where there is no solution.
+/// The stability of a solution; `None` where there is no solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stability {
     /// The smallest pressure over the largest.

@@ -5,16 +5,12 @@ use std::ops::Range;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::reference::{references, settings};
 use super::row::{Cost, Row, Stability};
-use super::stability::{Examined, examine};
-use super::timing::time;
 use super::{Meter, Study};
-use stribeck_solver::continuation::{Interrupt, Interrupted};
-use stribeck_solver::{FieldSelection, Output};
+use stribeck_solver::{Interrupt, Interrupted, Output, SolvedCase};
 use stribeck_sweep::engine::{ThreadsError, solver_threads};
 
-/// What came of a study.
+/// The results of a study.
 #[derive(Clone, Debug)]
 pub struct Findings {
     /// A row for each case and variant, in this order; those of cases that were not finished are missing.
@@ -23,8 +19,17 @@ pub struct Findings {
     pub interrupted: bool,
 }
 
-/// Solves every case by every variant on so many threads. `observe` is told after each case of each variant whether it
-/// converged.
+/// The settings that all groups of cases share.
+pub(super) struct Session<'a> {
+    pub study: &'a Study,
+    pub meter: Meter<'a>,
+    pub interrupt: &'a Interrupt,
+    /// What is computed of a solution: what is compared, and nothing else.
+    pub output: Output,
+}
+
+/// Solves every case by every variant on the given number of threads. `observe` is told after each case of each variant
+/// whether it converged.
 ///
 /// On more than one thread times are those of a busy machine.
 ///
@@ -39,63 +44,53 @@ pub fn run(
 ) -> Result<Findings, ThreadsError> {
     let pool = solver_threads(threads)?;
     let groups = study.groups();
+    let session = Session { study, meter, interrupt, output: Output::numbers() };
     // Groups are taken one by one: the costs of neighbours are alike, and those of distant ones are not.
     let found: Vec<Result<Vec<Row>, Interrupted>> = pool.install(|| {
         let groups = groups.par_iter().with_max_len(1);
-        groups.map(|group| rows(study, group, meter, interrupt, &observe)).collect()
+        groups.map(|group| session.rows(group, &observe)).collect()
     });
     let interrupted = found.iter().any(Result::is_err);
     Ok(Findings { rows: found.into_iter().flatten().flatten().collect(), interrupted })
 }
 
-/// The rows of the cases of a group.
-fn rows(
-    study: &Study,
-    group: &Range<usize>,
-    meter: Meter<'_>,
-    interrupt: &Interrupt,
-    observe: &(impl Fn(bool) + Sync),
-) -> Result<Vec<Row>, Interrupted> {
-    if interrupt.requested() {
-        return Err(Interrupted);
-    }
-    // friction, flow and film are what is compared: nothing else is computed
-    let output = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
-    let cases = &study.cases[group.clone()];
-    let variants = &study.variants;
-    let references = references(cases, settings(variants), &output, interrupt)?;
-
-    let mut rows: Vec<Row> = Vec::with_capacity(cases.len() * variants.len());
-    let timed = match study.measure.error {
-        true => time(variants, cases, study.repeats, meter, &output, interrupt)?,
-        false => Vec::new(),
-    };
-    for (j, timed) in timed.iter().enumerate() {
-        for (i, timed) in timed.iter().enumerate() {
-            let mut row = Row::of(group.start + i, (j, &variants[j]), &timed.solved, &references[i]);
-            row.cost = Some(Cost::of(timed));
-            rows.push(row);
-            if !study.measure.stability {
-                observe(timed.solved.outcome.is_ok());
-            }
+impl Session<'_> {
+    /// The rows of the cases of a group.
+    fn rows(&self, group: &Range<usize>, observe: &impl Fn(bool)) -> Result<Vec<Row>, Interrupted> {
+        if self.interrupt.requested() {
+            return Err(Interrupted);
         }
-    }
-    if study.measure.stability {
-        for (j, variant) in variants.iter().enumerate() {
-            let examined: Vec<Examined> = examine(variant, cases, &output, interrupt)?;
-            for (i, examined) in examined.iter().enumerate() {
-                let stability = Some(Stability::of(examined));
-                match rows.get_mut(j * cases.len() + i).filter(|_| study.measure.error) {
-                    Some(row) => row.stability = stability,
-                    None => {
-                        let row = Row::of(group.start + i, (j, variant), &examined.solved, &references[i]);
-                        rows.push(Row { stability, ..row });
+        let Study { variants, measure, .. } = self.study;
+        let cases = &self.study.cases[group.clone()];
+        let references = self.references(cases)?;
+        let row = |i: usize, j: usize, solved: &SolvedCase| {
+            Row::of(group.start + i, (j, &variants[j]), solved, &references[i])
+        };
+        let mut rows: Vec<Row> = Vec::with_capacity(cases.len() * variants.len());
+        if measure.error {
+            for (j, timed) in self.time(cases)?.iter().enumerate() {
+                for (i, timed) in timed.iter().enumerate() {
+                    rows.push(Row { cost: Some(Cost::of(timed)), ..row(i, j, &timed.solved) });
+                    if !measure.stability {
+                        observe(timed.solved.outcome.is_ok());
                     }
                 }
-                observe(examined.solved.outcome.is_ok());
             }
         }
+        if measure.stability {
+            for (j, variant) in variants.iter().enumerate() {
+                for (i, examined) in self.examine(variant, cases)?.iter().enumerate() {
+                    let stability = Some(Stability::of(examined));
+                    if measure.error {
+                        rows[j * cases.len() + i].stability = stability;
+                    } else {
+                        rows.push(Row { stability, ..row(i, j, &examined.solved) });
+                    }
+                    observe(examined.solved.outcome.is_ok());
+                }
+            }
+        }
+        rows.sort_by_key(|row| (row.case, row.variant));
+        Ok(rows)
     }
-    rows.sort_by_key(|row| (row.case, row.variant));
-    Ok(rows)
 }

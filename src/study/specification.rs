@@ -6,7 +6,7 @@ use stribeck_sweep::Axes;
 
 /// A study: every method at every setting solves every case.
 ///
-/// [`Study::read`] and [`Study::parse`] only give studies that have at least one case, one variant and one thing to measure.
+/// [`Study::read`] and [`Study::parse`] only give studies with at least one case, one variant and one thing to measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Study {
     /// Title of tables and pictures.

@@ -1,7 +1,6 @@
 //! A study as Markdown.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 use super::reference::{Errors, settings};
 use super::{Reference, Row, Start, Study};
@@ -59,20 +58,21 @@ fn introduction(study: &Study, rows: &[Row]) -> String {
     let worst = known.iter().map(|(_, error)| *error).fold(0.0, f64::max);
     let (cases, variants) = (count(references.len() as u64, "case"), count(study.variants.len() as u64, "setting"));
     let mut text = format!("{cases}, {variants}; {start}. ");
-    let written = "writing to memory does not fail";
     if !known.is_empty() {
-        write!(
-            text,
-            "Errors are relative, against collocation solutions with panels of degree {degree} and a tolerance of {tightest:e}"
-        )
-        .expect(written);
+        text += &format!(
+            "Errors are relative, against collocation solutions with panels of degree {degree} and a tolerance of \
+             {tightest:e}"
+        );
         if looser > 0 {
-            write!(text, " (looser in {}, where that cannot be reached)", count(looser as u64, "case")).expect(written);
+            text += &format!(" (looser in {}, where that cannot be reached)", count(looser as u64, "case"));
         }
-        write!(text, "; the largest of their own estimated errors is {worst:.0e}, and smaller errors than that of its reference are left out. ").expect(written);
+        text += &format!(
+            "; the largest of their own estimated errors is {worst:.0e}, and smaller errors than that of its \
+             reference are left out. "
+        );
     }
     if missing > 0 {
-        write!(text, "{} without a reference. ", count(missing as u64, "case")).expect(written);
+        text += &format!("{} without a reference. ", count(missing as u64, "case"));
     }
     text.truncate(text.trim_end().len());
     text + "\n"
@@ -126,7 +126,8 @@ fn error_table(study: &Study, rows: &[Row]) -> String {
         let (count, all) = (solved.clone().count(), rows.clone().count());
         let (method, setting) = (cell(&variant.method), variant.setting.words());
         let mut line = format!(
-            "| {method} | {setting} | {count} of {all} | {seconds} | {longest} | {given_up} | {unknowns} | {iterations} | {memory} |"
+            "| {method} | {setting} | {count} of {all} | {seconds} | {longest} | {given_up} | {unknowns} | \
+             {iterations} | {memory} |"
         );
         for quantity in 0..Errors::QUANTITIES.len() {
             let [middle, worst] = spread(rows.clone().filter_map(|row| row.errors[quantity]));
@@ -138,10 +139,11 @@ fn error_table(study: &Study, rows: &[Row]) -> String {
 }
 
 fn stability_table(study: &Study, rows: &[Row]) -> String {
-    let mut text = "| method | setting | converged | iterations, median | most | least p over largest | load residual, worst | \
-                    condition, median | worst | estimated error, worst | error, worst | other seed: failed | disagree | \
-                    difference, worst |\n"
-        .to_owned();
+    let mut text =
+        "| method | setting | converged | iterations, median | most | least p over largest | load residual, \
+                    worst | condition, median | worst | estimated error, worst | error, worst | other seed: failed | \
+                    disagree | difference, worst |\n"
+            .to_owned();
     text += &format!("|{}\n", " --- |".repeat(14));
     for (j, variant) in study.variants.iter().enumerate() {
         let rows = of(rows, j);
@@ -166,8 +168,9 @@ fn stability_table(study: &Study, rows: &[Row]) -> String {
              {worst_condition} | {estimated} | {error} | {failed} | {disagree} | {difference} |\n"
         );
     }
-    text + "\nThe other seed is the solution at twice the β, or half of it where that fails; counted are cases that converge only without it. Two solutions disagree if μ_v, μ_h or c \
-            differ by more than two tolerances (collocation), their estimated errors (fixed panels), or 10⁴ residuals (relaxation).\n"
+    text + "\nThe other seed is the solution at twice the β, or half of it where that fails; counted are cases \
+            that converge only without it. Two solutions disagree if μ_v, μ_h or c differ by more than two \
+            tolerances (collocation), their estimated errors (fixed panels), or 10⁴ residuals (relaxation).\n"
 }
 
 /// The failed cases of each variant, alike ones together.

@@ -1,13 +1,13 @@
-//! A method at one of its settings, and what can be asked of it.
+//! A method at one of its settings, and its solver.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use super::examination::{Examination, Examine, examine};
 use stribeck_solver::collocation::{self, CollocationSolver};
-use stribeck_solver::continuation::{Chain, Effort, Interrupt, Interrupted, SolvedCase, panic_message, solve_chain};
+use stribeck_solver::continuation::{Chain, Effort, panic_message, solve_chain};
 use stribeck_solver::relaxation::{self, RelaxationSolver};
-use stribeck_solver::{FailureKind, Output, Parameters};
+use stribeck_solver::{FailureKind, Interrupt, Interrupted, Output, Parameters, SolvedCase};
 
 /// A method at one of its settings.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Variant {
     pub setting: Setting,
 }
 
-/// What a method is varied by, and the rest of its settings.
+/// The setting by which a method is varied, with the rest of its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Setting {
     /// Collocation to a tolerance.
@@ -53,7 +53,7 @@ impl Setting {
         }
     }
 
-    /// A solver of its own, with nothing in it from other cases.
+    /// A new solver, which holds nothing of other cases.
     pub(super) fn solver(&self) -> Box<dyn Subject> {
         match *self {
             Setting::Tolerance(settings) => Box::new(CollocationSolver::new(settings)),
@@ -62,7 +62,7 @@ impl Setting {
         }
     }
 
-    /// The same with an estimate of the errors, where it has none of itself and one is to be had.
+    /// The same setting with an estimate of the errors; `None` if it has one already, or none is to be had.
     pub(super) fn estimating(self) -> Option<Self> {
         match self {
             Setting::Grid(settings) if settings.points >= relaxation::Settings::ESTIMATE_POINTS => {
@@ -98,7 +98,7 @@ pub(super) trait Subject {
         interrupt: &Interrupt,
     ) -> Result<Vec<SolvedCase>, Interrupted>;
 
-    /// The same, and `look` at each case with what its solution looks like from the inside; `None` if it failed.
+    /// Solves the cases of a chain, and calls `look` with each solution's examination; with `None` if the case failed.
     fn examine(
         &self,
         cases: &[Parameters],

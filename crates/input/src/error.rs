@@ -204,8 +204,8 @@ fn line_begin(text: &str) -> usize {
     text.rfind('\n').map_or(0, |newline| newline + 1)
 }
 
-/// The lines that a report of this place may draw: its own, the one before and the one after, and one more on either side where
-/// miette takes a line for none (an empty one behind a `\r\n`).
+/// The lines that a report of this place may draw: its own, the one before and the one after, and one more on either
+/// side where miette takes a line for none (an empty one behind a `\r\n`).
 fn drawn_lines(text: &str, place: usize) -> impl Iterator<Item = &str> {
     let (before, from) = text.split_at(line_begin(&text[..place]));
     let lines = before.split_inclusive('\n').rev().take(2).chain(from.split_inclusive('\n').take(3));

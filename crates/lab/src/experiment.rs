@@ -148,8 +148,8 @@ impl Experiment {
         }
     }
 
-    /// The powers by which α, β and a₀/R change with f: where the instantaneous modulus is given, the relaxed one falls as
-    /// 1/(1 + f).
+    /// The powers by which α, β and a₀/R change with f: where the instantaneous modulus is given, the relaxed one
+    /// falls as 1/(1 + f).
     pub fn powers_of_strength(&self) -> Powers {
         match self.modulus {
             Modulus::Relaxed(_) => Self::powers_of_modulus(0.0),

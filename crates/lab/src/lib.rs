@@ -1,8 +1,8 @@
 //! Experiments on lubricated soft contacts: quantities with units, materials, measured friction and fits.
 //!
-//! An [`Experiment`] is a cylinder, a fluid and a substrate in SI units. It knows its dimensionless case and the [`Scales`]
-//! that lead back. A [`Material`] is a substrate from measured moduli, [`Measured`] is friction from a CSV file, and
-//! [`FrictionFit`] finds quantities of the experiment from it.
+//! An [`Experiment`] is a cylinder, a fluid and a substrate in SI units. It knows its dimensionless case and the
+//! [`Scales`] that lead back. A [`Material`] is a substrate from measured moduli, [`Measured`] is friction from a CSV
+//! file, and [`FrictionFit`] finds quantities of the experiment from it.
 //!
 //! ```
 //! use stribeck_lab::{Experiment, Modulus, Relaxation, RelaxationTerm};

@@ -83,9 +83,9 @@ enum Role {
 impl Measured {
     /// Reads a CSV file with one header line. Lines that begin with # are comments.
     ///
-    /// Columns: one friction coefficient (`mu` or `mu_tot`, `mu_drag`, `mu_v`, `mu_h`), its standard error `error` if it is known,
-    /// and where it was measured: `speed`, `load` and the other names of `[laboratory]`, in SI units or with the unit behind the
-    /// name as in `speed (mm/s)`; `f`, `alpha` and `beta` beside dimensionless results.
+    /// Columns: one friction coefficient (`mu` or `mu_tot`, `mu_drag`, `mu_v`, `mu_h`), its standard error `error` if
+    /// it is known, and where it was measured: `speed`, `load` and the other names of `[laboratory]`, in SI units or
+    /// with the unit behind the name as in `speed (mm/s)`; `f`, `alpha` and `beta` beside dimensionless results.
     ///
     /// # Errors
     /// [`MeasuredError`] if the file cannot be read, a column has another name, or a value is not allowed.
@@ -252,8 +252,8 @@ fn role(name: &str) -> Result<Role, String> {
         None => {
             let quantities = LaboratoryQuantity::ALL.map(LaboratoryQuantity::name).join(", ");
             Err(format!(
-                "`{}` is no column that is known here: there are mu (or mu_tot, mu_drag, mu_v, mu_h), error, f, alpha, beta, \
-                 {quantities}",
+                "`{}` is no column that is known here: there are mu (or mu_tot, mu_drag, mu_v, mu_h), error, f, \
+                 alpha, beta, {quantities}",
                 printable(name)
             ))
         }
@@ -349,7 +349,8 @@ mod tests {
             ("speed,speed,mu\n1,1,1\n", "points.csv: it has a column twice, or both moduli; remove one (`speed`)"),
             (
                 "speed (Pa),mu\n1,1\n",
-                "points.csv: the unit of its column `speed (Pa)` is none of this quantity; write (m/s), or a unit of that kind",
+                "points.csv: the unit of its column `speed (Pa)` is none of this quantity; write (m/s), or a unit of \
+                 that kind",
             ),
             ("speed,mu (N)\n1,1\n", "points.csv: its column `mu (N)` has no unit; leave it out"),
         ] {

@@ -14,7 +14,8 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Names of the data set's variables that hold the scales, with unit and description, in the order of [`Scales::values`].
+    /// Names of the data set's variables that hold the scales, with unit and description, in the order of
+    /// [`Scales::values`].
     pub const VARIABLES: [(&'static str, &'static str, &'static str); 4] = [
         ("a0", "m", "half width of the relaxed dry contact, the unit of x"),
         ("film_scale", "m", "a0^2/R, the scale of film thickness and displacement"),

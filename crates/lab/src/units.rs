@@ -1,6 +1,7 @@
 //! Values with units: "5.1 Pa s", "119 N/m", "2 mm".
 //!
-//! Units and their factors are those of the crate `uom`. This file brings a text into the form in which `uom` writes units.
+//! Units and their factors are those of the crate `uom`. This file brings a text into the form in which `uom` writes
+//! units.
 
 use uom::si::f64::{DynamicViscosity, Length, Pressure, SurfaceTension, Time, Velocity};
 use uom::si::{dynamic_viscosity, length, pressure, surface_tension, time, velocity};

@@ -122,8 +122,8 @@ fn deviations_are_as_large_as_the_stated_errors() {
         let mean = |of: &dyn Fn(&FrictionFit) -> f64| fits.iter().map(of).sum::<f64>() / SETS as f64;
         for (i, truth) in truth.into_iter().enumerate() {
             let square = mean(&|fit| ((fit.estimates[i].value - truth) / fit.estimates[i].error).powi(2));
-            // Three standard deviations of a mean of 40 squares. With an error from 9 degrees of freedom the squares are
-            // those of Student's distribution: larger by 9/7.
+            // Three standard deviations of a mean of 40 squares. With an error from 9 degrees of freedom the squares
+            // are those of Student's distribution: larger by 9/7, and more spread out.
             assert!((0.33..if known { 1.67 } else { 2.2 }).contains(&square), "unknown {i}: {square}");
         }
         let chi_squared = mean(&|fit| fit.reduced_chi_squared) / if known { 1.0 } else { 4e-4 };

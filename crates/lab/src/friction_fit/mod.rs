@@ -7,8 +7,8 @@
 //! | `problem` | residuals and their Jacobian, for the Levenberg–Marquardt method |
 //! | `statistics` | standard errors and correlations |
 //!
-//! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard errors
-//! σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
+//! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard
+//! errors σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
 
 mod prediction;
 mod problem;
@@ -26,8 +26,9 @@ use statistics::{Statistics, statistics};
 use stribeck_solver::{CavityShear, Failure, Substrate};
 pub use unknown::Unknown;
 
-/// Relative changes of residuals and unknowns below which a fit has converged.
-const TOLERANCE: f64 = 1e-8;
+/// Relative changes of residuals and unknowns below which a fit has converged; smaller ones are errors of the
+/// solutions.
+const TOLERANCE: f64 = 1e-6;
 /// A slope of the residuals (a cosine) below which the search has ended at a minimum.
 const FLAT: f64 = 0.01;
 /// Norm of the first step over the scale of the problem: what is far away is reached in several steps.
@@ -123,8 +124,8 @@ pub struct FrictionFit {
     pub points: Vec<FittedPoint>,
     /// Points less unknowns.
     pub degrees_of_freedom: usize,
-    /// Sum of the squared residuals over the degrees of freedom: about 1 where standard errors are known and right, else the
-    /// square of the relative error of a point. NaN without degrees of freedom.
+    /// Sum of the squared residuals over the degrees of freedom: about 1 where standard errors are known and right,
+    /// else the square of the relative error of a point. NaN without degrees of freedom.
     pub reduced_chi_squared: f64,
     /// The number of times that all points were solved.
     pub evaluations: usize,

@@ -8,8 +8,8 @@ use super::prediction::{Failed, Prediction, Predictor};
 use crate::Measured;
 use stribeck_solver::FailureKind;
 
-/// The residual of each point where a case has no solution: so large that the method takes the step back and tries a shorter
-/// one.
+/// The residual of each point where a case has no solution: so large that the method takes the step back and tries a
+/// shorter one.
 const REFUSED: f64 = 1e50;
 /// The farthest that an unknown may move from its start, in its logarithm: a factor of a million.
 const FARTHEST: f64 = 13.8;
@@ -51,8 +51,8 @@ impl<'a> Problem<'a> {
         }
         if let (None, Some(i)) = (&measured.errors, measured.friction.iter().position(|mu| *mu <= 0.0)) {
             let what = format!(
-                "the friction coefficient on line {} is not above 0: relative errors need positive numbers; add a column `error` \
-                 with standard errors",
+                "the friction coefficient on line {} is not above 0: relative errors need positive numbers; add \
+                 a column `error` with standard errors",
                 measured.lines[i]
             );
             return Err(FrictionFitError::Task { what });

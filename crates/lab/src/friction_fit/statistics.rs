@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Unknown;
 
-/// The smallest ratio of singular values of the Jacobian, its columns scaled to length 1, with which every direction is known.
+/// The smallest ratio of singular values of the Jacobian, its columns scaled to length 1, with which every direction
+/// is known.
 const SMALLEST: f64 = 1e-6;
 
 /// Standard errors, correlations and the goodness of a fit.
@@ -109,8 +110,8 @@ mod tests {
         let error = statistics(&none, &residuals, true, &UNKNOWNS).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "viscosity cannot be told apart by these points: the friction does not depend on it; keep some of them fixed, or \
-             measure where they differ"
+            "viscosity cannot be told apart by these points: the friction does not depend on it; keep some of \
+             them fixed, or measure where they differ"
         );
     }
 }

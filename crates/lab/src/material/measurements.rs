@@ -10,8 +10,8 @@ use stribeck_input::{Fault, InputError, read};
 const KIND: &str = "table of measurements";
 /// The names that columns may have.
 const NAMES: [&str; 4] = ["omega", "frequency", "storage", "loss"];
-const UNITS: &str = "the first line names three columns: omega (rad/s) or frequency (Hz), storage (Pa) and loss (Pa), in any order \
-                     and with commas between them";
+const UNITS: &str = "the first line names three columns: omega (rad/s) or frequency (Hz), storage (Pa) and loss \
+                     (Pa), in any order and with commas between them";
 
 /// The moduli at one frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,8 @@ impl Measurements {
     /// Reads a CSV file with columns `omega` (rad/s) or `frequency` (Hz), `storage` and `loss` (Pa); rows in any order.
     ///
     /// # Errors
-    /// [`InputError`] with line and column if the file cannot be read, a column is missing or unknown, or a value is none.
+    /// [`InputError`] with line and column if the file cannot be read, a column is missing or unknown, or a value is
+    /// none.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         read(KIND, path, |_, text| Self::interpret(text))
     }

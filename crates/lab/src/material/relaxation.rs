@@ -13,8 +13,8 @@ pub struct RelaxationTerm {
 
 /// E(t) = E∞ + Σ_i E_i e^{−t/τ_i} (T47), a generalized Maxwell solid ("Prony series").
 ///
-/// All moduli may be those of another kind (shear, plane strain) if all are: with Poisson's ratio constant, f and the times are the
-/// same.
+/// All moduli may be those of another kind (shear, plane strain) if all are: with Poisson's ratio constant, f and the
+/// times are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relaxation {
     pub(super) relaxed_modulus: f64,
@@ -86,8 +86,8 @@ pub enum MaterialError {
     Empty,
     /// The relaxed modulus is not a positive number.
     #[error(
-        "the relaxed modulus must be a number of pascals {}, not {value}: a material that relaxes to nothing is a liquid, and \
-         carries no load at rest",
+        "the relaxed modulus must be a number of pascals {}, not {value}: a material that relaxes to nothing is \
+         a liquid, and carries no load at rest",
         allowed()
     )]
     RelaxedModulus {

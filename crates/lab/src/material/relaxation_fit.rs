@@ -21,16 +21,16 @@ impl RelaxationFit {
     /// The most terms of a fit; data that are good to a percent tell two or three in a decade apart.
     pub const MOST_TERMS: usize = 100;
 
-    /// Fits a spectrum with relaxation times spread evenly, on a logarithmic scale, over the measured range: from 1/ω of the highest
-    /// frequency to 1/ω of the lowest, a single one in the middle.
+    /// Fits a spectrum with relaxation times spread evenly, on a logarithmic scale, over the measured range: from 1/ω
+    /// of the highest frequency to 1/ω of the lowest, a single one in the middle.
     ///
-    /// E∞ and the E_i are the non-negative numbers that make Σ |E*_fit − E*|²/|E*|² smallest. No E_i can be negative in a material
-    /// that only dissipates, and without that condition the terms would swing between large numbers of both signs. What comes out
-    /// as zero is dropped.
+    /// E∞ and the E_i are the non-negative numbers that make Σ |E*_fit − E*|²/|E*|² smallest. No E_i can be negative
+    /// in a material that only dissipates, and without that condition the terms would swing between large numbers of
+    /// both signs. What comes out as zero is dropped.
     ///
     /// # Errors
-    /// [`RelaxationFitError`] if the number of terms is not from 1 to [`MOST_TERMS`](Self::MOST_TERMS) or is more than the rows can tell, or if E∞ or all E_i
-    /// come out as zero.
+    /// [`RelaxationFitError`] if the number of terms is not from 1 to [`MOST_TERMS`](Self::MOST_TERMS) or is more
+    /// than the rows can tell, or if E∞ or all E_i come out as zero.
     pub fn new(measurements: &Measurements, terms: usize) -> Result<Self, RelaxationFitError> {
         let rows = measurements.rows();
         if !(1..=Self::MOST_TERMS).contains(&terms) {
@@ -75,7 +75,8 @@ pub enum RelaxationFitError {
     },
     /// There are more unknowns than numbers.
     #[error(
-        "{terms} terms and the relaxed modulus are more than the {rows} rows of two moduli can tell; ask for {} terms or fewer",
+        "{terms} terms and the relaxed modulus are more than the {rows} rows of two moduli can tell; ask \
+         for {} terms or fewer",
         2 * rows - 1
     )]
     TooFewRows {
@@ -86,8 +87,9 @@ pub enum RelaxationFitError {
     },
     /// The measurements leave no relaxed modulus.
     #[error(
-        "the best fit has no relaxed modulus: as far as it was measured the material is a liquid, which carries no load at rest. \
-         Measure at lower frequencies, until the storage modulus levels off, or leave out the rows at the lowest ones"
+        "the best fit has no relaxed modulus: as far as it was measured the material is a liquid, which carries \
+         no load at rest. Measure at lower frequencies, until the storage modulus levels off, or leave out the \
+         rows at the lowest ones"
     )]
     Liquid,
     /// The measurements show no relaxation.
@@ -106,7 +108,8 @@ fn offered(rows: &[Measurement], terms: usize) -> Vec<RelaxationTerm> {
     (0..terms).map(|i| RelaxationTerm { modulus: 1.0, time: time(i) }).collect()
 }
 
-/// Two equations for each row, storage and loss, over |E*|; the first unknown is E∞ and the others are the E_i, over `unit`.
+/// Two equations for each row, storage and loss, over |E*|; the first unknown is E∞ and the others are the E_i, over
+/// `unit`.
 fn equations(rows: &[Measurement], offered: &[RelaxationTerm], unit: f64) -> (Array2<f64>, Array1<f64>) {
     let is_storage = |equation: usize| equation.is_multiple_of(2);
     let entry = |(equation, unknown): (usize, usize)| {

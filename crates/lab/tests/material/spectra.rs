@@ -25,8 +25,8 @@ fn one_term_is_the_standard_solid() {
     assert_eq!(material.relaxed_modulus, 1e6);
 }
 
-/// A chain of two Kelvin elements of compliance 1/E each, with a spring, has the relaxation function whose transform is the
-/// reciprocal: here with rates that solve a quadratic equation.
+/// A chain of two Kelvin elements of compliance 1/E each, with a spring, has the relaxation function whose transform
+/// is the reciprocal: here with rates that solve a quadratic equation.
 #[test]
 fn two_modes_follow_from_a_quadratic_equation() {
     let modes = [(0.5, 0.5), (0.5, 1.5)].map(|(share, time)| RetardationMode { share, time });
@@ -89,7 +89,8 @@ proptest! {
         let (storage, loss) = relaxation.storage_and_loss(omega);
         let (by_creep, lost) = material.storage_and_loss(omega);
         let size = storage.hypot(loss);
-        prop_assert!((storage - by_creep).hypot(loss - lost) < 1e-12 * size, "({storage}, {loss}), ({by_creep}, {lost})");
+        let difference = (storage - by_creep).hypot(loss - lost);
+        prop_assert!(difference < 1e-12 * size, "({storage}, {loss}), ({by_creep}, {lost})");
     }
 
     #[test]
