@@ -169,7 +169,7 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
 /// One line for each speed.
 fn rows(cases: &[Solved]) -> String {
     let names = ["speed (m/s)", "alpha", "beta", "mu_v", "mu_h", "mu_tot", "film_min (m)", "error"];
-    let columns = [Align::Right(12); 8];
+    let columns = [12, 11, 11, 11, 11, 11, 12, 11].map(Align::Right);
     let mut text = table_line(&columns, &names);
     let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
     for case in cases {
