@@ -4,6 +4,7 @@
 # ///
 """Prints the numbers of docs/figures.md from the results of the figures' sweeps, which `scripts/figures` makes.
 
+Usage:
     python scripts/figure_numbers.py [results]
 """
 
@@ -13,32 +14,54 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
+from lib.messages import fail
+
 
 def elastic_fit(beta):
     """Eq. 34 of the paper: c of an elastic substrate."""
     return 0.197 / np.sqrt(beta) + 0.951 / beta
 
 
-def at(values, wanted):
+def nearest_index(values, wanted):
     """Index of the value nearest to the one wanted, by ratio."""
     return int(np.argmin(np.abs(np.log(np.asarray(values) / wanted))))
 
 
 def per_cent(ratio):
-    return f"{100 * (ratio - 1):+.1f} %"
+    """How far a ratio is from 1, as `+2.5 %`."""
+    return f"{100 * (float(ratio) - 1):+.1f} %"
+
+
+def peak(curve):
+    """The largest value of a curve along α, and the α where it is."""
+    i = int(curve.argmax("alpha"))
+    return float(curve[i]), float(curve.alpha[i])
+
+
+def viscoelastic_range(case):
+    """Says for which α viscoelastic friction is larger than hydrodynamic friction."""
+    ahead = case.alpha.values[case.mu_v.values > case.mu_h.values]
+    return f"viscoelastic friction is the larger part for α from {ahead.min():.3g} to {ahead.max():.3g}"
+
+
+def print_range(label, ratio):
+    """Prints the smallest and the largest of some ratios."""
+    print(f"  {label}: {per_cent(ratio.min())} to {per_cent(ratio.max())}")
 
 
 def figure_4(data):
+    """Prints how c of an elastic substrate compares with Eq. 34 and with its law at large β."""
     c = data.c.isel(f=0, alpha=0)
     beta = c.beta.values
     slope = np.gradient(np.log(c.values), np.log(beta))
     for wanted in [10, 50, 100, 1000, 2000, 1e4, 1e5]:
-        i = at(beta, wanted)
+        i = nearest_index(beta, wanted)
         fit, law = elastic_fit(beta[i]) / c.values[i], 0.44583 * beta[i] ** -0.6 / c.values[i]
         print(f"  β = {beta[i]:8.4g}: Eq. 34 {per_cent(fit)}, β^(-3/5) law {per_cent(law)}, slope {slope[i]:.3f}")
 
 
 def figure_5(data):
+    """Prints how the film of an elastic substrate compares with Eq. 36, and where it is thinnest."""
     x = data.x.values
     for beta in data.beta.values:
         film = data.film_thickness.sel(beta=beta).isel(f=0, alpha=0).values
@@ -47,10 +70,11 @@ def figure_5(data):
         reach = {limit: per_cent(1 + np.max(np.abs(ratio[np.abs(x) <= limit] - 1))) for limit in (0.5, 0.8, 0.9)}
         inside = np.abs(x) < 1.05
         dip = x[inside][np.argmin(film[inside])]
-        print(f"  β = {beta:g}: largest difference of Eq. 36 for |x| up to {reach}; the film is thinnest at x = {dip:.2f}")
+        print(f"  β = {beta:g}: film thinnest at x = {dip:.2f}; largest difference of Eq. 36 for |x| up to {reach}")
 
 
-def pressures(data):
+def figure_7(data):
+    """Prints the largest pressure of each case, and its friction as a share of the dry limit."""
     flat = data.stack(case=("f", "alpha", "beta"))
     for i in range(flat.sizes["case"]):
         case = flat.isel(case=i)
@@ -61,80 +85,85 @@ def pressures(data):
 
 
 def figure_8(data):
+    """Prints where the outlet lies ahead of the middle."""
     for beta in data.beta.values:
         outlet = data.x_outlet.sel(beta=beta).isel(f=0)
-        ahead = outlet.alpha.values[outlet.values > 0]
-        print(f"  β = {beta:g}: above 0 for α from {ahead.min():.3g} to {ahead.max():.3g}, at most {float(outlet.max()):.3f}")
+        ahead, most = outlet.alpha.values[outlet.values > 0], float(outlet.max())
+        print(f"  β = {beta:g}: above 0 for α from {ahead.min():.3g} to {ahead.max():.3g}, at most {most:.3f}")
 
 
 def figure_11(data):
+    """Prints the peak of viscoelastic friction, and friction as a share of the dry limit."""
     friction, dry = data.mu_v.isel(f=0), data.dry_mu_v.isel(f=0)
     for beta in data.beta.values:
-        own, ratio = friction.sel(beta=beta), (friction / dry).sel(beta=beta)
-        peak = float(own.alpha[int(own.argmax("alpha"))])
-        print(f"  β = {beta:g}: largest {float(own.max()):.3f} at α = {peak:.2f}; {float(ratio.min()):.3f} to {float(ratio.max()):.3f} of the dry limit")
+        (most, alpha), ratio = peak(friction.sel(beta=beta)), (friction / dry).sel(beta=beta)
+        shares = f"{float(ratio.min()):.3f} to {float(ratio.max()):.3f} of the dry limit"
+        print(f"  β = {beta:g}: largest {most:.3f} at α = {alpha:.2f}; {shares}")
 
 
 def figure_12(data):
+    """Prints the smallest c and c at the end of the axis."""
     c = data.c.isel(f=0, beta=0)
-    print(f"  c from {float(c.min()):.3g} at α = {float(c.alpha[int(c.argmin('alpha'))]):g} to {float(c[-1]):.3g} at α = 1000: {float(c[-1] / c.min()):.1f} times")
+    least, last = float(c.min()), float(c[-1])
+    at = float(c.alpha[int(c.argmin("alpha"))])
+    print(f"  c from {least:.3g} at α = {at:g} to {last:.3g} at α = 1000: {last / least:.1f} times")
 
 
 def figure_13(data):
-    f = float(data.f[0])
+    """Prints how c of a viscoelastic substrate compares with Eqs. 49 and 34."""
+    f, beta = float(data.f[0]), data.beta.values
     for alpha in data.alpha.values:
-        c = data.c.isel(f=0).sel(alpha=alpha)
-        beta = c.beta.values
-        effective = beta * (1 + f * np.exp(-1.41 * alpha))
-        ratio = elastic_fit(effective) / c.values
-        power = np.polyfit(np.log(beta), np.log(c.values), 1)[0]
+        c = data.c.isel(f=0).sel(alpha=alpha).values
+        ratio = elastic_fit(beta * (1 + f * np.exp(-1.41 * alpha))) / c
+        power = np.polyfit(np.log(beta), np.log(c), 1)[0]
         ends = ", ".join(f"{per_cent(ratio[i])} at β = {beta[i]:g}" for i in (0, len(beta) // 2, -1))
         print(f"  α = {alpha:g}: Eq. 49 {ends}; c falls as β^{power:.2f}")
-    beta = data.beta.values
     c = data.c.isel(f=0, alpha=0).values
-    exact = elastic_fit(beta / (1 + f)) / (1 + f)
-    print(f"  α = {float(data.alpha[0]):g}: Eq. 34 at β/(1+f), over 1+f: {per_cent(exact[0] / c[0])} at β = 10, {per_cent(exact[-1] / c[-1])} at β = 1000")
+    exact = elastic_fit(beta / (1 + f)) / (1 + f) / c
+    ends = f"{per_cent(exact[0])} at β = 10, {per_cent(exact[-1])} at β = 1000"
+    print(f"  α = {float(data.alpha[0]):g}: Eq. 34 at β/(1+f), over 1+f: {ends}")
 
 
 def figure_14b(data):
+    """Prints hydrodynamic friction at the ends of α and at its peak, and how its approximation compares."""
     friction, approximation = data.mu_h.isel(f=0), data.approx_mu_h.isel(f=0)
     for beta in data.beta.values:
         own, ratio = friction.sel(beta=beta), (approximation / friction).sel(beta=beta)
-        peak = float(own.alpha[int(own.argmax("alpha"))])
-        parts = ", ".join(f"{per_cent(float(ratio.sel(alpha=alpha, method='nearest')))} at α = {alpha:g}" for alpha in (1e-3, 1, 1e3))
-        print(f"  β = {beta:g}: {float(own[0]):.4f} at α = 0.001, peak {float(own.max()):.4f} at α = {peak:.2f}, {float(own[-1]):.4f} at α = 1000; approximation {parts}")
+        most, at = peak(own)
+        near = {alpha: per_cent(ratio.sel(alpha=alpha, method="nearest")) for alpha in (1e-3, 1, 1e3)}
+        parts = ", ".join(f"{difference} at α = {alpha:g}" for alpha, difference in near.items())
+        print(
+            f"  β = {beta:g}: {float(own[0]):.4f} at α = 0.001, peak {most:.4f} at α = {at:.2f}, "
+            f"{float(own[-1]):.4f} at α = 1000; approximation {parts}"
+        )
 
 
 def figure_15(data):
+    """Prints which part of friction is larger, and how the sum of approximations compares with the total."""
     case = data.isel(f=0, beta=0)
     ratio = (case.dry_mu_v + case.approx_mu_h) / case.mu_tot
-    ahead = case.alpha.values[case.mu_v.values > case.mu_h.values]
-    near = ratio.sel(alpha=slice(0.3, 3))
-    print(
-        f"  β = {float(case.beta):g}: viscoelastic friction is the larger part for α from {ahead.min():.3g} to {ahead.max():.3g}; "
-        f"dry F_v + approximate F_h {per_cent(float(ratio.min()))} to {per_cent(float(ratio.max()))}, "
-        f"for α from 0.3 to 3 {per_cent(float(near.min()))} to {per_cent(float(near.max()))}"
-    )
+    print(f"  β = {float(case.beta):g}: {viscoelastic_range(case)}")
+    print_range("dry F_v + approximate F_h over F_tot", ratio)
+    print_range("the same for α from 0.3 to 3", ratio.sel(alpha=slice(0.3, 3)))
 
 
 def figure_16(data):
+    """Prints which part of friction is larger, and how the sum of limits compares with the total."""
     retarded, elastic = data.sel(f=100.0), data.sel(f=0.0).isel(alpha=0)
     for beta in (10, 100, 1000):
         case = retarded.sel(beta=beta, method="nearest")
-        ahead = case.alpha.values[case.mu_v.values > case.mu_h.values]
-        print(f"  β = {beta}: viscoelastic friction is the larger part for α from {ahead.min():.3g} to {ahead.max():.3g}; μ_tot at most {float(case.mu_tot.max()):.3f}")
-    shares = (retarded.mu_h.isel(alpha=-1) / elastic.mu_h).values
-    print(f"  μ_h at α = 1000 is that of the elastic substrate within {100 * np.max(np.abs(shares - 1)):.2f} %")
-    parts = (retarded.dry_mu_v + elastic.mu_h) / retarded.mu_tot
-    print(f"  dry F_v + elastic F_h over F_tot: {per_cent(float(parts.min()))} to {per_cent(float(parts.max()))}")
+        print(f"  β = {beta}: {viscoelastic_range(case)}; μ_tot at most {float(case.mu_tot.max()):.3f}")
+    apart = 100 * float(abs(retarded.mu_h.isel(alpha=-1) / elastic.mu_h - 1).max())
+    print(f"  μ_h at α = 1000 is μ_h of the elastic substrate within {apart:.2f} %")
+    print_range("dry F_v + elastic F_h over F_tot", (retarded.dry_mu_v + elastic.mu_h) / retarded.mu_tot)
 
 
 FIGURES = {
     "fig04": figure_4,
     "fig05": figure_5,
-    "fig07a": pressures,
-    "fig07b": pressures,
-    "fig07c": pressures,
+    "fig07a": figure_7,
+    "fig07b": figure_7,
+    "fig07c": figure_7,
     "fig08b": figure_8,
     "fig11": figure_11,
     "fig12": figure_12,
@@ -147,14 +176,15 @@ FIGURES = {
 
 
 def main():
+    """Prints the numbers of all figures."""
     results = Path(sys.argv[1] if len(sys.argv) > 1 else "results")
-    for name, show in FIGURES.items():
+    for name, print_numbers in FIGURES.items():
         path = results / name / "results.h5"
         if not path.is_file():
-            sys.exit(f"{path}: no such file; run scripts/figures first")
+            fail(f"{path}: no such file; run scripts/figures first")
         print(name)
         with xr.open_dataset(path, engine="h5netcdf") as data:
-            show(data)
+            print_numbers(data)
 
 
 if __name__ == "__main__":

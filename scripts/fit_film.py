@@ -4,12 +4,12 @@
 # ///
 """Fits the coefficients of the formula for the film thickness c (`exact::fitted_c`, docs/approximations.md).
 
+Usage:
     stribeck run sweeps/film.toml
     uv run scripts/fit_film.py results/film/summary.csv
 
-prints the coefficients that stand in src/exact/film_formula.rs, and the errors on the cases fitted. On other cases:
-
-    cargo run --release --example film_formula
+Prints the coefficients that stand in src/exact/film_formula.rs, and the errors on the cases fitted. The errors on other
+cases come from `cargo run --release --example film_formula`.
 """
 
 import argparse
@@ -19,6 +19,8 @@ import numpy as np
 import pandas as pd
 from scipy.optimize import brentq, least_squares
 from scipy.special import ive, k0e, k1e
+
+from lib.messages import fail
 
 ASYMPTOTE = 0.44583  # of c beta^(3/5), elastic, by Richardson's extrapolation in beta^(-2/5)
 SMALL_INLET = 0.01  # inlet length over half the contact's width below which the contact's size does not matter
@@ -41,7 +43,7 @@ def dry_contact(alpha, f):
 
 
 def rigid_ratio(p, beta):
-    """pi beta c of an elastic film: 1 for beta -> 0, the power 2/5 for beta -> inf."""
+    """The ratio pi beta c of an elastic film: 1 for beta -> 0, the power 2/5 for beta -> inf."""
     return (1 + p[0] * beta + p[1] * beta ** p[2] + (ASYMPTOTE * np.pi * beta**0.4) ** p[3]) ** (1 / p[3])
 
 
@@ -52,8 +54,9 @@ class Cases:
         self.elastic = elastic
         self.beta, self.c = rows.beta.to_numpy(), rows.c.to_numpy()
         self.alpha, self.f = rows.alpha.to_numpy(), rows.f.to_numpy()
-        contacts = {key: dry_contact(*key) for key in set(zip(self.alpha, self.f))}
-        columns = np.array([contacts[key] for key in zip(self.alpha, self.f)]).T
+        keys = list(zip(self.alpha, self.f, strict=True))
+        contacts = {key: dry_contact(*key) for key in set(keys)}
+        columns = np.array([contacts[key] for key in keys]).T
         self.half_width, self.k, strength = columns
         self.slope = np.sqrt(2 * self.half_width) * strength / (1 + self.f)
         excess = ((1 + self.f) / (self.half_width * strength)) ** 2 - 1
@@ -73,7 +76,7 @@ class Cases:
             return near * (1 + ratio**n) ** (-1 / n)
 
     def formula(self, inlet, blend=None):
-        """c and the inlet length."""
+        """The film thickness c and the inlet length."""
         length = (self.beta * (1 + self.f) * self.slope**3) ** -0.4
         for _ in range(60):
             pressure = self.slope * (1 + self.f / (1 + self.softening(inlet, blend, length)))
@@ -84,58 +87,68 @@ class Cases:
 
 
 def fit(errors, start):
-    """Least squares first, then ever higher powers, towards the least largest error."""
+    """Fits coefficients by least squares, then by ever higher powers, towards the least largest error."""
     solution = least_squares(errors, start).x
     for power in (2, 4, 8):
-        solution = least_squares(lambda p: (100 * np.abs(errors(p))) ** power, solution).x
+        solution = least_squares(lambda p, power=power: (100 * np.abs(errors(p))) ** power, solution).x
     return solution
 
 
-def errors_of(name, coefficients, errors):
+def rounded(coefficients):
+    """Rounds coefficients to the four digits that stand in the program."""
+    return np.array([float(f"{value:.4g}") for value in coefficients])
+
+
+def fit_and_print(name, errors, start):
+    """Fits coefficients, prints them with their errors, and returns them as they are printed."""
+    coefficients = rounded(fit(errors, start))
+    left = 100 * errors(coefficients)
     print(f"{name}: {', '.join(f'{value:.4g}' for value in coefficients)}")
-    print(f"    {len(errors)} cases: largest error {100 * np.abs(errors).max():.2f} %, rms {100 * np.sqrt((errors**2).mean()):.2f} %")
+    print(f"    {left.size} cases: largest error {np.abs(left).max():.2f} %, rms {np.sqrt((left**2).mean()):.2f} %")
+    return coefficients
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("summary", type=Path, help="summary.csv of the sweep `film`")
-    rows = pd.read_csv(parser.parse_args().summary)
-    if not (rows.status == "converged").all():
-        raise SystemExit("some cases failed: the fit wants all of them")
-
-    # alpha = 0 answers with the instantaneous modulus: the elastic film at beta/(1+f), u times 1/(1+f)
+def fit_elastic(rows):
+    """Fits the coefficients of an elastic film."""
+    # At alpha = 0 the substrate has its instantaneous modulus: the elastic film at beta/(1+f), u times 1/(1+f).
     elastic = rows[(rows.f == 0) | (rows.alpha == 0)].drop_duplicates(["f", "beta"])
     stiffening = 1 + elastic.f.to_numpy()
     beta, c = elastic.beta.to_numpy() / stiffening, elastic.c.to_numpy() * stiffening
     wanted = np.pi * beta * c
 
-    def elastic_errors(p):
+    def errors(p):
         return np.log(rigid_ratio(p, beta) / wanted)
 
-    master = rounded(fit(elastic_errors, [9.0, 33.0, 2.4, 7.1]))
-    errors_of("elastic", master, elastic_errors(master))
+    return fit_and_print("elastic", errors, [9.0, 33.0, 2.4, 7.1])
 
+
+def fit_viscoelastic(rows, elastic):
+    """Fits the coefficients of the inlet to narrow inlets, and those of the blend to all viscoelastic cases."""
     viscoelastic = rows[(rows.f > 0) & (rows.alpha > 0)]
     start = [0.5, 1.1, 1.6, 2.1, 1.0]
-    cases = Cases(viscoelastic, master)
+    cases = Cases(viscoelastic, elastic)
     _, length = cases.formula(start)
-    narrow = Cases(viscoelastic[length < SMALL_INLET * cases.half_width], master)
+    narrow = Cases(viscoelastic[length < SMALL_INLET * cases.half_width], elastic)
 
     def inlet_errors(p):
         return np.log(narrow.formula(p)[0] / narrow.c)
 
-    inlet = rounded(fit(inlet_errors, start))
-    errors_of("inlet", inlet, inlet_errors(inlet))
+    inlet = fit_and_print("inlet", inlet_errors, start)
 
     def blend_errors(p):
         return np.log(cases.formula(inlet, p)[0] / cases.c)
 
-    blend = rounded(fit(blend_errors, [0.2, 0.9, 1.8, 2.2]))
-    errors_of("blend", blend, blend_errors(blend))
+    fit_and_print("blend", blend_errors, [0.2, 0.9, 1.8, 2.2])
 
 
-def rounded(coefficients):
-    return np.array([float(f"{value:.4g}") for value in coefficients])
+def main():
+    """Fits the coefficients to the table of the command line."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("summary", type=Path, help="summary.csv of the sweep `film`")
+    rows = pd.read_csv(parser.parse_args().summary)
+    if not (rows.status == "converged").all():
+        fail("some cases failed: the fit wants all of them")
+    fit_viscoelastic(rows, fit_elastic(rows))
 
 
 if __name__ == "__main__":

@@ -2,8 +2,9 @@
 # requires-python = ">=3.10"
 # dependencies = ["matplotlib>=3.8", "numpy>=1.26"]
 # ///
-"""Plots the errors of approximations over β.
+"""Draws the errors of approximations over β.
 
+Usage:
     cargo run --release --example where_approximations_hold -- --csv errors.csv
     python scripts/plot_approximations.py errors.csv -o docs/figures/approximations.svg
 """
@@ -17,26 +18,27 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plot_convergence import draw
+from lib.style import BLUE, GREEN, ORANGE, PURPLE, VERMILION
+from lib.table_picture import draw_table
 
 F = 100.0
 ALPHAS = [0.01, 1.0, 100.0]
-# Colours of Okabe and Ito, which the colour-blind tell apart; the dashes differ too.
+# Label of a row of panels, and its curves: words, colour and dashes by column of the table.
 ROWS = [
     (
         "error of $c$, %",
         {
-            "equation_49": ("Eq. 49", "#D55E00", "-"),
-            "relaxed": (r"$0.4458\,\beta^{-3/5}$", "#E69F00", (0, (1, 1.2))),
-            "asymptote": ("power law, exact factor", "#009E73", "--"),
-            "formula": ("formula", "#0072B2", "-"),
+            "equation_49": ("Eq. 49", VERMILION, "-"),
+            "relaxed": (r"$0.4458\,\beta^{-3/5}$", ORANGE, (0, (1, 1.2))),
+            "asymptote": ("power law, exact factor", GREEN, "--"),
+            "formula": ("formula", BLUE, "-"),
         },
     ),
     (
         "error of friction, %",
         {
-            "dry_mu_v": (r"dry, for $\mu_v$", "#CC79A7", "-"),
-            "approx_mu_h": (r"approx_mu_h, for the film's $\mu_h$", "#000000", (0, (5, 1, 1, 1))),
+            "dry_mu_v": (r"dry, for $\mu_v$", PURPLE, "-"),
+            "approx_mu_h": (r"approx_mu_h, for the film's $\mu_h$", "black", (0, (5, 1, 1, 1))),
         },
     ),
 ]
@@ -53,10 +55,11 @@ def read(path):
     return lines
 
 
-def plot(lines):
+def draw(lines):
+    """The figure with a column of panels for each alpha."""
     figure, axes = plt.subplots(2, 3, figsize=(7.2, 5.0), sharex=True, sharey="row", layout="constrained")
-    for row, (label, curves) in zip(axes, ROWS):
-        for axis, alpha in zip(row, ALPHAS):
+    for row, (label, curves) in zip(axes, ROWS, strict=True):
+        for axis, alpha in zip(row, ALPHAS, strict=True):
             line = lines[alpha]
             for name, (words, colour, dashes) in curves.items():
                 error = 100 * np.abs(line[name])
@@ -68,7 +71,7 @@ def plot(lines):
         row[0].set_ylabel(label, fontsize=9)
     axes[0, 0].set_ylim(0.02, 1e4)
     axes[1, 0].set_ylim(0.02, 1e3)
-    for axis, alpha in zip(axes[0], ALPHAS):
+    for axis, alpha in zip(axes[0], ALPHAS, strict=True):
         axis.set_title(rf"$\alpha$ = {alpha:g}, $f$ = {F:g}", fontsize=9)
     for axis in axes[1]:
         axis.set_xlabel(r"$\beta$", fontsize=9)
@@ -78,5 +81,5 @@ def plot(lines):
 
 
 if __name__ == "__main__":
-    table = "what the example `where_approximations_hold` writes"
-    draw(__doc__, table, lambda table: plot(read(table)), "approximations")
+    words = "what the example `where_approximations_hold` writes"
+    draw_table(__doc__, words, lambda table: draw(read(table)), "approximations")

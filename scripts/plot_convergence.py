@@ -2,17 +2,15 @@
 # requires-python = ">=3.10"
 # dependencies = ["matplotlib>=3.8", "numpy>=1.26"]
 # ///
-"""Plots the error of the collocation solver over the number of unknowns, one panel for each case.
+"""Draws the error of the collocation solver over the number of unknowns, one panel for each case.
 
+Usage:
     cargo run --release --example convergence > convergence.csv
     python scripts/plot_convergence.py convergence.csv -o docs/figures/collocation_convergence.svg
 """
 
-import argparse
 import csv
-import re
 from collections import defaultdict
-from pathlib import Path
 
 import matplotlib
 
@@ -21,8 +19,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FixedLocator, NullFormatter, ScalarFormatter
 
-# Colours of Okabe and Ito, which the colour-blind tell apart; the markers differ too.
-STYLES = {"4": ("#0072B2", "s"), "6": ("#E69F00", "^"), "8": ("#D55E00", "o")}
+from lib.style import BLUE, ORANGE, VERMILION
+from lib.table_picture import draw_table
+
+STYLES = {"4": (BLUE, "s"), "6": (ORANGE, "^"), "8": (VERMILION, "o")}
 UNKNOWNS = [50, 100, 200, 400, 800]
 
 
@@ -45,6 +45,7 @@ def means(points):
 
 
 def title(case):
+    """What is written above the panel of a case."""
     f, alpha, beta = case
     power = rf"$10^{{{round(np.log10(float(beta)))}}}$"
     if float(f) == 0:
@@ -52,16 +53,15 @@ def title(case):
     return rf"$f$ = {f}, $\alpha$ = {alpha}, $\beta$ = {power}"
 
 
-def plot(cases):
+def draw(cases):
+    """The figure with a panel for each case."""
     figure, axes = plt.subplots(2, 3, figsize=(7.2, 4.8), sharex=True, sharey=True, layout="constrained")
     for axis, (case, degrees) in zip(axes.flat, cases.items(), strict=True):
         for degree, points in degrees.items():
             colour, marker = STYLES[degree]
             mean = means(points)
-            axis.loglog(
-                mean[:, 0], mean[:, 1], marker, color=colour, markersize=4, markeredgewidth=0, alpha=0.85,
-                label=f"degree {degree}",
-            )
+            style = {"color": colour, "markersize": 4, "markeredgewidth": 0, "alpha": 0.85, "label": f"degree {degree}"}
+            axis.loglog(mean[:, 0], mean[:, 1], marker, **style)
         axis.set_title(title(case), fontsize=9)
         axis.grid(color="0.9", linewidth=0.6)
         axis.set_axisbelow(True)
@@ -77,28 +77,5 @@ def plot(cases):
     return figure
 
 
-def smaller(svg):
-    """The same picture with coordinates to a hundredth of a point and no white space between elements."""
-    svg = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
-    parts = re.split(r"(scale\([^)]*\))", svg)
-    parts[::2] = [re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", part) for part in parts[::2]]
-    svg = "".join(parts)
-    return re.sub(r">\s+<", "><", svg)
-
-
-def draw(description, table, figure_of, salt):
-    """The command line of a plot: reads its table, makes the figure of it and saves that."""
-    parser = argparse.ArgumentParser(description=description.splitlines()[0])
-    parser.add_argument("table", type=Path, help=table)
-    parser.add_argument("-o", "--output", type=Path, required=True, help="the picture: .svg, .png or .pdf")
-    options = parser.parse_args()
-    # nothing that changes from one run to the next, and no font that a reader may lack
-    plt.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": salt})
-    metadata = {"Date": None} if options.output.suffix == ".svg" else None
-    figure_of(options.table).savefig(options.output, dpi=150, metadata=metadata)
-    if options.output.suffix == ".svg":
-        options.output.write_text(smaller(options.output.read_text()))
-
-
 if __name__ == "__main__":
-    draw(__doc__, "what the example `convergence` prints", lambda table: plot(read(table)), "convergence")
+    draw_table(__doc__, "what the example `convergence` prints", lambda table: draw(read(table)), "convergence")

@@ -1,5 +1,5 @@
 # /// script
-# requires-python = ">=3.9"
+# requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
 """Writes tests/reference/dry_contact.csv: half width, centre and friction of dry sliding at 60 digits.
@@ -38,6 +38,7 @@ def dry_contact(alpha, f):
 
 
 def main():
+    """Writes the table."""
     rows = ["alpha,f,half_width,centre,friction"]
     for alpha in ["1e-6", "1e-4", "1e-2", "0.3", "1", "3", "30", "1e3", "1e6"]:
         for f in ["1e-6", "0.01", "1", "10", "1e3", "1e6"]:

@@ -1,11 +1,11 @@
 # /// script
-# requires-python = ">=3.9"
+# requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
-"""Writes tests/reference/dry_modes.csv: half width, centre and friction of dry sliding with several retardation times, at 60 digits.
+"""Writes tests/reference/dry_modes.csv: half width, centre and friction of dry sliding with several retardation times.
 
-The amplitudes of the exponentials follow from the history ahead of the contact (T44), unsymmetric and with all its cancellation: with
-60 digits it does no harm.
+The amplitudes of the exponentials follow from the history ahead of the contact (T44), unsymmetric and with all its
+cancellation: with 60 digits it does no harm.
 """
 
 import random
@@ -97,6 +97,7 @@ def cases():
 
 
 def main():
+    """Writes the table."""
     rows = ["strengths,rates,half_width,centre,friction"]
     for modes in cases():
         values = dry_contact([(mp.mpf(float(f)), mp.mpf(float(alpha))) for f, alpha in modes])

@@ -1,5 +1,5 @@
 # /// script
-# requires-python = ">=3.9"
+# requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
 """Writes tests/reference/retarded_log.csv: S(z) = -exp(z) Ei(-z) with 60 digits of working precision.
@@ -15,6 +15,7 @@ mp.mp.dps = 60
 
 
 def retarded_log(z):
+    """S(z) by the exponential integral, and by its asymptotic series far out on the negative side."""
     if z > 0:
         return mp.exp(z) * mp.e1(z)
     y = -z
@@ -40,6 +41,7 @@ def arguments():
 
 
 def main():
+    """Writes the table."""
     rows = ["z,retarded_log"]
     for z in arguments():
         rows.append(f"{z!r},{mp.nstr(retarded_log(mp.mpf(z)), 36)}")

@@ -5,7 +5,7 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use crate::in_python::{check, file_of_python};
+use crate::in_python::{check, file_of_python, run_python};
 use crate::synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
 use stribeck_solver::FieldSelection;
 use stribeck_sweep::store::{CaseEntry, Status, Store};
@@ -31,26 +31,32 @@ fn changed(change: impl Fn(&mut CaseEntry)) -> TempDir {
 }
 
 fn script(name: &str, results: &[&Path], options: &[&str]) -> Output {
-    file_of_python(&format!("scripts/{name}.py")).args(results).args(options).output().unwrap()
+    let results = results.iter().map(|path| path.to_str().unwrap());
+    run_python(&format!("scripts/{name}.py"), &results.chain(options.iter().copied()).collect::<Vec<_>>())
 }
 
-/// Runs a script that draws; returns what it says. The picture must be one: a PNG with more than a few colours.
+/// Runs a script that draws a picture; returns what it says.
 fn draws(name: &str, results: &[&Path], options: &[&str]) -> String {
     let directory = tempdir().unwrap();
     let picture = directory.path().join("picture.png");
     let mut options = options.to_vec();
     options.extend(["-o", picture.to_str().unwrap()]);
     let run = script(name, results, &options);
-    let said = check(&run);
+    expect_picture(&run, &picture)
+}
+
+/// Returns what a run said that has drawn a picture without a warning: a PNG with more than a few colours.
+fn expect_picture(run: &Output, path: &Path) -> String {
+    let said = check(run);
     let warnings = String::from_utf8_lossy(&run.stderr);
     assert!(!warnings.contains("Warning"), "{warnings}");
-    let bytes = std::fs::read(&picture).unwrap();
+    let bytes = std::fs::read(path).unwrap();
     let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let size = reader.next_frame(&mut pixels).unwrap();
-    assert!(size.width > 800 && size.height > 600, "{name}: {} × {} pixels", size.width, size.height);
+    assert!(size.width > 800 && size.height > 600, "{} × {} pixels", size.width, size.height);
     let colours: std::collections::HashSet<_> = pixels.chunks_exact(size.color_type.samples()).collect();
-    assert!(colours.len() > 50, "{name} has only {} colours", colours.len());
+    assert!(colours.len() > 50, "only {} colours", colours.len());
     said
 }
 
@@ -64,9 +70,19 @@ fn refuses(name: &str, results: &[&Path], options: &[&str]) -> String {
 }
 
 #[test]
-fn surfaces_are_drawn_and_say_what_they_leave_out() {
+fn surfaces_are_drawn_from_any_directory_by_an_interpreter_of_its_own() {
     let directory = results();
-    for options in [&[][..], &["--three-d"], &["--three-d", "--quantity", "mu_h"]] {
+    let mut command = file_of_python("scripts/surface.py");
+    let run = command.arg(".").current_dir(directory.path()).output().unwrap();
+    let said = expect_picture(&run, &directory.path().join("surface.png"));
+    assert!(said.contains("alpha = inf") && said.contains("f = 0"), "what is left out is named: {said}");
+    assert!(said.ends_with("wrote surface.png\n"), "{said}");
+}
+
+#[test]
+fn surfaces_are_drawn_in_space_and_say_what_they_leave_out() {
+    let directory = results();
+    for options in [&["--three-d"][..], &["--three-d", "--quantity", "mu_h"]] {
         let said = draws("surface", &[directory.path()], options);
         assert!(said.contains("alpha = inf") && said.contains("f = 0"), "what is left out is named: {said}");
     }
@@ -142,12 +158,12 @@ fn profiles_need_fields_a_window_or_a_file_and_numbers() {
 #[test]
 fn sliders_and_clicks_take_another_case() {
     let directory = results();
-    check(&file_of_python("tests/python/browse_profiles.py").arg(directory.path()).output().unwrap());
+    check(&run_python("tests/python/browse_profiles.py", &[directory.path().to_str().unwrap()]));
 }
 
 #[test]
 fn every_script_names_the_packages_that_it_imports() {
-    let said = check(&file_of_python("tests/python/inline_metadata.py").output().unwrap());
+    let said = check(&run_python("tests/python/inline_metadata.py", &[]));
     for name in ["surface.py", "profiles.py", "compare.py", "fit_film.py", "reference_dry.py"] {
         assert!(said.contains(name), "{name} was not looked at: {said}");
     }

@@ -26,7 +26,6 @@ def text_in(axes):
 
 def shows(alpha, beta, f):
     """The title, the text beside the sliders and the curve drawn are those of the case."""
-    canvas.draw()
     title = browser.figure.get_suptitle()
     assert f"α = {alpha}, β = {beta}, f = {f}" in title, title
     beside = [browser.sliders[name].valtext.get_text() for name in ("alpha", "beta", "f")]

@@ -1,6 +1,9 @@
 """Opens results.h5 as a user does and compares it with summary.csv.
 
-usage: open_results.py RESULTS_DIRECTORY ENGINE, with ENGINE one of h5netcdf, netcdf4
+Usage:
+    python tests/python/open_results.py RESULTS_DIR ENGINE
+
+ENGINE is h5netcdf or netcdf4.
 """
 
 import csv
@@ -14,12 +17,13 @@ import xarray as xr
 directory, engine = Path(sys.argv[1]), sys.argv[2]
 path = directory / "results.h5"
 data = xr.open_dataset(path, engine=engine)
-with open(directory / "summary.csv", newline="", encoding="utf-8") as file:
+with (directory / "summary.csv").open(newline="", encoding="utf-8") as file:
     rows = list(csv.DictReader(file))
 summary = {name: [row[name] for row in rows] for name in rows[0]}
 
 
 def numbers(name):
+    """A column of the summary."""
     return np.array([float(cell) if cell else np.nan for cell in summary[name]])
 
 
@@ -53,7 +57,7 @@ for name in ("x_p_max", "centroid", "separation", "mu_h_film"):
 # Status, and what failed is NaN everywhere.
 status = data["status"]
 assert status.dtype == np.int8
-meanings = dict(zip(np.atleast_1d(status.attrs["flag_values"]).tolist(), status.attrs["flag_meanings"].split()))
+meanings = dict(zip(status.attrs["flag_values"].tolist(), status.attrs["flag_meanings"].split(), strict=True))
 assert meanings == {0: "converged", 1: "failed"}, meanings
 assert [meanings[v] for v in status.values.ravel().tolist()] == summary["status"]
 failed = data.where(status == 1, drop=True)

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use stribeck_solver::continuation::Interrupt;
 use stribeck::study::{Row, run};
 
-use crate::{findings, of, study};
+use crate::study::{findings, of, study};
 
 const CASES: &str = "[axes]\nf = [10.0]\nalpha = [1.0, 10.0]\nbeta = [10.0, 100.0]\n";
 

@@ -1,6 +1,7 @@
 //! Studies: what files are taken, what the measures mean, and what comes out.
 
 mod files;
+mod laws;
 mod published;
 
 use std::num::NonZeroUsize;

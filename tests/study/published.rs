@@ -8,7 +8,7 @@ use stribeck::study::{csv, markdown, pictures};
 use tempfile::tempdir;
 
 use crate::program::{code, err, out, say, stribeck};
-use crate::{findings, study};
+use crate::study::{findings, study};
 
 /// Converges everywhere, quickly.
 const GOOD: &str = "title = \"Two cases\"\nmeasure = [\"error\", \"stability\"]\nrepeats = 2\n\

@@ -6,7 +6,7 @@ use crate::torture::place::Place;
 use crate::torture::random::Random;
 use crate::torture::stops::Moment;
 use crate::torture::witness::assert_told;
-use crate::{clock, company, copies, damage, room, stops};
+use crate::torture::{clock, company, copies, damage, room, stops};
 
 /// A kind of harm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

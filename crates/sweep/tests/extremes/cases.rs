@@ -7,7 +7,7 @@ use stribeck_solver::continuation::{Interrupt, SolvedCase, solve_chain};
 use stribeck_solver::{FieldSelection, Output, Parameters, Quantities, RetardationMode, Substrate};
 use stribeck_sweep::{Plan, Sweep};
 
-use crate::extremes::measure::{true_error, worst};
+use super::measure::{true_error, worst};
 
 /// The shipped sweeps that are about extremes.
 pub const SHIPPED: [&str; 7] = [

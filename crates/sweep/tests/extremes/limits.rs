@@ -7,8 +7,8 @@ use stribeck_solver::continuation::{Interrupt, Solution, solve_chain};
 use stribeck_solver::exact::{DryContact, RigidFilm};
 use stribeck_solver::{CavityShear, Output, Parameters, Quantities, RetardationMode, Substrate};
 
+use super::measure::true_error;
 use crate::extremes::cases::outcome;
-use crate::extremes::measure::true_error;
 
 const TOLERANCE: f64 = 1e-6;
 

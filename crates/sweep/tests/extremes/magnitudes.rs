@@ -5,8 +5,8 @@ use stribeck_solver::continuation::{Interrupt, solve_chain};
 use stribeck_solver::exact::fitted_c;
 use stribeck_solver::{Output, Parameters, Quantities, RetardationMode, Substrate};
 
+use super::measure::worst;
 use crate::extremes::cases::{outcome, outcomes};
-use crate::extremes::measure::worst;
 use stribeck_solver::collocation::{CollocationSolver, Settings};
 
 /// Most iterations of any case whatever.

@@ -4,8 +4,6 @@
 use proptest::prelude::*;
 use proptest::sample::select;
 
-use crate::sweep_file::law;
-
 type Texts = &'static [&'static str];
 
 type Section = (&'static str, &'static [(&'static str, Texts)]);

@@ -5,7 +5,7 @@ use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
 use stribeck_solver::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
 use stribeck_sweep::{Axes, Method, SolverSettings, Sweep};
 
-use crate::{law, with_beta};
+use crate::sweep_file::with_beta;
 
 /// Strictly ascending values of an axis.
 fn ascending(value: impl Strategy<Value = f64>) -> impl Strategy<Value = Vec<f64>> {

@@ -1,4 +1,4 @@
-"""The picture of a comparison: a map of relative differences for each f, and differences over estimated errors."""
+"""Draws a comparison: a map of relative differences for each f, and differences over estimated errors."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -6,8 +6,8 @@ from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from places import edges, positions, shown, tick_places
-from results_file import ALPHA, BETA, BLUE, FAILED, GREEN, PAGE, PALETTE, VERMILION
+from lib.log_axes import edges, format_value, label_values, positions
+from lib.style import ALPHA, BETA, BLUE, FAILED, GREEN, PAGE, PALETTE, VERMILION
 
 EQUAL = "0.82"
 SYMBOLS = {
@@ -20,7 +20,7 @@ SYMBOLS = {
 }
 MARKS = {"mu_v": (VERMILION, "s"), "mu_h": (BLUE, "^"), "c": (GREEN, "o")}
 # How far below the largest difference colours reach.
-DECADES = 1e5
+REACH = 1e5
 
 
 def colour_scale(values):
@@ -29,12 +29,12 @@ def colour_scale(values):
     if not differing.size:
         return None
     high = differing.max()
-    low = max(differing.min(), high / DECADES)
+    low = max(differing.min(), high / REACH)
     return LogNorm(low, high if high > low * 1.5 else low * 1.5)
 
 
 def draw_map(axes, comparison, name, i_f, norm):
-    """The differences at one f; returns what carries the colours, if there are any."""
+    """Draws the differences at one f; returns what carries the colours, None if there are none."""
     values = comparison.difference[name].isel(f=i_f).transpose("beta", "alpha").values
     alpha, beta = comparison.a["alpha"].values, comparison.a["beta"].values
     x, y = positions(alpha), positions(beta)
@@ -52,27 +52,27 @@ def draw_map(axes, comparison, name, i_f, norm):
         rows, columns = np.nonzero(failed.isel(f=i_f).transpose("beta", "alpha").values)
         if rows.size:
             axes.plot(x[columns], y[rows], mark, color=colour, ms=4.5, mew=1.3, clip_on=False)
-    tick_places(axes.xaxis, alpha)
-    tick_places(axes.yaxis, beta)
-    axes.set_title(f"$f = {shown(float(comparison.a['f'][i_f]))}$", loc="left")
+    label_values(axes.xaxis, alpha)
+    label_values(axes.yaxis, beta)
+    axes.set_title(f"$f = {format_value(float(comparison.a['f'][i_f]))}$", loc="left")
     return mesh
 
 
 def draw_scatter(axes, comparison):
-    """Each difference over the sum of the errors estimated; what lies above the line is not explained by them."""
+    """Draws each difference over the sum of the estimated errors, which do not explain what lies above the line."""
     ends, unseen = [], 0
     for name, (colour, mark) in MARKS.items():
         difference, estimate = comparison.difference[name].values.ravel(), comparison.estimate[name].values.ravel()
         both = (difference > 0) & (estimate > 0) & np.isfinite(difference)
         unseen += int(((difference == 0) & np.isfinite(estimate)).sum())
-        axes.plot(
-            estimate[both], difference[both], mark, ms=2.6, mew=0, alpha=0.55, color=colour, label=f"${SYMBOLS[name]}$"
-        )
+        style = {"ms": 2.6, "mew": 0, "alpha": 0.55, "color": colour, "label": f"${SYMBOLS[name]}$"}
+        axes.plot(estimate[both], difference[both], mark, **style)
         ends += [*estimate[both], *difference[both]]
     axes.set_title("all f" if comparison.a.sizes["f"] > 1 else "", loc="left")
     if not ends:
         axes.set_axis_off()
-        axes.text(0.5, 0.5, "no difference\nbeside an estimated error", ha="center", va="center", transform=axes.transAxes)
+        words = "no difference\nbeside an estimated error"
+        axes.text(0.5, 0.5, words, ha="center", va="center", transform=axes.transAxes)
         return
     low, high = min(ends) / 2, max(ends) * 2
     axes.plot([low, high], [low, high], color="0.3", linewidth=0.9, linestyle="--")
@@ -80,11 +80,27 @@ def draw_scatter(axes, comparison):
     axes.set(xlabel="sum of estimated errors", ylabel="relative difference")
     axes.legend(loc="upper left", frameon=False, handletextpad=0.1, borderpad=0.1, labelspacing=0.25, markerscale=1.8)
     if unseen:
-        axes.text(0.97, 0.03, f"{unseen} equal, not shown", transform=axes.transAxes, ha="right", va="bottom", fontsize=7)
+        words = f"{unseen} equal, not shown"
+        axes.text(0.97, 0.03, words, transform=axes.transAxes, ha="right", va="bottom", fontsize=7)
 
 
-def draw(comparison, name):
-    """The whole figure."""
+def add_legend(figure):
+    """Explains the marks of all panels below them."""
+    figure.legend(
+        handles=[
+            Patch(facecolor=EQUAL, edgecolor="0.5", label="equal"),
+            Line2D([], [], linestyle="", marker="x", color=FAILED, mew=1.3, label="failed in one alone"),
+            Line2D([], [], linestyle="", marker="+", color="black", mew=1.3, label="failed in both"),
+            Line2D([], [], linestyle="--", color="0.3", linewidth=0.9, label="difference = estimate"),
+        ],
+        loc="outside lower center",
+        ncols=4,
+        frameon=False,
+    )
+
+
+def draw_comparison(comparison, name):
+    """The figure with a map of one quantity for each f, and the differences of all over their estimates."""
     number = comparison.a.sizes["f"]
     columns = 2 if number + 1 in (2, 4) else 3
     rows = -(-(number + 1) // columns)
@@ -104,17 +120,7 @@ def draw(comparison, name):
         if norm is not None:
             bar = figure.colorbar(meshes[i], ax=panels[i], pad=0.03, aspect=24, extend="min")
             bar.set_label(rf"difference of ${SYMBOLS[name]}$")
-    figure.legend(
-        handles=[
-            Patch(facecolor=EQUAL, edgecolor="0.5", label="equal"),
-            Line2D([], [], linestyle="", marker="x", color=FAILED, mew=1.3, label="failed in one alone"),
-            Line2D([], [], linestyle="", marker="+", color="black", mew=1.3, label="failed in both"),
-            Line2D([], [], linestyle="--", color="0.3", linewidth=0.9, label="difference = estimate"),
-        ],
-        loc="outside lower center",
-        ncols=4,
-        frameon=False,
-    )
+    add_legend(figure)
     a, b = (comparison.whole[letter].attrs["title"] for letter in "AB")
     figure.suptitle(f"{a}: B against A" if a == b else f"A: {a}\nB: {b}")
     return figure

@@ -1,0 +1,1 @@
+"""What the scripts share; no file in here is run by itself."""
