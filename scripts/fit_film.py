@@ -2,14 +2,14 @@
 # requires-python = ">=3.10"
 # dependencies = ["numpy>=1.26", "pandas>=2.1", "scipy>=1.11"]
 # ///
-"""Fits the coefficients of the formula for the film thickness c (`exact::fitted_c`, docs/approximations.md).
+"""Fits the coefficients of the formula for the film thickness c (docs/approximations.md).
 
 Usage:
     stribeck run sweeps/film.toml
     uv run scripts/fit_film.py results/film/summary.csv
 
-Prints the coefficients that stand in src/exact/film_formula.rs, and the errors on the cases fitted. The errors on other
-cases come from `cargo run --release --example film_formula`.
+Prints the coefficients that stand in crates/solver/src/exact/film_formula.rs, and the errors on the cases fitted.
+The errors on other cases come from `cargo run --release -p stribeck-solver --example film_formula`.
 """
 
 import argparse
