@@ -2,8 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
-"""Writes crates/solver/tests/reference/dry_modes.csv: half width, centre and friction of dry sliding with several
-retardation times.
+"""Writes crates/solver/tests/reference/dry_modes.csv: dry sliding with several retardation times, at 60 digits.
 
 The amplitudes of the exponentials follow from the history ahead of the contact (T44), unsymmetric and with all its
 cancellation: with 60 digits it does no harm.
