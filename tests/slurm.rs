@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -228,7 +228,9 @@ fn a_sweep_on_a_cluster_whose_node_dies_has_the_bytes_of_one_machine() {
 
     cluster.node("kill", "n2");
     let before: Vec<usize> = lost.iter().map(|&part| committed(part)).collect();
-    let mut whole = stribeck(here).args(["run", "long.toml", "-o", "whole", "--quiet"]).spawn().expect("it starts");
+    let mut whole = stribeck(here);
+    whole.args(["run", "long.toml", "-o", "whole", "--quiet"]).stdout(Stdio::null());
+    let mut whole = whole.spawn().expect("the program starts");
     cluster.wait("the parts of the dead node to be requeued", || {
         lost.iter().all(|part| !cluster.running().contains_key(part))
     });
