@@ -9,9 +9,9 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use faer::linalg::solvers::PartialPivLu;
-use stribeck_solver::collocation::{CollocationSolver, Settings, Stages, Workspace};
+use stribeck_solver::collocation::{CollocationSolver, Settings, Timings, Workspace};
 use stribeck_solver::continuation::{
-    CaseSolver, Halt, Interrupt, Seed, Solution, SolvedCase, StepControl, Work, solve_chain,
+    CaseSolver, Interrupt, Seed, Solution, SolveContext, SolveError, SolvedCase, StepControl, solve_chain,
 };
 use stribeck_solver::{Failure, FieldSelection, Output, Parameters};
 
@@ -20,7 +20,7 @@ const REPEATS: usize = 5;
 /// The solver, telling where its time went after each case.
 struct Observed {
     solver: CollocationSolver,
-    stages: Mutex<[Stages; 2]>,
+    timings: Mutex<[Timings; 2]>,
 }
 
 type State = <CollocationSolver as CaseSolver>::State;
@@ -41,8 +41,13 @@ impl CaseSolver for Observed {
         self.solver.step_control()
     }
 
-    fn start(&self, workspace: &mut Workspace, case: &Parameters, work: &mut Work) -> Result<(State, Seed), Halt> {
-        self.solver.start(workspace, case, work)
+    fn start(
+        &self,
+        workspace: &mut Workspace,
+        case: &Parameters,
+        context: &mut SolveContext,
+    ) -> Result<(State, Seed), SolveError> {
+        self.solver.start(workspace, case, context)
     }
 
     fn predict(&self, workspace: &mut Workspace, solved: &[(Parameters, State)], case: &Parameters) -> State {
@@ -54,9 +59,9 @@ impl CaseSolver for Observed {
         workspace: &mut Workspace,
         case: &Parameters,
         guess: State,
-        work: &mut Work,
-    ) -> Result<State, Halt> {
-        self.solver.solve(workspace, case, guess, work)
+        context: &mut SolveContext,
+    ) -> Result<State, SolveError> {
+        self.solver.solve(workspace, case, guess, context)
     }
 
     fn evaluate(
@@ -65,10 +70,10 @@ impl CaseSolver for Observed {
         case: &Parameters,
         state: &mut State,
         output: &Output,
-        work: &mut Work,
-    ) -> Result<Solution, Halt> {
-        let result = self.solver.evaluate(workspace, case, state, output, work);
-        *self.stages.lock().expect("one thread") = workspace.stages();
+        context: &mut SolveContext,
+    ) -> Result<Solution, SolveError> {
+        let result = self.solver.evaluate(workspace, case, state, output, context);
+        *self.timings.lock().expect("one thread") = workspace.timings();
         result
     }
 }
@@ -76,7 +81,7 @@ impl CaseSolver for Observed {
 /// One run of a chain.
 struct Run {
     cases: Vec<SolvedCase>,
-    stages: [Stages; 2],
+    timings: [Timings; 2],
     seconds: f64,
 }
 
@@ -84,12 +89,12 @@ fn run(alpha: f64) -> Result<Run, Box<dyn Error>> {
     let beta = (0..=60).map(|i| 10_f64.powf(1.0 + f64::from(i) / 20.0));
     let cases: Vec<Parameters> = beta.map(|beta| Parameters::new(alpha, beta, 100.0)).collect();
     let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
-    let observed = Observed { solver: CollocationSolver::new(Settings::default()), stages: Mutex::default() };
+    let observed = Observed { solver: CollocationSolver::new(Settings::default()), timings: Mutex::default() };
     let start = Instant::now();
     let solved = solve_chain(&observed, &cases, &output, &Interrupt::new()).map_err(|_| "interrupted")?;
     let seconds = start.elapsed().as_secs_f64();
-    let stages = *observed.stages.lock().expect("one thread");
-    Ok(Run { cases: solved, stages, seconds })
+    let timings = *observed.timings.lock().expect("one thread");
+    Ok(Run { cases: solved, timings, seconds })
 }
 
 /// Seconds that a bare factorisation of a full matrix of this size takes.
@@ -138,7 +143,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 best = Some(run);
             }
         }
-        let Run { cases, stages: [solution, estimate], seconds } = best.ok_or("no run")?;
+        let Run { cases, timings: [solution, estimate], seconds } = best.ok_or("no run")?;
         let count = cases.len() as f64;
         if let Some(failed) = cases.iter().find_map(|case| case.outcome.as_ref().err()) {
             return Err(failed.reason.clone().into());

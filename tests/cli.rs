@@ -8,7 +8,8 @@ use crate::program::{code, err, out, paths, say, stribeck};
 use stribeck_solver::collocation::{self, CollocationSolver};
 use stribeck_solver::continuation::{CaseSolver, Interrupt, solve_chain};
 use stribeck_solver::relaxation::{RelaxationSolver, Settings};
-use stribeck_solver::{COLUMNS, Output, Parameters, Sensitivities};
+use stribeck_solver::{Output, Parameters, Sensitivities};
+use stribeck_sweep::{Column, Values};
 use tempfile::{TempDir, tempdir};
 
 /// Three rows, the elastic one at two places.
@@ -130,8 +131,8 @@ fn bad_command_lines_end_with_2_and_say_what_is_allowed() {
     let rows = [
         (vec![], "Usage"),
         (vec!["guess"], "unrecognized subcommand"),
-        (vec!["run", "small.toml", "--shard", "9/8"], "give I/N, the I-th of N parts"),
-        (vec!["run", "small.toml", "--shard", "3"], "give I/N, the I-th of N parts"),
+        (vec!["run", "small.toml", "--part", "9/8"], "give I/N, the I-th of N parts"),
+        (vec!["run", "small.toml", "--part", "3"], "give I/N, the I-th of N parts"),
         (vec!["merge"], "<DIR>"),
         (vec!["merge", "one", "two"], "give -o DIR"),
         (vec!["slurm", "small.toml"], "--tasks <N>"),
@@ -215,7 +216,7 @@ fn what_is_wrong_with_a_directory_ends_with_4_and_says_what_to_do() {
         (vec!["run", "small.toml", "-o", "file/below"], "check"),
         (vec!["run", "small.toml", "-o", "theirs"], "choose another directory with -o"),
         (vec!["plan", "small.toml", "-o", "theirs"], "choose another directory with -o"),
-        (vec!["run", "small.toml", "-o", "theirs", "--shard", "1/2"], "choose another directory with -o"),
+        (vec!["run", "small.toml", "-o", "theirs", "--part", "1/2"], "choose another directory with -o"),
         (vec!["slurm", "small.toml", "-o", "theirs", "--tasks", "2"], "choose another directory with -o"),
         (vec!["status", "absent"], "give the directory that `stribeck run` wrote"),
         (vec!["status", "file"], "give the directory that `stribeck run` wrote"),
@@ -466,12 +467,14 @@ fn solved_json(arguments: &str) -> serde_json::Value {
 
 /// Whether an object of `solve --json` says what the library gives for the same case.
 fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &S, parameters: Parameters) {
+    let limits = stribeck_solver::exact::limits(&parameters);
     let solved = solve_chain(solver, &[parameters], &stribeck_solver::Output::default(), &Interrupt::new());
     let case = solved.expect("not interrupted").remove(0);
     let solution = case.outcome.expect("converged");
-    let row = solution.quantities.row(&solution.errors, &case.limits);
-    for (column, value) in COLUMNS.iter().zip(row).filter(|(column, _)| column.in_summary) {
-        assert_eq!(object[column.name].as_f64().map(f64::to_bits), Some(value.to_bits()), "{}", column.name);
+    let values = Values::converged(&solution.quantities, &solution.errors, &limits);
+    for column in Column::summary() {
+        let (name, value) = (column.name(), values[column]);
+        assert_eq!(object[name].as_f64().map(f64::to_bits), Some(value.to_bits()), "{name}");
     }
     assert_eq!(object["seed"], case.seed.to_string());
     assert_eq!(object["iterations"], case.effort.iterations);
@@ -527,9 +530,9 @@ fn sensitivities_are_shown_where_they_are_asked_for() {
     let solved = solve_chain(&solver, &[Parameters::new(1.0, 300.0, 100.0)], &output, &Interrupt::new());
     let solution = solved.expect("not interrupted").remove(0).outcome.expect("solved");
     let known = solution.sensitivities.expect("asked for");
-    for (column, value) in Sensitivities::COLUMNS.iter().zip(known.row()) {
-        assert_eq!(object[column.name].as_f64(), Some(value), "{}", column.name);
-        assert!(plain.get(column.name).is_none());
+    for (name, value) in Sensitivities::NAMES.into_iter().zip(known.row()) {
+        assert_eq!(object[name].as_f64(), Some(value), "{name}");
+        assert!(plain.get(name).is_none());
     }
     let directory = tempdir().expect("a temporary directory");
     let arguments = format!("solve {case} --sensitivities");
@@ -721,7 +724,7 @@ fn slurm_replaces_its_own_scripts_and_no_others() {
     for tasks in ["2", "3"] {
         assert_eq!(code(&write(tasks)), 0);
         let part = fs::read_to_string(here.join("out/slurm/part.sh")).expect("written");
-        assert!(part.contains(&format!("--shard \"$part/{tasks}\"")), "{part}");
+        assert!(part.contains(&format!("--part \"$part/{tasks}\"")), "{part}");
     }
 }
 

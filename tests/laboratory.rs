@@ -11,7 +11,7 @@ use crate::program::{code, err, out, say, with_results};
 use proptest::prelude::*;
 use serde_json::Value;
 use stribeck_solver::Parameters;
-use stribeck_sweep::{MAX_CHAIN, Plan, Sweep};
+use stribeck_sweep::{GridIndex, MAX_CHAIN, Plan, Sweep};
 
 /// The paper's example (β ≈ 1.9·10³), at three speeds, with two loads.
 const EXAMPLE: &str = "\
@@ -191,7 +191,7 @@ fn bytes_do_not_depend_on_threads_or_starts() {
     say(directory.path(), &["run", "small.toml", "--quiet", "--threads", "3", "-o", "results/three"]);
     assert!(bytes("small") == bytes("three"));
     for part in ["1/2", "2/2"] {
-        let said = say(directory.path(), &["run", "small.toml", "--quiet", "--shard", part, "-o", "results/parts"]);
+        let said = say(directory.path(), &["run", "small.toml", "--quiet", "--part", part, "-o", "results/parts"]);
         assert_eq!(code(&said), 0, "{}", err(&said));
     }
     let said = say(directory.path(), &["merge", "results/parts"]);
@@ -397,7 +397,7 @@ proptest! {
     #[test]
     fn chains_run_along_the_speed_and_hold_every_problem_once((text, shape) in laboratory()) {
         let sweep = Sweep::parse("made", &text).map_err(|error| TestCaseError::fail(format!("{text}\n{error}")))?;
-        prop_assert_eq!(sweep.grid.shape(), shape);
+        prop_assert_eq!(sweep.grid.shape().lengths(), shape);
         let plan = Plan::new(&sweep);
         prop_assert_eq!(plan.cases(), shape.iter().product::<usize>());
         let mut solved = HashSet::new();
@@ -405,19 +405,20 @@ proptest! {
             let cases = plan.parameters(&chain);
             prop_assert!((1..=MAX_CHAIN).contains(&cases.len()));
             prop_assert!(cases.windows(2).all(|pair: &[Parameters]| pair[0].beta < pair[1].beta));
-            let places: Vec<[usize; 3]> = plan.places(&chain).collect();
-            prop_assert!(places.windows(2).all(|pair| pair[0][..2] == pair[1][..2] && pair[0][2] > pair[1][2]));
+            let places: Vec<GridIndex> = plan.places(&chain).collect();
+            let along_one_row = |pair: &[GridIndex]| (pair[0].f, pair[0].row) == (pair[1].f, pair[1].row) && pair[0].along > pair[1].along;
+            prop_assert!(places.windows(2).all(along_one_row));
             for (case, place) in cases.iter().zip(places) {
                 prop_assert!(solved.insert(plan.id(case)), "a problem is solved twice");
-                prop_assert_eq!(plan.id(case), plan.case_at(place[0], place[1], place[2]));
+                prop_assert_eq!(plan.id(case), plan.case_at(place));
             }
         }
         prop_assert_eq!(solved.len(), plan.problems());
         let places = (0..plan.cases()).map(|n| [n / (shape[1] * shape[2]), n / shape[2] % shape[1], n % shape[2]]);
-        for [i_f, i_row, i_speed] in places {
-            prop_assert!(solved.contains(&plan.case_at(i_f, i_row, i_speed)), "a place without a case");
-            let [f, alpha, beta] = sweep.grid.numbers([i_f, i_row, i_speed]);
-            let experiment = sweep.grid.experiment([i_f, i_row, i_speed]).unwrap();
+        for place in places.map(GridIndex::from) {
+            prop_assert!(solved.contains(&plan.case_at(place)), "a place without a case");
+            let [f, alpha, beta] = sweep.grid.numbers(place);
+            let experiment = sweep.grid.experiment(place).unwrap();
             prop_assert_eq!((f, alpha, beta), (experiment.f, experiment.alpha(), experiment.beta()));
         }
     }

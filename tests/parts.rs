@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
 use crate::program::{code, err, out, paths, say, stribeck};
-use stribeck_solver::{COLUMNS, Output};
-use stribeck_sweep::CaseId;
+use stribeck_solver::Output;
 use stribeck_sweep::store::{Holdings, Inspection, Status, Store};
-use stribeck_sweep::{Part, Plan, Sweep};
+use stribeck_sweep::{CaseId, Column, Part, Plan, Sweep, Values};
 use tempfile::{TempDir, tempdir};
 
 /// 13 chains: the elastic row and six others have as many cases, the last chain of each being short.
@@ -53,7 +52,7 @@ fn assert_same(results: &Path) {
 }
 
 fn run_part(directory: &Path, results: &str, part: &str, threads: &str) {
-    let arguments = ["run", "many parts.toml", "-o", results, "--shard", part, "--threads", threads, "--quiet"];
+    let arguments = ["run", "many parts.toml", "-o", results, "--part", part, "--threads", threads, "--quiet"];
     let run = say(directory, &arguments);
     assert_eq!(code(&run), 0, "{part}: {}", err(&run));
     assert!(out(&run).starts_with(&format!("part {part}, ")), "{}", out(&run));
@@ -92,9 +91,10 @@ fn parts_that_run_at_the_same_time_write_no_common_file() {
     let directory = with_sweep();
     let here = directory.path();
     let start = |part: u32| {
-        let shard = format!("{part}/4");
+        let part = format!("{part}/4");
         let mut command = stribeck(here);
-        command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--shard", &shard]);
+        // The earlier name of `--part`, as it stands in job scripts that were written before.
+        command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--shard", &part]);
         command.stdout(Stdio::null()).spawn().expect("started")
     };
     for mut child in (1..=4).map(start).collect::<Vec<_>>() {
@@ -114,7 +114,7 @@ fn a_part_that_is_killed_resumes_by_itself() {
     for part in ["1/2", "2/2"] {
         for _ in 0..3 {
             let mut command = stribeck(here);
-            command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--shard", part]);
+            command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--part", part]);
             let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("started");
             let home = here.join("out/parts").join(part.replace('/', "-of-"));
             let stored = || Holdings::read(&home, &Output::default(), Inspection::Bytes).map_or(0, |held| held.known());
@@ -259,7 +259,7 @@ fn other_sweeps_are_not_joined() {
 }
 
 /// A directory with one more copy of a case, whose numbers are changed; all of its chain goes with it.
-fn with_other_numbers(here: &Path, name: &str, change: impl Fn(&mut [f64; COLUMNS.len()])) -> (PathBuf, CaseId) {
+fn with_other_numbers(here: &Path, name: &str, change: impl Fn(&mut Values)) -> (PathBuf, CaseId) {
     let sweep = Sweep::read(here.join("many parts.toml")).expect("valid");
     let plan = Plan::new(&sweep);
     let held = Holdings::read(&here.join("whole"), &sweep.output, Inspection::Bytes).expect("results");
@@ -277,9 +277,8 @@ fn a_case_that_is_there_twice_must_agree_within_the_tolerance_and_the_choice_is_
     let directory = with_sweep();
     let here = directory.path();
     assert_eq!(code(&say(here, &["run", "many parts.toml", "-o", "whole", "--quiet"])), 0);
-    let c = COLUMNS.iter().position(|column| column.name == "c").expect("a column");
     // The last bits of another processor.
-    with_other_numbers(here, "near", |values| values[c] *= 1.0 + 1e-8);
+    with_other_numbers(here, "near", |values| values[Column::C] *= 1.0 + 1e-8);
     for (first, second, merged) in [("whole", "near", "a"), ("near", "whole", "b")] {
         merge(here, &[first, second, "-o", merged]);
     }
@@ -289,7 +288,7 @@ fn a_case_that_is_there_twice_must_agree_within_the_tolerance_and_the_choice_is_
     let held = Holdings::read(&here.join("a"), &sweep.output, Inspection::Bytes).expect("results");
     assert_eq!((held.known(), held.counts().converged), (490, 490));
 
-    let (_, id) = with_other_numbers(here, "far", |values| values[c] *= 1.0 + 1e-4);
+    let (_, id) = with_other_numbers(here, "far", |values| values[Column::C] *= 1.0 + 1e-4);
     for (first, second, merged) in [("whole", "far", "d"), ("far", "whole", "e")] {
         let merge = say(here, &["merge", first, second, "-o", merged]);
         assert_eq!(code(&merge), 4);
@@ -299,7 +298,7 @@ fn a_case_that_is_there_twice_must_agree_within_the_tolerance_and_the_choice_is_
         assert!(!here.join(merged).join("summary.csv").exists());
     }
     // One that failed is no agreement either.
-    let failed = |values: &mut [f64; COLUMNS.len()]| values.fill(f64::NAN);
+    let failed = |values: &mut Values| *values = Values::UNKNOWN;
     let (path, _) = with_other_numbers(here, "void", failed);
     let held = Holdings::read(&path, &sweep.output, Inspection::Bytes).expect("results");
     assert_eq!(held.holds(id), Some(Status::Converged), "converged to nothing");

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::program::{code, err, out, say, with_results};
 use roxmltree::Document;
 use stribeck_sweep::store::DataSet;
+use stribeck_sweep::{Column, Field};
 use tempfile::tempdir;
 
 const SMALL: &str = r#"
@@ -122,7 +123,7 @@ fn the_numbers_of_profiles_are_those_of_the_fields() {
     for row in solved {
         let beta = data.dimensions[2].values.iter().position(|beta| *beta == number(row, "beta")).unwrap();
         let x = data.x.iter().position(|x| *x == number(row, "x")).unwrap();
-        assert_eq!(data.field("film_thickness", [1, 1, beta]).unwrap()[x], number(row, "film_thickness"));
+        assert_eq!(data.field(Field::FilmThickness, [1, 1, beta]).unwrap()[x], number(row, "film_thickness"));
     }
     assert!(drawn.iter().any(|row| row["kind"] == "large-β approximation"));
 }
@@ -132,7 +133,7 @@ fn the_numbers_of_profiles_are_those_of_the_fields() {
 fn the_area_of_a_loop_is_the_viscoelastic_friction() {
     let directory = with_results(SMALL);
     let data = DataSet::open(&directory.path().join("results/small")).unwrap();
-    let friction = data.column("mu_v").unwrap();
+    let friction = data.column(Column::MuV).unwrap();
     for (i_f, f) in [(0, "0"), (1, "10")] {
         let options = ["--what", "loops", "--alpha", "1", "--beta", "100", "--f", f, "--bare"];
         let drawn = rows(&only(&plot(directory.path(), &options)));

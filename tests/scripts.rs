@@ -8,6 +8,7 @@ use std::process::{Command, Output};
 use crate::in_python::{check, file_of_python, run_python};
 use crate::synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
 use stribeck_solver::FieldSelection;
+use stribeck_sweep::Column;
 use stribeck_sweep::store::{CaseEntry, Status, Store};
 use tempfile::{TempDir, tempdir};
 
@@ -187,10 +188,9 @@ fn a_sweep_compared_with_itself_is_equal() {
 #[test]
 fn a_changed_number_and_a_changed_status_are_found() {
     let directory = results();
-    let p_max = stribeck_solver::COLUMNS.iter().position(|column| column.name == "p_max").unwrap();
     let other = changed(|entry| {
         if entry.id == case_id(100.0, 10.0, BETA[1]) {
-            entry.values[p_max] *= 1.01;
+            entry.values[Column::PMax] *= 1.01;
         } else if entry.id == case_id(100.0, 1.0, BETA[0]) {
             entry.outcome = Status::Failed;
             entry.reason = "made to fail".into();

@@ -1,64 +1,80 @@
-// The quantity along α and along β through the selected case, other values of the other axis faint.
+// The quantity along α and along β through the selected place; curves at other values of the other axis are faint.
 
-function drawCurves(state) {
-  const values = quantityValues(state.quantity);
-  const scale = scaleOf(values, state.scale);
-  const [iF, iAlpha, iBeta] = indicesOf(state.place);
-  const words = scale.empty
-    ? "No case has this number."
-    : [[alphaSymbol, alphas], [betaSymbol, betas]].filter(([symbol, axis]) => symbol && axis.length < 2).map(([symbol]) => `${symbol} has one value in this sweep, so there is no curve along it.`).join(" ");
-  document.getElementById("no-curves").textContent = words;
-  show("no-curves", words !== "");
-  drawCurve("curve-alpha", scale, state, alphas, alphaPlaces, alphaAxis(), betas, iBeta, iAlpha, 2, (i, other) => placeAt(iF, i, other));
-  drawCurve("curve-beta", scale, state, betas, betaPlaces, betaAxis(), alphas, iAlpha, iBeta, 1, (i, other) => placeAt(iF, other, i));
+import { axisPlaces, gridAxis } from "./axes.js";
+import { quantityValues } from "./columns.js";
+import { say, show } from "./elements.js";
+import { axes, axisWords, failedAt, indicesOf, placeAt } from "./grid.js";
+import { measuredPoints } from "./measured.js";
+import { draw, selectedMarker } from "./picture.js";
+import { scaleOf } from "./scale.js";
+import { colour, lineColours } from "./theme.js";
+import { axisName, hoverWords, wordsAt } from "./words.js";
+
+// For each picture its id, the axis that its curves run along, and the axis that tells one curve from another.
+const pictures = [
+  { id: "curve-alpha", along: 1, across: 2 },
+  { id: "curve-beta", along: 2, across: 1 },
+];
+
+export function drawCurves(selection) {
+  const values = quantityValues(selection.quantity);
+  const scale = scaleOf(values, selection.scale);
+  const single = [1, 2].filter((axis) => axisWords[axis].symbol && axes[axis].length < 2);
+  const lacks = single.map((axis) => {
+    const { symbol } = axisWords[axis];
+    return `${symbol} has one value in this sweep, so there is no curve along it.`;
+  });
+  say("no-curves", scale.empty ? "No case has this number." : lacks.join(" "));
+  for (const picture of pictures) {
+    const possible = axes[picture.along].length > 1 && !scale.empty;
+    show(picture.id, possible);
+    if (possible) draw(picture.id, tracesOf(picture, selection, scale), lookOf(picture, selection, scale));
+  }
 }
 
-function drawCurve(id, scale, state, along, places, axis, others, iOther, iChosen, otherAxis, placeOf) {
-  const possible = along.length > 1 && !scale.empty;
-  show(id, possible);
-  if (!possible) return;
-  const values = quantityValues(state.quantity);
-  const line = (other) => {
-    const shown = along.map((_, i) => placeOf(i, other));
-    return { type: "scatter", x: places, y: shown.map((place) => (failedAt[place] ? NaN : scale.to(values[place]))), customdata: shown, text: shown.map(hoverWords), hovertemplate: "%{text}<extra></extra>" };
+function tracesOf({ along, across }, selection, scale) {
+  const values = quantityValues(selection.quantity);
+  const chosen = indicesOf(selection.place);
+  const places = axisPlaces[along];
+  const curve = (other) => {
+    const shown = places.map((_, i) => {
+      const indices = [...chosen];
+      [indices[along], indices[across]] = [i, other];
+      return placeAt(...indices);
+    });
+    const y = shown.map((place) => (failedAt[place] ? NaN : scale.to(values[place])));
+    const text = shown.map(hoverWords);
+    return { type: "scatter", x: places, y, customdata: shown, text, hovertemplate: "%{text}<extra></extra>" };
   };
   // About seven others are enough to see where the case stands.
+  const others = axes[across].map((_, i) => i);
   const step = Math.max(1, Math.ceil(others.length / 7));
-  const faint = others.map((_, i) => i).filter((i) => i !== iOther && i % step === 0);
-  const chosen = line(iOther);
-  draw(
-    id,
-    [
-      ...faint.map((other) => ({ ...line(other), mode: "lines", line: { color: style("--quiet"), width: 1 }, opacity: 0.45 })),
-      { ...chosen, mode: "lines+markers", line: { color: kinds()[0], width: 2.5 }, marker: { size: 5 } },
-      ...measuredPoints(state, 3 - otherAxis, scale),
-      { type: "scatter", mode: "markers", x: [places[iChosen]], y: [chosen.y[iChosen]], marker: selectedMarker, hoverinfo: "skip" },
-    ],
-    {
-      xaxis: axis,
-      // What was zoomed is left as it is until another quantity is shown.
-      yaxis: { title: { text: axisName(state.quantity) }, uirevision: `${state.quantity} ${state.scale}`, ...scale.ticks() },
-      annotations: [{ text: others.length > 1 ? `${valueWords(otherAxis, iOther)}; faint: other ${axisWords[otherAxis].symbol}` : valueWords(otherAxis, iOther), xref: "paper", yref: "paper", x: 0.02, y: 1, xanchor: "left", yanchor: "bottom", showarrow: false, font: { color: style("--quiet") } }],
-      margin: { l: 60, r: 15, t: 26, b: 50 },
-    },
-  );
+  const faint = others.filter((i) => i !== chosen[across] && i % step === 0);
+  const faintLook = { mode: "lines", line: { color: colour("--quiet"), width: 1 }, opacity: 0.45 };
+  const chosenLook = { mode: "lines+markers", line: { color: lineColours()[0], width: 2.5 }, marker: { size: 5 } };
+  const chosenCurve = curve(chosen[across]);
+  const point = { x: [places[chosen[along]]], y: [chosenCurve.y[chosen[along]]] };
+  return [
+    ...faint.map((other) => ({ ...curve(other), ...faintLook })),
+    { ...chosenCurve, ...chosenLook },
+    ...measuredPoints(selection, along, scale),
+    { type: "scatter", mode: "markers", ...point, marker: selectedMarker, hoverinfo: "skip" },
+  ];
 }
 
-// Measured points of the quantity, where they say how they lie along this axis, with their standard errors.
-function measuredPoints(state, axis, scale) {
-  const { measured } = contents;
-  const along = measured?.coordinates[axisWords[axis].name];
-  if (!along || measured.column !== state.quantity) return [];
-  // Where the file says so, points that were measured elsewhere belong to other curves.
-  const same = (one, other) => one === other || Math.abs(Math.log(one / other)) < 0.01;
-  const own = Object.entries(quantitiesAt(state.place)).filter(([name]) => name !== axisWords[axis].name && measured.coordinates[name]);
-  const rows = along.map((_, i) => i).filter((i) => own.every(([name, value]) => same(measured.coordinates[name][i], value)));
-  const friction = rows.map((i) => measured.friction[i]);
-  const errors = measured.errors && rows.map((i) => measured.errors[i]);
-  const y = friction.map((value) => (scale.logarithmic && value <= 0 ? NaN : scale.to(value)));
-  const text = friction.map((value, i) => `measured ${digits(value)}${errors ? ` ± ${digits(errors[i], 2)}` : ""}`);
-  const above = errors?.map((error, i) => scale.to(friction[i] + error) - y[i]);
-  const below = errors?.map((error, i) => y[i] - scale.to(Math.max(friction[i] - error, scale.logarithmic ? friction[i] / 1e3 : -Infinity)));
-  const bars = above ? { error_y: { type: "data", symmetric: false, array: above, arrayminus: below, color: style("--text"), thickness: 1, width: 3 } } : {};
-  return [{ type: "scatter", mode: "markers", x: rows.map((i) => Math.log10(along[i])), y, text, hovertemplate: "%{text}<extra></extra>", marker: { symbol: "diamond-open", size: 8, color: style("--text"), line: { width: 1.5 } }, ...bars }];
+function lookOf({ along, across }, { quantity, scale: choice, place }, scale) {
+  const value = wordsAt(across, indicesOf(place)[across]);
+  const note = {
+    text: axes[across].length > 1 ? `${value}; faint: other ${axisWords[across].symbol}` : value,
+    ...{ xref: "paper", yref: "paper", x: 0.02, y: 1, xanchor: "left", yanchor: "bottom" },
+    showarrow: false,
+    font: { color: colour("--quiet") },
+  };
+  return {
+    xaxis: gridAxis(along),
+    // What was zoomed is left as it is until another quantity is shown.
+    yaxis: { title: { text: axisName(quantity) }, uirevision: `${quantity} ${choice}`, ...scale.ticks() },
+    annotations: [note],
+    margin: { l: 60, r: 15, t: 26, b: 50 },
+  };
 }

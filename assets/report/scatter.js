@@ -1,13 +1,26 @@
-// The largest estimated error of each case against the seconds it took; failed cases in a row of their own above.
+// The largest estimated error of each case against the seconds it took; failed cases stand in a row of their own above.
 
-// Each case once, however often it stands in the sweep: the places of those with an error to show, of the failed ones, of others.
-const scattered = { known: [], failed: [], unknown: [] };
+import { axisPlaces } from "./axes.js";
+import { costs, largestErrors } from "./columns.js";
+import { say, show } from "./elements.js";
+import { axes, caseOf, failedAt, indicesOf, placeCount } from "./grid.js";
+import { digits, plural } from "./numbers.js";
+import { draw, selectedMarker } from "./picture.js";
+import { colour, lineColours, theme } from "./theme.js";
+import { logTicks } from "./ticks.js";
+import { hoverWords } from "./words.js";
+
+const [fs] = axes;
+const [fPlaces] = axisPlaces;
+
+// One place of each case, however often it stands in the sweep: those with an error to show, failed ones, others.
+const places = { known: [], failed: [], unknown: [] };
 if (costs) {
   const seen = new Set();
   for (let place = 0; place < placeCount; place++) {
     if (seen.has(caseOf[place])) continue;
     seen.add(caseOf[place]);
-    (failedAt[place] ? scattered.failed : largestErrors[place] > 0 ? scattered.known : scattered.unknown).push(place);
+    places[failedAt[place] ? "failed" : largestErrors[place] > 0 ? "known" : "unknown"].push(place);
   }
 }
 
@@ -15,41 +28,56 @@ if (costs) {
 const secondsPlace = (place) => Math.log10(Math.max(costs.seconds[place], 1e-6));
 const errorPlace = (place) => Math.log10(largestErrors[place]);
 
+// What the scatter does not show, and what its upper row is.
 function scatterWords() {
-  const { known, failed, unknown } = scattered;
+  const { known, failed, unknown } = places;
   if (!costs) return "There is no timings.csv beside the data set, so nothing is known of seconds.";
+  const estimate = "With the relaxation method a sweep asks for estimates by estimate = true.";
   return [
     known.length ? "" : "No case has an estimated error above zero.",
-    unknown.length ? `Not shown: ${plural(unknown.length, "case")} without an estimate above zero. With the relaxation method a sweep asks for estimates by estimate = true.` : "",
+    unknown.length ? `Not shown: ${plural(unknown.length, "case")} without an estimate above zero. ${estimate}` : "",
     failed.length ? `${plural(failed.length, "failed case")} in the row above, as ×.` : "",
-  ].join(" ").trim();
+  ]
+    .join(" ")
+    .trim();
 }
 
-function points(places, y, marker, more) {
-  return { type: "scatter", mode: "markers", x: places.map(secondsPlace), y: places.map(y), customdata: places, text: places.map(hoverWords), hovertemplate: "%{text}<extra></extra>", marker: { size: 6, opacity: 0.65, ...marker }, ...more };
+function points(shown, y, marker, more) {
+  return {
+    ...{ type: "scatter", mode: "markers", x: shown.map(secondsPlace), y: shown.map(y), customdata: shown },
+    text: shown.map(hoverWords),
+    hovertemplate: "%{text}<extra></extra>",
+    marker: { size: 6, opacity: 0.65, ...marker },
+    ...more,
+  };
 }
 
 // A few values of f have a colour and a shape each; many share a scale of colours.
 function knownPoints() {
-  const { known } = scattered;
+  const { known } = places;
   if (fs.length > 4) {
     const { values: tickvals, text: ticktext } = logTicks(Math.min(...fPlaces), Math.max(...fPlaces));
-    const colorbar = { title: { text: "f", side: "right" }, thickness: 14, tickmode: "array", tickvals, ticktext };
-    return [points(known, errorPlace, { color: known.map((place) => fPlaces[indicesOf(place)[0]]), colorscale: "Viridis", colorbar }, { name: "converged", showlegend: false })];
+    const title = { text: "f", side: "right" };
+    const colorbar = { title, thickness: 14, tickmode: "array", tickvals, ticktext };
+    const color = known.map((place) => fPlaces[indicesOf(place)[0]]);
+    const more = { name: "converged", showlegend: false };
+    return [points(known, errorPlace, { color, colorscale: "Viridis", colorbar }, more)];
   }
+  const shapes = ["circle", "square", "triangle-up", "diamond"];
   return fs.map((f, iF) => {
     const own = known.filter((place) => indicesOf(place)[0] === iF);
-    return points(own, errorPlace, { color: kinds()[iF], symbol: ["circle", "square", "triangle-up", "diamond"][iF] }, { name: `f = ${digits(f)}` });
+    return points(own, errorPlace, { color: lineColours()[iF], symbol: shapes[iF] }, { name: `f = ${digits(f)}` });
   });
 }
 
+const ends = (list) => list.reduce(([low, high], x) => [Math.min(low, x), Math.max(high, x)], [Infinity, -Infinity]);
+
 // All but the mark of the selected case; kept until another theme is shown.
 let cloud = { theme: null };
-function cloudOf(theme) {
-  if (cloud.theme === theme) return cloud;
-  const { known, failed } = scattered;
+function cloudOf(name) {
+  if (cloud.theme === name) return cloud;
+  const { known, failed } = places;
   const all = [...known, ...failed];
-  const ends = (list) => list.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
   const [fast, slow] = ends(all.map(secondsPlace));
   const [small, large] = known.length ? ends(known.map(errorPlace)) : [-1, 0];
   const times = logTicks(fast - 0.1, slow + 0.1);
@@ -57,33 +85,39 @@ function cloudOf(theme) {
   const row = large + 0.12 * (large - small) + 0.3;
   const traces = knownPoints();
   if (failed.length) {
-    traces.push(points(failed, () => row, { symbol: "x", color: style("--failed") }, { name: "failed" }));
+    traces.push(points(failed, () => row, { symbol: "x", color: colour("--failed") }, { name: "failed" }));
     errors.values.push(row);
     errors.text.push("failed");
   }
+  const axis = (text, ticks, range) => {
+    return { title: { text }, tickmode: "array", tickvals: ticks.values, ticktext: ticks.text, range };
+  };
   const look = {
-    xaxis: { title: { text: "seconds for a case  (s)" }, tickmode: "array", tickvals: times.values, ticktext: times.text, range: [fast - 0.15, slow + 0.15] },
-    yaxis: { title: { text: "largest relative error" }, tickmode: "array", tickvals: errors.values, ticktext: errors.text, range: [small - 0.3, (failed.length ? row : large) + 0.3] },
+    xaxis: axis("seconds for a case  (s)", times, [fast - 0.15, slow + 0.15]),
+    yaxis: axis("largest relative error", errors, [small - 0.3, (failed.length ? row : large) + 0.3]),
     showlegend: fs.length <= 4 && (fs.length > 1 || failed.length > 0),
     legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
     margin: { l: 60, r: 15, t: 40, b: 50 },
   };
-  cloud = { theme, all, row, traces, look };
+  cloud = { theme: name, all, row, traces, look };
   return cloud;
 }
 
-function drawScatter({ place: selected }) {
-  const words = scatterWords();
-  document.getElementById("no-scatter").textContent = words;
-  show("no-scatter", words !== "");
-  const possible = scattered.known.length + scattered.failed.length > 0;
+// A ring round the selected case: a shape, for another trace would have thousands of points computed again.
+function ringAt(xanchor, yanchor) {
+  const { size, color, line } = selectedMarker;
+  const [low, high] = [-size / 2, size / 2];
+  const pixels = { xsizemode: "pixel", ysizemode: "pixel", x0: low, x1: high, y0: low, y1: high };
+  return { type: "circle", ...pixels, line: { ...line, color }, xanchor, yanchor };
+}
+
+export function drawScatter({ place: selected }) {
+  say("no-scatter", scatterWords());
+  const possible = places.known.length + places.failed.length > 0;
   show("scatter", possible);
   if (!possible) return;
-  const { all, row, traces, look } = cloudOf(root.dataset.theme);
+  const { all, row, traces, look } = cloudOf(theme());
   const chosen = all.filter((place) => caseOf[place] === caseOf[selected]);
-  // A shape, for another trace would have thousands of points computed again.
-  const { size, color, line } = selectedMarker;
-  const ring = { type: "circle", xsizemode: "pixel", ysizemode: "pixel", x0: -size / 2, x1: size / 2, y0: -size / 2, y1: size / 2, line: { ...line, color } };
-  const shapes = chosen.map((place) => ({ ...ring, xanchor: secondsPlace(place), yanchor: failedAt[place] ? row : errorPlace(place) }));
+  const shapes = chosen.map((place) => ringAt(secondsPlace(place), failedAt[place] ? row : errorPlace(place)));
   draw("scatter", traces, { ...look, shapes });
 }

@@ -1,16 +1,12 @@
 //! `stribeck curve`: friction against speed, in the terminal and as CSV.
 
-use std::collections::HashMap;
 use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::destination::read_sweep;
-use super::entry::{case_entry, panicked};
 use super::plot::at;
-use super::solver::Solver;
 use super::terminal_plot::{TextAxis, plot};
 use super::wording::count;
 use super::{CliError, Exit, console, threads};
@@ -18,12 +14,10 @@ use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::Measured;
 use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
-use stribeck_solver::continuation::Interrupt;
-use stribeck_solver::{COLUMNS, FieldSelection, Output, shortest};
-use stribeck_sweep::CaseId;
-use stribeck_sweep::engine::{Engine, Finished};
+use stribeck_solver::{FieldSelection, Output, shortest};
+use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
-use stribeck_sweep::{Grid, LaboratoryAxes, Plan, Sweep};
+use stribeck_sweep::{Column, Grid, LaboratoryAxes, Plan, Sweep};
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
@@ -124,36 +118,16 @@ struct Solved {
 
 impl Solved {
     /// A column in SI units.
-    fn value(&self, name: &str) -> f64 {
-        let place = COLUMNS.iter().position(|column| column.name == name).expect("a column");
-        self.entry.values[place] * self.experiment.scales().factor(COLUMNS[place].units)
+    fn value(&self, column: Column) -> f64 {
+        self.entry.values[column] * self.experiment.scales().factor(column.units())
     }
 }
 
 /// Solves every case of a sweep along the speed, in ascending speed.
 fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> {
-    let plan = Plan::new(sweep);
-    let (solver, output) = (Solver::new(&sweep.solver), &sweep.output);
-    let chains: Vec<_> = plan.chains().collect();
-    let mut entries: HashMap<CaseId, CaseEntry> = HashMap::new();
-    Engine::new(threads)?.run(
-        &chains,
-        &Interrupt::new(),
-        |chain, interrupt| solver.solve_chain(&plan.parameters(chain), output, interrupt),
-        |chain, message| panicked(&plan.parameters(chain), output, message),
-        |group| -> Result<(), CliError> {
-            for Finished { chain, cases, .. } in group {
-                let parameters = plan.parameters(chain);
-                let solved = parameters.iter().zip(cases).map(|(case, solved)| case_entry(&plan, case, solved));
-                entries.extend(solved.map(|entry| (entry.id, entry)));
-            }
-            Ok(())
-        },
-    )?;
-    let [_, _, speeds] = sweep.grid.shape();
-    let solved = (0..speeds).map(|i_speed| {
-        let place = [0, 0, i_speed];
-        let entry = entries.get(&plan.case_at(0, 0, i_speed)).expect("every case is in a chain").clone();
+    let (plan, entries) = (Plan::new(sweep), solve_in_memory(sweep, threads)?);
+    let solved = sweep.grid.shape().row(0).map(|place| {
+        let entry = entries.get(&plan.case_at(place)).expect("every case is in a chain").clone();
         let experiment = sweep.grid.experiment(place).expect("a sweep over quantities of the laboratory");
         Solved { experiment, numbers: sweep.grid.numbers(place), entry }
     });
@@ -177,7 +151,7 @@ fn in_words(experiment: &Experiment) -> String {
 
 /// The curve of the total friction, and measured points of it.
 fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
-    let column = measured.map_or("mu_tot", |measured| measured.column);
+    let column = measured.and_then(|measured| Column::named(measured.column)).unwrap_or(Column::MuTot);
     let line: Vec<(f64, f64)> = cases.iter().map(|case| (case.experiment.speed, case.value(column))).collect();
     let points: Vec<(f64, f64)> = match measured.and_then(|it| Some((it, it.coordinate("speed")?))) {
         Some((measured, speeds)) => {
@@ -192,6 +166,7 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
         Some(_) => "; crosses: measured",
     };
     let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
+    let column = column.name();
     format!("\n{column} against speed in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
 }
 
@@ -207,10 +182,10 @@ fn rows(cases: &[Solved]) -> String {
     let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
     for case in cases {
         let [_, alpha, beta] = case.numbers;
-        let errors = ["error_mu_v", "error_mu_h", "error_c"].map(|name| case.value(name));
+        let errors = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| case.value(column));
         let error =
             if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
-        let values = ["mu_v", "mu_h", "mu_tot", "film_min"].map(|name| case.value(name));
+        let values = [Column::MuV, Column::MuH, Column::MuTot, Column::FilmMin].map(|column| case.value(column));
         let numbers: Vec<f64> = [case.experiment.speed, alpha, beta].into_iter().chain(values).collect();
         let mut cells: Vec<String> = numbers.into_iter().map(number).collect();
         cells.push(match case.entry.outcome {
@@ -226,14 +201,14 @@ fn rows(cases: &[Solved]) -> String {
 /// All numbers in SI units: what is given, and the columns of the summary.
 fn table(cases: &[Solved]) -> Table {
     let quantities: Vec<_> = cases[0].experiment.given().collect();
-    let columns: Vec<_> = COLUMNS.iter().filter(|column| column.in_summary).map(|column| column.name).collect();
+    let columns: Vec<_> = Column::summary().map(Column::name).collect();
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
     let scales = Scales::VARIABLES.map(|(name, ..)| name);
     let header = [&["status", "reason", "f", "alpha", "beta"], &names[..], &columns[..], &scales[..]].concat();
     let mut table = Table::new(&header);
     for case in cases {
         let given = quantities.iter().map(|quantity| case.experiment.value(*quantity));
-        let numbers = case.numbers.into_iter().chain(given).chain(columns.iter().map(|name| case.value(name)));
+        let numbers = case.numbers.into_iter().chain(given).chain(Column::summary().map(|column| case.value(column)));
         let numbers = numbers.chain(case.experiment.scales().values());
         table.row(&[case.entry.outcome.name(), &case.entry.reason], &numbers.collect::<Vec<_>>());
     }

@@ -13,6 +13,7 @@ use stribeck_input::{printable, shown};
 use stribeck_lab::MeasuredError;
 use stribeck_lab::material::FitError;
 use stribeck_sweep::Method;
+use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::ThreadsError;
 use stribeck_sweep::store::StoreError;
 
@@ -105,19 +106,6 @@ pub enum CliError {
     /// Several directories to be joined in none.
     #[error("several directories are joined in one that -o names; give -o DIR")]
     NoTarget,
-    /// Directories of different sweeps that were to be joined.
-    #[error(
-        "{} and {} are not of the same sweep: only runs of one sweep file can be joined; merge the parts of an earlier one and \
-         delete them first",
-        shown(first),
-        shown(other)
-    )]
-    OtherSweep {
-        /// A sweep file.
-        first: PathBuf,
-        /// One that differs.
-        other: PathBuf,
-    },
     /// A merge of parts that lack cases.
     #[error("nothing is published: {missing}")]
     Incomplete {
@@ -164,21 +152,9 @@ pub enum CliError {
         /// What it said.
         said: String,
     },
-    /// A case that a results directory does not know.
-    #[error(
-        "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
-        shown(directory)
-    )]
-    NoSuchCase {
-        /// The results directory.
-        directory: PathBuf,
-    },
-    /// A results directory that is none and cannot become one.
-    #[error("{} is a file, and results need a directory; choose another place with -o", shown(path))]
-    NotADirectory {
-        /// The path.
-        path: PathBuf,
-    },
+    /// A sweep cannot be run, merged or looked at. What can be done about the directory is an option of the command.
+    #[error("{}{}", .0, other_directory(.0))]
+    Campaign(#[from] CampaignError),
     /// A run that the disk ended.
     #[error("{source}\n{progress}")]
     Stopped {
@@ -249,6 +225,14 @@ pub enum CliError {
     },
 }
 
+/// The remedy for a place that cannot be used.
+fn other_directory(error: &CampaignError) -> &'static str {
+    match error {
+        CampaignError::NotADirectory { .. } | CampaignError::Parts { .. } => "; choose another place with -o",
+        _ => "",
+    }
+}
+
 impl CliError {
     /// The exit code: 2 for bad input, 4 for the disk and the system.
     pub fn code(&self) -> u8 {
@@ -261,11 +245,9 @@ impl CliError {
             | CliError::SeveralAsked { .. }
             | CliError::NoFit { .. }
             | CliError::Fit { .. }
-            | CliError::NoSuchCase { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }
-            | CliError::OtherSweep { .. }
             | CliError::Picture(
                 PictureError::Unknown { .. }
                 | PictureError::Outside { .. }
@@ -277,11 +259,21 @@ impl CliError {
             | CliError::OtherMethod { .. }
             | CliError::Sensitivities
             | CliError::Tolerance { .. } => 2,
+            CliError::Campaign(error) => match error {
+                CampaignError::Input(_)
+                | CampaignError::Threads(_)
+                | CampaignError::NothingToMerge
+                | CampaignError::OtherSweep { .. }
+                | CampaignError::NoSuchCase { .. } => 2,
+                CampaignError::Store(_)
+                | CampaignError::NotADirectory { .. }
+                | CampaignError::Parts { .. }
+                | CampaignError::Stopped { .. } => 4,
+            },
             CliError::Store(_)
             | CliError::Incomplete { .. }
             | CliError::Foreign { .. }
             | CliError::Slurm { .. }
-            | CliError::NotADirectory { .. }
             | CliError::Occupied { .. }
             | CliError::NoReport { .. }
             | CliError::Directory { .. }
@@ -296,7 +288,7 @@ impl CliError {
     /// The text for the user; a sweep file is shown with the place of the error.
     pub fn report(self) -> String {
         match self {
-            CliError::Input(error) => {
+            CliError::Input(error) | CliError::Campaign(CampaignError::Input(error)) => {
                 // A second hook is refused; this one is set once, on the way out.
                 let _ = miette::set_hook(Box::new(|_| {
                     // `file:line:column` has to stay whole, for people and editors that look for it

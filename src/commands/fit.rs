@@ -8,7 +8,6 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use super::curve::laboratory;
-use super::destination::read_sweep;
 use super::terminal_plot::{TextAxis, plot};
 use super::wording::count;
 use super::{CliError, Exit, console};
@@ -19,6 +18,7 @@ use stribeck_lab::Experiment;
 use stribeck_lab::Measured;
 use stribeck_lab::fit::{Fit, SolverChoice, Task, Unknown, fit};
 use stribeck_solver::shortest;
+use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::write_whole;
 use stribeck_sweep::{LaboratoryAxes, Method};
 
@@ -114,7 +114,7 @@ fn beginning(axes: &LaboratoryAxes, measured: &Measured, unknowns: &[Unknown]) -
             return Err(format!("{name} has {values} values in the sweep file and is no column here; give it one"));
         }
     }
-    Ok(axes.experiment([0, 0, 0]))
+    Ok(axes.experiment([0, 0, 0].into()))
 }
 
 /// Values with errors, correlations, residuals.

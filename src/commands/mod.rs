@@ -3,41 +3,27 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify`, `curve`, `fit`, `plot`, `report`, `study`, `material` | the commands |
-//! | `destination` | the results directory of a sweep, and what it was used for before |
+//! | `destination` | the results directory of a sweep |
 //! | `published` | the published data set, for commands that show it |
-//! | `workload` | which chains of a plan are left to be solved |
-//! | `collection`, `parts` | all that is stored of a sweep, its parts included; how far these are |
-//! | `job`, `run_report` | the work of a run; what it tells of itself |
+//! | `run_report`, `trace_report` | what a run tells of itself; how a case was reached |
 //! | `slurm_script` | the job scripts of `slurm` |
-//! | `entry` | from a solved case to what the store keeps |
-//! | `expectation` | what a run is expected to cost |
-//! | `failures` | failed cases, listed and by region |
 //! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `fitted_material` | a fitted material as a table, as JSON and as a chart |
-//! | `solver` | the solver that a sweep asks for |
-//! | `repeat`, `way` | the command that solves a case again; how it was reached |
 //! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
 
-mod collection;
 mod console;
 mod curve;
 mod destination;
-mod entry;
 mod error;
-mod expectation;
 mod explain;
-mod failures;
 mod fit;
 mod fitted_material;
-mod job;
 mod material;
 mod merge;
-mod parts;
 mod plan;
 mod plot;
 mod published;
-mod repeat;
 mod report;
 mod run;
 mod run_report;
@@ -47,15 +33,13 @@ mod slurm;
 mod slurm_script;
 mod solution;
 mod solve;
-mod solver;
 mod status;
 mod study;
 mod terminal_plot;
 mod threads;
+mod trace_report;
 mod verify;
-mod way;
 mod wording;
-mod workload;
 
 use std::process::ExitCode;
 

@@ -2,19 +2,19 @@
 
 use std::fmt::Write;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::collection::{Collection, Held};
-use super::destination::{destination, had_other_sweep, read_sweep};
-use super::expectation::{CaseSeconds, Size};
+use super::destination::destination;
 use super::wording::{bytes, count, duration};
-use super::workload::{Workload, inspection};
 use super::{CliError, Exit, console, threads};
 use stribeck_input::shown;
-use stribeck_sweep::store::Store;
-use stribeck_sweep::{Grid, Plan, Sweep};
+use stribeck_sweep::campaign::{CaseSeconds, Cost, DirectoryState, PlanOptions, PlanReport, plan, read_sweep};
+use stribeck_sweep::store::Inspection;
+use stribeck_sweep::{Grid, Sweep};
+
+const IN_MEMORY: &str = "writing to memory does not fail";
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -41,82 +41,84 @@ pub struct Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = read_sweep(&arguments.sweep)?;
-    let plan = Plan::new(&sweep);
-    let directory = destination(arguments.output.as_deref(), &sweep)?;
-    let collection = Collection::read(&directory, &sweep.output, inspection(arguments.quick))?;
-    if collection.whole.is_none() {
-        Store::may_take(&directory)?;
-    }
-    let held = collection.held();
-    for warning in held.all().iter().flat_map(|held| held.warnings()) {
+    let directory = destination(arguments.output.as_deref(), &sweep);
+    let inspection = if arguments.quick { Inspection::Size } else { Inspection::Bytes };
+    let threads = threads::number(arguments.threads);
+    let report = plan(&sweep, &directory, &PlanOptions { threads, inspection })?;
+    for warning in &report.warnings {
         console::tell(&format!("warning: {warning}"));
     }
-    let workload = Workload::survey(&sweep, &plan, None, &held);
-
-    let dimensions = sweep.grid.dimensions();
-    let axes: Vec<String> = dimensions.iter().map(|axis| format!("{} {}", axis.values.len(), axis.name)).collect();
-    let state = match () {
-        () if collection.is_empty() => "no results yet",
-        () if had_other_sweep(&directory, &sweep) => "last run with another sweep file",
-        () => "has results",
-    };
-    let mut text = String::new();
-    let mut line = |name: &str, words: String| {
-        writeln!(text, "{name:<10} {words}").expect("writing to memory does not fail");
-    };
-    line("sweep", format!("{} ({})", sweep.title, shown(&arguments.sweep)));
-    line("directory", format!("{} ({state})", shown(&directory)));
-    line("cases", format!("{} = {}", plan.cases(), axes.join(" x ")));
-    let chains = count(plan.chain_count() as u64, "chain");
-    let once = match sweep.grid {
-        Grid::Dimensionless(_) => "elastic ones are solved once for all alpha",
-        Grid::Laboratory(_) => "those with the same f, alpha and beta are solved once",
-    };
-    line("problems", format!("{} distinct, in {chains}; {once}", plan.problems()));
-    let (reused, new, failed) = (workload.converged, workload.new, workload.failed);
-    let stale = match workload.stale() {
-        0 => String::new(),
-        stale => format!(", {stale} stale"),
-    };
-    line("state", format!("{reused} reused, {new} new{stale}, {failed} failed before"));
-    for (why, cases) in &workload.stale {
-        line("stale", format!("{cases}: {why}"));
+    let mut text = describe_sweep(&sweep, &arguments.sweep, &directory, &report);
+    text += &describe_pending(&report);
+    match &report.cost {
+        Some(cost) => text += &describe_cost(cost, threads),
+        None => text += "to do      nothing to solve\n",
     }
-    if workload.others > 0 {
-        line("others", format!("{} stored have no place in this sweep; they stay", count(workload.others, "case")));
-    }
-    if workload.to_do() == 0 {
-        line("to do", "nothing to solve".to_owned());
-        console::print(&text)?;
-        return Ok(Exit::Success);
-    }
-    let pending = workload.pending.len() as u64;
-    let to_do = workload.to_do();
-    let seeding = match workload.solved - to_do {
-        0 => String::new(),
-        others => format!("; {others} of the reused cases are solved again to seed them"),
-    };
-    line("to do", format!("{} in {}{seeding}", count(to_do, "case"), count(pending, "chain")));
-    line("time", expected_time(&sweep, &plan, &workload, &held, arguments));
-    let size = Size::of(&sweep, &plan, to_do, pending);
-    line("disk", format!("about {} to store, {} published", bytes(size.stored), bytes(size.published)));
     console::print(&text)?;
     Ok(Exit::Success)
 }
 
-fn expected_time(sweep: &Sweep, plan: &Plan, workload: &Workload, held: &Held<'_>, arguments: &Arguments) -> String {
-    let threads = threads::number(arguments.threads).get();
-    let per_case = CaseSeconds::expected(sweep, plan, workload, held);
-    let busy = threads.min(workload.pending.len());
-    let seconds = per_case.seconds() * workload.solved as f64 / busy as f64;
-    let source = match per_case {
+/// The sweep, where it goes, and how many cases it has.
+fn describe_sweep(sweep: &Sweep, file: &Path, directory: &Path, report: &PlanReport) -> String {
+    let dimensions = sweep.grid.dimensions();
+    let axes: Vec<String> = dimensions.iter().map(|axis| format!("{} {}", axis.values.len(), axis.name)).collect();
+    let state = match report.directory {
+        DirectoryState::Empty => "no results yet",
+        DirectoryState::OtherSweep => "last run with another sweep file",
+        DirectoryState::SameSweep => "has results",
+    };
+    let once = match sweep.grid {
+        Grid::Dimensionless(_) => "elastic ones are solved once for all alpha",
+        Grid::Laboratory(_) => "those with the same f, alpha and beta are solved once",
+    };
+    let mut text = String::new();
+    let mut line = |name: &str, words: String| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
+    line("sweep", format!("{} ({})", sweep.title, shown(file)));
+    line("directory", format!("{} ({state})", shown(directory)));
+    line("cases", format!("{} = {}", report.plan.cases(), axes.join(" x ")));
+    let chains = count(report.plan.chain_count() as u64, "chain");
+    line("problems", format!("{} distinct, in {chains}; {once}", report.plan.problems()));
+    text
+}
+
+/// What is stored, and what is left.
+fn describe_pending(report: &PlanReport) -> String {
+    let pending = &report.pending;
+    let mut text = String::new();
+    let mut line = |name: &str, words: String| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
+    let (reused, new, failed) = (pending.converged, pending.new, pending.failed);
+    let stale = match pending.stale_cases() {
+        0 => String::new(),
+        stale => format!(", {stale} stale"),
+    };
+    line("state", format!("{reused} reused, {new} new{stale}, {failed} failed before"));
+    for stale in &pending.stale {
+        line("stale", format!("{}: {}", stale.cases, stale.reason));
+    }
+    if pending.unplaced > 0 {
+        line("others", format!("{} stored have no place in this sweep; they stay", count(pending.unplaced, "case")));
+    }
+    if pending.to_do() > 0 {
+        let (to_do, chains) = (pending.to_do(), pending.chains.len() as u64);
+        let seeding = match pending.to_compute - to_do {
+            0 => String::new(),
+            others => format!("; {others} of the reused cases are solved again to seed them"),
+        };
+        line("to do", format!("{} in {}{seeding}", count(to_do, "case"), count(chains, "chain")));
+    }
+    text
+}
+
+/// Time and bytes.
+fn describe_cost(cost: &Cost, threads: NonZeroUsize) -> String {
+    let source = match cost.case {
         CaseSeconds::Logged(_) => "the mean of what the log has",
         CaseSeconds::Estimated(_) => "estimated on this machine",
     };
+    let (run, case) = (duration(cost.seconds), duration(cost.case.seconds()));
+    let (stored, published) = (bytes(cost.size.stored), bytes(cost.size.published));
     format!(
-        "about {} on {}; {} per case, {source}",
-        duration(seconds),
-        count(threads as u64, "thread"),
-        duration(per_case.seconds())
+        "time       about {run} on {}; {case} per case, {source}\ndisk       about {stored} to store, {published} published\n",
+        count(threads.get() as u64, "thread"),
     )
 }

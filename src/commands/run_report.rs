@@ -1,33 +1,30 @@
 //! What `run` tells of itself.
 
-use std::fmt::Write;
 use std::path::Path;
 
+use super::shell;
 use super::wording::{count, duration};
-use super::workload::Workload;
-use super::{CliError, failures, shell};
 use stribeck_input::shown;
+use stribeck_sweep::Part;
+use stribeck_sweep::campaign::{FailedCase, Pending, RunReport};
 use stribeck_sweep::engine::rate;
-use stribeck_sweep::store::{Published, Store};
-use stribeck_sweep::{Part, Plan};
-
-/// Failed cases that are listed at the end of a run.
-const LISTED_FAILURES: usize = 5;
+use stribeck_sweep::store::Published;
 
 /// What becomes of the cases of a directory that was last run with another sweep file.
-pub fn about_other_sweep(directory: &Path, workload: &Workload) -> String {
-    let (reused, new) = (workload.reused(), workload.new);
-    let stale: String = workload.stale.iter().map(|(why, cases)| format!(", {cases} stale ({why})")).collect();
+pub fn about_other_sweep(directory: &Path, pending: &Pending) -> String {
+    let (reused, new) = (pending.reused(), pending.new);
+    let stale: String =
+        pending.stale.iter().map(|stale| format!(", {} stale ({})", stale.cases, stale.reason)).collect();
     format!(
         "note: {} was last run with another sweep file. Of the {} of this one {reused} are there and used again, {new} \
          are new{stale}. Cases that only the other one has stay stored, but are not published.",
         shown(directory),
-        count(reused + workload.to_do(), "case"),
+        count(reused + pending.to_do(), "case"),
     )
 }
 
 /// What is saved, what is left, and the command that resumes.
-pub fn how_to_resume(left: &Workload, directory: &Path) -> String {
+pub fn how_to_resume(left: &Pending, directory: &Path) -> String {
     let (saved, place, command) = (count(left.reused(), "case"), shown(directory), shell::own_command());
     let published = match (left.to_do(), directory.join("results.h5").exists()) {
         (0, false) => ", but not published",
@@ -38,67 +35,48 @@ pub fn how_to_resume(left: &Workload, directory: &Path) -> String {
 }
 
 /// What a run did that published.
-pub fn of_whole(
-    plan: &Plan,
-    store: &Store,
-    workload: &Workload,
-    published: &Published,
-    directory: &Path,
-    seconds: f64,
-) -> Result<String, CliError> {
+pub fn about_whole(report: &RunReport, published: &Published, seconds: f64) -> String {
     let cases = count(published.converged + published.failed, "case");
     let mut text = format!("{cases}: {} converged, {} failed\n", published.converged, published.failed);
-    text += &match workload.to_do() {
+    text += &match report.pending.to_do() {
         0 if published.rewritten => "nothing to solve; published again\n".to_owned(),
         0 => "nothing to do: all of it is solved and published\n".to_owned(),
-        _ => solved(workload, seconds),
+        _ => about_solving(&report.pending, seconds),
     };
-    text += &format!("results in {}: results.h5, summary.csv, timings.csv\n", shown(directory));
+    text += &format!("results in {}: results.h5, summary.csv, timings.csv\n", shown(&report.directory));
     if published.failed > 0 {
-        text += &first_failures(plan, None, store)?;
-        let summary = directory.join("summary.csv");
+        text += &list(&report.failures);
+        let summary = report.directory.join("summary.csv");
         text += &format!("all of them: {}, columns `status` and `reason`\n", shown(&summary));
     }
-    Ok(text)
+    text
 }
 
-/// What a run did that solved a part; `done` is the state after it.
-pub fn of_part(
-    plan: &Plan,
-    part: Part,
-    store: &Store,
-    workload: &Workload,
-    done: &Workload,
-    directory: &Path,
-    seconds: f64,
-) -> Result<String, CliError> {
+/// What a run did that solved a part of what is in `directory`; `done` is what is stored of the part.
+pub fn about_part(report: &RunReport, part: Part, done: &Pending, directory: &Path, seconds: f64) -> String {
     let cases = count(done.reused(), "case");
     let mut text = format!("part {part}, {cases}: {} converged, {} failed\n", done.converged, done.failed);
-    text += &match workload.to_do() {
+    text += &match report.pending.to_do() {
         0 => "nothing to do: all of it is solved\n".to_owned(),
-        _ => solved(workload, seconds),
+        _ => about_solving(&report.pending, seconds),
     };
     if done.failed > 0 {
-        text += &first_failures(plan, Some(part), store)?;
+        text += &list(&report.failures);
     }
     let directory = shell::quoted(directory.as_os_str());
-    Ok(text + &format!("once all parts are done: stribeck merge {directory}\n"))
+    text + &format!("once all parts are done: stribeck merge {directory}\n")
 }
 
-fn solved(workload: &Workload, seconds: f64) -> String {
-    let reused = match workload.reused() {
+fn about_solving(pending: &Pending, seconds: f64) -> String {
+    let reused = match pending.reused() {
         0 => String::new(),
         reused => format!(" ({reused} more were there already)"),
     };
-    let (cases, rate) = (count(workload.to_do(), "case"), rate(workload.to_do() as f64 / seconds));
+    let (cases, rate) = (count(pending.to_do(), "case"), rate(pending.to_do() as f64 / seconds));
     format!("solved {cases}{reused} in {}, {rate}\n", duration(seconds))
 }
 
-fn first_failures(plan: &Plan, part: Option<Part>, store: &Store) -> Result<String, CliError> {
-    let list = failures::first(plan, part, store, LISTED_FAILURES)?;
-    let mut text = format!("failed cases, the first {}:\n", list.len());
-    for (parameters, reason) in list {
-        writeln!(text, "  {}: {reason}", failures::place(&parameters)).expect("writing to memory does not fail");
-    }
-    Ok(text)
+fn list(failures: &[FailedCase]) -> String {
+    let lines: String = failures.iter().map(|failure| format!("  {failure}\n")).collect();
+    format!("failed cases, the first {}:\n{lines}", failures.len())
 }

@@ -8,12 +8,13 @@ use std::process::Command;
 
 use clap::Args;
 
-use super::destination::{destination, read_sweep};
+use super::destination::destination;
 use super::slurm_script::{Job, MARK, merge_script, part_script};
 use super::wording::count;
 use super::{CliError, Exit, console, shell};
 use stribeck_input::shown;
-use stribeck_sweep::store::{Store, write_whole};
+use stribeck_sweep::campaign::{check_available, read_sweep};
+use stribeck_sweep::store::write_whole;
 use stribeck_sweep::{Part, Plan};
 
 /// Slurm's own default of MaxArraySize.
@@ -168,12 +169,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             count(chains as u64, "chain")
         ));
     }
-    let directory = absolute(&destination(arguments.output.as_deref(), &sweep)?)?;
+    let directory = absolute(&destination(arguments.output.as_deref(), &sweep))?;
     // In the name of a log Slurm replaces what follows a %, and there is no writing a quote.
     if directory.to_string_lossy().contains(['%', '"', '\\', '\n', '\u{fffd}']) {
         return Err(CliError::NameForSlurm { path: directory });
     }
-    Store::may_take(&directory)?;
+    check_available(&directory)?;
     let home = directory.join("slurm");
     let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
     let kept = home.join(format!("{}.toml", sweep.name));

@@ -83,7 +83,7 @@ echo "part $part of {tasks}, start $((${{SLURM_RESTART_COUNT:-0}} + 1)), on $SLU
 stored() {{ find {directory}/parts/"$part-of-{tasks}"/shards -name '*.h5' 2>/dev/null | wc -l; }}
 before=$(stored)
 {program} run {sweep} -o {directory} \
-    --shard "$part/{tasks}" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --quiet &
+    --part "$part/{tasks}" --threads "${{SLURM_CPUS_PER_TASK:-1}}" --quiet &
 program=$!
 [ "$limit" = no ] || kill -TERM "$program"
 # A signal ends the waiting, and not the program; bash remembers how a program ended that it has waited for.
@@ -284,7 +284,7 @@ mod tests {
         }
         let said = run(script, &["5"]);
         let [sweep, directory] = [job.sweep, job.directory].map(|path| path.display().to_string());
-        assert!(said.contains(&format!("run {sweep} -o {directory} --shard 8/12 --threads 4 --quiet\n")), "{said}");
+        assert!(said.contains(&format!("run {sweep} -o {directory} --part 8/12 --threads 4 --quiet\n")), "{said}");
         assert!(said.starts_with("part 8 of 12, start 1, on n1, "), "{said}");
         let said = run(merge_script(&job), &[]);
         assert_eq!(said, format!("merge {directory}\n"));

@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 use super::sensitivities;
 use super::wording::{count, duration};
 use stribeck_solver::continuation::{Path, PathPoint};
-use stribeck_solver::{COLUMNS, Limits, Parameters, Sensitivities};
+use stribeck_solver::{Parameters, Sensitivities};
 use stribeck_sweep::store::{CaseEntry, Status};
-use stribeck_sweep::{Method, SolverSettings};
+use stribeck_sweep::{Column, Method, SolverSettings};
 
 /// A case as it was asked for, what came of it, and how it was reached.
 pub struct SolvedProblem<'a> {
@@ -28,12 +28,6 @@ pub struct SolvedProblem<'a> {
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
-/// The value of a column.
-fn value(entry: &CaseEntry, name: &str) -> Option<f64> {
-    let place = COLUMNS.iter().position(|column| column.name == name)?;
-    Some(entry.values[place]).filter(|value| !value.is_nan())
-}
-
 /// One row for each quantity of a case, with its error and what large β has in its place; of a failed case what is known.
 pub fn numbers(entry: &CaseEntry) -> String {
     match entry.outcome {
@@ -48,22 +42,17 @@ fn quantities(entry: &CaseEntry) -> String {
         writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}").expect(IN_MEMORY);
     };
     row("symbol", "value", "error", "large beta", "unit", "name");
-    for column in &COLUMNS {
-        let limit_of = match column.name {
-            "mu_v" => "dry_mu_v",
-            "mu_h" => "approx_mu_h",
-            name if name.starts_with("error_") || Limits::COLUMNS.contains(&name) => continue,
-            _ => "",
-        };
+    for column in Column::ALL.into_iter().filter(|column| !column.is_error() && !column.is_limit()) {
+        let known = |column: Option<Column>| column.and_then(|column| entry.values.known(column));
         let six = |value: f64| format!("{value:.6e}");
-        let error = value(entry, &format!("error_{}", column.name)).map_or_else(String::new, |e| format!("{e:.0e}"));
-        let limit = value(entry, limit_of).map_or_else(String::new, six);
-        let value = value(entry, column.name).map_or_else(|| "-".to_owned(), six);
-        row(column.name, &value, &error, &limit, column.units, column.long_name);
+        let error = known(column.error()).map_or_else(String::new, |error| format!("{error:.0e}"));
+        let limit = known(column.limit()).map_or_else(String::new, six);
+        let value = known(Some(column)).map_or_else(|| "-".to_owned(), six);
+        row(column.name(), &value, &error, &limit, column.units(), column.long_name());
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
-        let [mu_v, mu_h] = ["mu_v", "mu_h"].map(|name| value(entry, name).unwrap_or(f64::NAN));
+        let (mu_v, mu_h) = (entry.values[Column::MuV], entry.values[Column::MuH]);
         text += &format!("\n{}", sensitivities::table(known, mu_v, mu_h));
     }
     text
@@ -72,9 +61,10 @@ fn quantities(entry: &CaseEntry) -> String {
 /// What is known of a case that failed.
 fn limits(entry: &CaseEntry) -> String {
     let mut text = String::new();
-    for column in COLUMNS.iter().filter(|column| Limits::COLUMNS.contains(&column.name)) {
-        let limit = value(entry, column.name).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-        writeln!(text, "{:<13} {limit:>14}  {:<10}  {}", column.name, column.units, column.long_name).expect(IN_MEMORY);
+    for column in Column::ALL.into_iter().filter(|column| column.is_limit()) {
+        let limit = entry.values.known(column).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
+        let (name, units, long_name) = (column.name(), column.units(), column.long_name());
+        writeln!(text, "{name:<13} {limit:>14}  {units:<10}  {long_name}").expect(IN_MEMORY);
     }
     text
 }
@@ -113,13 +103,13 @@ impl SolvedProblem<'_> {
                 (format!("{} passes", timing.iterations), format!("{} points", settings.relaxation.points))
             }
         };
-        format!(
-            "case {}, {}, {setting}\nseed {}, {effort}, {}\n",
-            self.entry.id,
-            settings.method,
-            timing.seed,
-            duration(timing.seconds)
-        )
+        let (id, method, seconds) = (self.entry.id, settings.method, duration(timing.seconds));
+        format!("case {id}, {method}, {setting}\nseed {}, {effort}, {seconds}\n", self.seed())
+    }
+
+    /// The name of the seed.
+    fn seed(&self) -> String {
+        self.entry.timing.seed.map_or_else(String::new, |seed| seed.to_string())
     }
 
     /// The path, a line for each point; nothing if the first guess led to the solution.
@@ -149,13 +139,11 @@ impl SolvedProblem<'_> {
             ("status", Value::from(entry.outcome.name())),
             ("reason", reason),
         ];
-        let columns = COLUMNS.iter().zip(entry.values).filter(|(column, _)| column.in_summary);
-        pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+        pairs.extend(Column::summary().map(|column| (column.name(), Value::from(entry.values[column]))));
         if let Some(known) = &entry.sensitivities {
-            let columns = Sensitivities::COLUMNS.iter().zip(known.row());
-            pairs.extend(columns.map(|(column, value)| (column.name, Value::from(value))));
+            pairs.extend(Sensitivities::NAMES.into_iter().zip(known.row().map(Value::from)));
         }
-        pairs.push(("seed", Value::from(entry.timing.seed.as_str())));
+        pairs.push(("seed", Value::from(self.seed())));
         let point = |point: &PathPoint| {
             let &PathPoint { alpha, beta, f, iterations, accepted } = point;
             json!({ "alpha": number(alpha), "beta": beta, "f": f, "iterations": iterations, "accepted": accepted })

@@ -2,15 +2,13 @@
 
 use clap::{ArgAction, Args};
 
-use super::entry::case_entry;
 use super::solution::SolvedProblem;
-use super::solver::Solver;
 use super::{CliError, Exit, console};
 use stribeck_solver::collocation;
-use stribeck_solver::continuation::Interrupt;
 use stribeck_solver::relaxation;
 use stribeck_solver::relaxation::{Acceleration, Domain};
-use stribeck_solver::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
+use stribeck_solver::{CavityShear, FieldSelection, Interrupt, Output, Parameters, RetardationMode, Solver, Substrate};
+use stribeck_sweep::campaign::case_entry;
 use stribeck_sweep::store::Status;
 use stribeck_sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
 
@@ -233,9 +231,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         console::tell(&format!("note: no errors are estimated; that takes {ESTIMATE_POINTS} points or more"));
     }
     let plan = Plan::new(&sweep);
-    let parameters = plan.parameters_at(0, 0, 0);
-    let solver = Solver::new(settings);
-    let solved = solver.solve_chain(std::slice::from_ref(&parameters), &sweep.output, &Interrupt::new());
+    let parameters = plan.parameters_at([0, 0, 0].into());
+    let solver = Solver::new(&sweep.solver_settings());
+    let solved = solver.solve_chain(std::slice::from_ref(&parameters), &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);
     let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
     let entry = case_entry(&plan, &parameters, case);

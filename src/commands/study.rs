@@ -14,6 +14,7 @@ use super::{CliError, Exit, console, shell, threads};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 use stribeck_input::shown;
 use stribeck_solver::continuation::Interrupt;
+use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
 use stribeck_sweep::store::holds_text;
 use stribeck_sweep::store::{StoreError, write_whole};
@@ -101,7 +102,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
 fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError> {
     let path = asked.map_or_else(|| Path::new("results").join(&study.name), Path::to_owned);
     if path.exists() && !path.is_dir() {
-        return Err(CliError::NotADirectory { path });
+        return Err(CampaignError::NotADirectory { path }.into());
     }
     if path.exists() && !path.join(COPY).exists() {
         let ours = |file: &PathBuf| {

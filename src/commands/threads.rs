@@ -2,6 +2,8 @@
 
 use std::num::NonZeroUsize;
 
+use stribeck_sweep::campaign::available_threads;
+
 /// Far more than cores, and far fewer than what would use up the memory of a machine with stacks alone.
 const MOST: usize = 1024;
 
@@ -13,6 +15,5 @@ pub fn parse(text: &str) -> Result<NonZeroUsize, String> {
 
 /// As many threads as asked for, else one for each core.
 pub fn number(asked: Option<NonZeroUsize>) -> NonZeroUsize {
-    // Where the system does not tell its cores there is at least the one that runs this.
-    asked.unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN))
+    asked.unwrap_or_else(available_threads)
 }

@@ -8,7 +8,7 @@ use clap::Args;
 use super::wording::{bytes, count};
 use super::{CliError, Exit, console};
 use stribeck_input::shown;
-use stribeck_sweep::store::{VerifyReport, verify};
+use stribeck_sweep::campaign::{VerifyReport, verify};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\

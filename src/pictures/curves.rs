@@ -11,20 +11,20 @@ use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
+use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
 
 /// Curves with more points than this have no markers.
 const MOST_MARKED: usize = 45;
 
 /// What curves show where nothing else is asked for.
-const COLUMNS: [&str; 4] = ["mu_tot", "mu_v", "mu_h", "c"];
+const COLUMNS: [Column; 4] = [Column::MuTot, Column::MuV, Column::MuH, Column::C];
 /// The same of errors.
-const ERRORS: [&str; 3] = ["error_mu_v", "error_mu_h", "error_c"];
+const ERRORS: [Column; 3] = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC];
 
 /// The pictures of curves that are asked for.
 pub(super) fn curves(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let names: Vec<&str> = named_columns(request, &COLUMNS);
-    along_each(source, request, Kind::Curves, &names)
+    along_each(source, request, Kind::Curves, &named_columns(request, &COLUMNS))
 }
 
 /// Errors along each axis: for sweeps that have no map of them.
@@ -34,13 +34,17 @@ pub(super) fn errors(source: &Source, request: &Request) -> Result<Vec<Picture>,
 }
 
 /// The columns asked for, or a choice.
-pub(super) fn named_columns<'a>(request: &'a Request, otherwise: &[&'a str]) -> Vec<&'a str> {
-    let named: Vec<&str> =
-        request.of.iter().map(String::as_str).filter(|name| Quantity::of_column(name).is_some()).collect();
+pub(super) fn named_columns(request: &Request, otherwise: &[Column]) -> Vec<Column> {
+    let named: Vec<Column> = request.of.iter().filter_map(|name| Column::named(name)).collect();
     if named.is_empty() { otherwise.to_vec() } else { named }
 }
 
-fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) -> Result<Vec<Picture>, PictureError> {
+fn along_each(
+    source: &Source,
+    request: &Request,
+    kind: Kind,
+    columns: &[Column],
+) -> Result<Vec<Picture>, PictureError> {
     let selection = Selection::of(source, request)?;
     let long = |axis: &Axis| selection.on(*axis).len() > 1;
     let axes: Vec<Axis> = match request.along(source)? {
@@ -56,21 +60,25 @@ fn along_each(source: &Source, request: &Request, kind: Kind, names: &[&str]) ->
     }
     let mut pictures = Vec::new();
     for along in axes {
-        let groups: Vec<Vec<&str>> =
-            if request.together { vec![names.to_vec()] } else { names.iter().map(|name| vec![*name]).collect() };
-        for names in groups {
-            if let Some((one, other)) = Quantity::of_different_units(&names) {
+        let groups: Vec<&[Column]> = if request.together { vec![columns] } else { columns.chunks(1).collect() };
+        for columns in groups {
+            if let Some((one, other)) = Quantity::of_different_units(columns) {
+                let (one, other) = (one.name(), other.name());
                 return Err(kind.missing(format!(
                     "{one} and {other} have different units and no axis together; leave out --together"
                 )));
             }
             let name = match kind {
                 Kind::Errors => format!("errors-along-{}", source.axis(along).name),
-                _ => format!("{}-along-{}", names.join("-"), source.axis(along).name),
+                _ => format!(
+                    "{}-along-{}",
+                    columns.iter().map(|column| column.name()).collect::<Vec<_>>().join("-"),
+                    source.axis(along).name
+                ),
             };
             for bundle in bundles(source, request, &selection, along) {
                 let name = format!("{name}{}", bundle.suffix);
-                pictures.extend(draw(source, request, &bundle, &names, name)?);
+                pictures.extend(draw(source, request, &bundle, columns, name)?);
             }
         }
     }
@@ -81,16 +89,16 @@ fn draw(
     source: &Source,
     request: &Request,
     bundle: &Bundle,
-    names: &[&str],
+    columns: &[Column],
     name: String,
 ) -> Result<Option<Picture>, PictureError> {
     let mut table = Table::new(&[&["quantity", "kind"], &source.coordinate_names()[..], &["value"]].concat());
     let (mut solved, mut known_curves, mut measured) = (Vec::new(), Vec::new(), Vec::new());
-    for (i_name, column) in names.iter().enumerate() {
+    for (place, column) in columns.iter().copied().enumerate() {
         let colours: Vec<Colour> = (0..bundle.members.len())
-            .map(|member| if names.len() > 1 { Colour::Kind(i_name) } else { colour(member, bundle.members.len()) })
+            .map(|member| if columns.len() > 1 { Colour::Kind(place) } else { colour(member, bundle.members.len()) })
             .collect();
-        solved.extend(solutions(source, bundle, column, &colours, names.len() > 1, &mut table)?);
+        solved.extend(solutions(source, bundle, column, &colours, columns.len() > 1, &mut table)?);
         measured.extend(overlay(source, bundle, column, &colours));
         let known = if request.bare { &[] } else { known::of_column(column) };
         for known in known {
@@ -99,7 +107,7 @@ fn draw(
                 let points = known_points(source, known, column, bundle, *member)?;
                 for (point, (_, value)) in bundle.points.iter().zip(&points) {
                     let coordinates = source.coordinates(bundle.at(*member, *point));
-                    table.row(&[column, known.label], &[&coordinates[..], &[*value]].concat());
+                    table.row(&[column.name(), known.label], &[&coordinates[..], &[*value]].concat());
                 }
                 members.push((*colour, points));
             }
@@ -118,7 +126,7 @@ fn draw(
         title: source.data.title.clone(),
         subtitle: source.list(&bundle.fixed, bundle.start),
         x: LineAxis { label: x_label, logarithmic: is_logarithmic(source, bundle), range: None },
-        y: LineAxis { label: Quantity::common_label(names, source.data.laboratory), logarithmic, range },
+        y: LineAxis { label: Quantity::common_label(columns, source.data.laboratory), logarithmic, range },
         curves: solved.into_iter().chain(known_curves).chain(measured).collect(),
     };
     Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
@@ -128,7 +136,7 @@ fn draw(
 fn solutions(
     source: &Source,
     bundle: &Bundle,
-    column: &str,
+    column: Column,
     colours: &[Colour],
     named: bool,
     table: &mut Table,
@@ -144,10 +152,10 @@ fn solutions(
             if statuses[place] == Status::Failed {
                 failed.push(x);
             }
-            table.row(&[column, "solution"], &[&source.coordinates(indices)[..], &[values[place]]].concat());
+            table.row(&[column.name(), "solution"], &[&source.coordinates(indices)[..], &[values[place]]].concat());
         }
         let label = if named {
-            Quantity::of_column(column).expect("names were checked").words.to_owned()
+            Quantity::from(column).words.to_owned()
         } else if bundle.members.len() > 1 {
             source.words(bundle.family, *member)
         } else {
@@ -195,22 +203,21 @@ fn is_logarithmic(source: &Source, bundle: &Bundle) -> bool {
 fn known_points(
     source: &Source,
     known: &Known,
-    column: &str,
+    column: Column,
     bundle: &Bundle,
     member: usize,
 ) -> Result<Vec<(f64, f64)>, PictureError> {
     let places = bundle.points.iter().map(|point| (source.value(bundle.along, *point), bundle.at(member, *point)));
     match known.values {
         Values::Formula(formula) => {
-            let units = Quantity::of_column(column).expect("names were checked").units;
             let value = |indices| {
                 let value = source.parameters(indices).and_then(|case| formula(&case));
-                value.map_or(f64::NAN, |value| value * source.factor(units, indices))
+                value.map_or(f64::NAN, |value| value * source.factor(column.units(), indices))
             };
             Ok(places.map(|(x, indices)| (x, value(indices))).collect())
         }
-        Values::Columns(names) => {
-            let columns = names.iter().map(|name| source.data.column(name)).collect::<Result<Vec<_>, _>>()?;
+        Values::Columns(columns) => {
+            let columns = columns.iter().map(|column| source.data.column(*column)).collect::<Result<Vec<_>, _>>()?;
             let sum = |place: usize| columns.iter().map(|column| column[place]).sum();
             Ok(places.map(|(x, indices)| (x, sum(source.data.place(indices)))).collect())
         }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use stribeck_charts::Stroke;
 use stribeck_solver::Parameters;
 use stribeck_solver::exact::{DryContact, LargeBeta, approx_elastic_film};
+use stribeck_sweep::{Column, Field};
 
 /// A curve that is known without solving anything.
 #[derive(Clone, Copy)]
@@ -21,7 +22,7 @@ pub struct Known {
 #[derive(Clone, Copy)]
 pub enum Values {
     /// The sum of columns of the data set.
-    Columns(&'static [&'static str]),
+    Columns(&'static [Column]),
     /// A formula; `None` where it does not hold.
     Formula(fn(&Parameters) -> Option<f64>),
 }
@@ -39,21 +40,21 @@ fn elastic_asymptote(case: &Parameters) -> Option<f64> {
 }
 
 /// What is known of a column.
-pub fn of_column(name: &str) -> &'static [Known] {
+pub fn of_column(column: Column) -> &'static [Known] {
     const DRY: &str = "dry limit";
-    match name {
-        "mu_v" => &[Known { label: DRY, stroke: Stroke::Dashed, values: Values::Columns(&["dry_mu_v"]) }],
-        "mu_h" => &[Known {
+    match column {
+        Column::MuV => &[Known { label: DRY, stroke: Stroke::Dashed, values: Values::Columns(&[Column::DryMuV]) }],
+        Column::MuH => &[Known {
             label: "large-β approximation",
             stroke: Stroke::Dashed,
-            values: Values::Columns(&["approx_mu_h"]),
+            values: Values::Columns(&[Column::ApproxMuH]),
         }],
-        "mu_tot" => &[Known {
+        Column::MuTot => &[Known {
             label: "dry limit of μᵥ + approximation of μₕ",
             stroke: Stroke::Dashed,
-            values: Values::Columns(&["dry_mu_v", "approx_mu_h"]),
+            values: Values::Columns(&[Column::DryMuV, Column::ApproxMuH]),
         }],
-        "c" => &[
+        Column::C => &[
             Known {
                 label: "Eqs. 34 and 49 of the paper",
                 stroke: Stroke::Dashed,
@@ -61,12 +62,12 @@ pub fn of_column(name: &str) -> &'static [Known] {
             },
             Known { label: "0.4458 β^(−3/5)", stroke: Stroke::Dotted, values: Values::Formula(elastic_asymptote) },
         ],
-        "p_max" => &[Known {
+        Column::PMax => &[Known {
             label: DRY,
             stroke: Stroke::Dashed,
             values: Values::Formula(|case| Some(DryContact::of(case)?.max_pressure())),
         }],
-        "x_outlet" => &[Known {
+        Column::XOutlet => &[Known {
             label: DRY,
             stroke: Stroke::Dashed,
             values: Values::Formula(|case| Some(DryContact::of(case)?.trailing_edge())),
@@ -76,24 +77,24 @@ pub fn of_column(name: &str) -> &'static [Known] {
 }
 
 /// What is known of a field in the contact: its name, and (x, value) on points of its own.
-pub fn of_field(name: &str, case: &Parameters) -> Option<(&'static str, Vec<(f64, f64)>)> {
-    match name {
-        "pressure" => {
+pub fn of_field(field: Field, case: &Parameters) -> Option<(&'static str, Vec<(f64, f64)>)> {
+    match field {
+        Field::Pressure => {
             let (x, pressure) = dry_pressure(&DryContact::of(case)?);
             Some(("dry limit", x.into_iter().zip(pressure).collect()))
         }
-        "film_thickness" if case.f == 0.0 => {
+        Field::FilmThickness if case.f == 0.0 => {
             let x = contact_points(&DryContact::of(case)?);
             let film = |x: f64| (x, approx_elastic_film(case.beta, x));
             Some(("Eq. 36 of the paper", x.into_iter().map(film).collect()))
         }
-        "film_thickness" => {
+        Field::FilmThickness => {
             let approximation = LargeBeta::new(case)?;
             let film = |x: f64| Some((x, approximation.approx_film(x)?));
             let x = contact_points(approximation.contact());
             Some(("large-β approximation", x.into_iter().filter_map(film).collect()))
         }
-        _ => None,
+        Field::Displacement => None,
     }
 }
 

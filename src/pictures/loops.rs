@@ -13,25 +13,28 @@ use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Curve, LineAxis, Lines, Stroke};
 use stribeck_solver::exact::DryContact;
+use stribeck_sweep::{Column, Field};
 
 /// The loops of chosen cases in one picture.
 ///
 /// The height of the surface is w − h₀ = x²/2 − u (T3): where it starts from is the same in all cases. The area of a loop is
 /// F_v = (2/π) ∫ p dw (Eq. 22), here by trapezia over the published x, beside the μᵥ of the solver.
 pub(super) fn loops(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    for field in ["pressure", "film_thickness"] {
+    for field in [Field::Pressure, Field::FilmThickness] {
         if !source.data.fields.contains(&field) {
-            return Err(Kind::Loops
-                .missing(format!("the sweep has no field {field}; add it to fields below [output] and run it again")));
+            return Err(Kind::Loops.missing(format!(
+                "the sweep has no field {}; add it to fields below [output] and run it again",
+                field.name()
+            )));
         }
     }
     let cases = Cases::choose(source, request, Kind::Loops, Axis::Inner)?;
-    let friction = source.data.column("mu_v")?;
+    let friction = source.data.column(Column::MuV)?;
     let mut table = Table::new(&[&["kind"], &source.coordinate_names()[..], &["x", "height", "pressure"]].concat());
     let (mut curves, mut dry_loops) = (Vec::new(), Vec::new());
     for (i, indices) in cases.indices.iter().enumerate() {
-        let pressure = source.dimensionless_field("pressure", *indices)?;
-        let film = source.dimensionless_field("film_thickness", *indices)?;
+        let pressure = source.dimensionless_field(Field::Pressure, *indices)?;
+        let film = source.dimensionless_field(Field::FilmThickness, *indices)?;
         let x = &source.data.x;
         let heights: Vec<f64> = x.iter().zip(&film).map(|(x, u)| height(*x, *u)).collect();
         let coordinates = source.coordinates(*indices);
@@ -49,7 +52,7 @@ pub(super) fn loops(source: &Source, request: &Request) -> Result<Vec<Picture>, 
             "{}: area {}, μᵥ {}",
             cases.label(source, *indices),
             rounded(area(&heights, &pressure)),
-            rounded(friction[source.data.place(*indices)] / source.factor("a0/R", *indices)),
+            rounded(friction[source.data.place(*indices)] / source.factor(Column::MuV.units(), *indices)),
         );
         curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, marked: false });
         if let Some(case) = source.parameters(*indices).filter(|_| !request.bare)

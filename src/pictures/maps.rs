@@ -8,10 +8,11 @@ use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Cell, ColourScale, Map, Panel};
+use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
 
 /// What maps show where nothing else is asked for.
-const COLUMNS: [&str; 4] = ["mu_tot", "mu_v", "mu_h", "film_min"];
+const COLUMNS: [Column; 4] = [Column::MuTot, Column::MuV, Column::MuH, Column::FilmMin];
 /// Most values of f side by side.
 const MOST_PANELS: usize = 4;
 
@@ -97,7 +98,7 @@ pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, P
     let statuses = source.data.statuses()?;
     let mut pictures = Vec::new();
     for column in named_columns(request, &COLUMNS) {
-        let quantity = Quantity::of_column(column).expect("names were checked");
+        let quantity = Quantity::from(column);
         let values = source.data.column(column)?;
         let label = quantity.label(source.data.laboratory);
         let map = shown.map(
@@ -109,8 +110,8 @@ pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, P
         );
         // Without a solution there is nothing to show; the map of status says so.
         if map.panels.iter().flat_map(|panel| &panel.cells).any(|cell| matches!(cell, Cell::Value(_))) {
-            let table = shown.table(source, column, |place| (statuses[place].name().to_owned(), values[place]));
-            pictures.push(Picture { name: format!("map-{column}"), chart: Chart::Map(map), table });
+            let table = shown.table(source, column.name(), |place| (statuses[place].name().to_owned(), values[place]));
+            pictures.push(Picture { name: format!("map-{}", column.name()), chart: Chart::Map(map), table });
         }
     }
     Ok(pictures)
@@ -166,7 +167,7 @@ pub(super) fn no_plane(source: &Source, axis: Axis, what: &str) -> String {
 
 /// The largest of the three estimates of each place; NaN where one is not known.
 pub(super) fn largest_errors(source: &Source) -> Result<Vec<f64>, PictureError> {
-    let columns = ["error_mu_v", "error_mu_h", "error_c"].map(|name| source.data.column(name));
+    let columns = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| source.data.column(column));
     let [mu_v, mu_h, c] = columns;
     let (mu_v, mu_h, c) = (mu_v?, mu_h?, c?);
     let largest = |place: usize| {

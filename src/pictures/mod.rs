@@ -42,6 +42,8 @@ pub use request::{AxisScale, Kind, Request, nearest};
 pub use source::Source;
 pub use table::Table;
 
+use stribeck_sweep::Column;
+
 /// The pictures that are asked for; where no kind is named, all that this data set has something for.
 ///
 /// # Errors
@@ -103,11 +105,15 @@ fn of_kind(source: &Source, request: &Request, kind: Kind) -> Result<Vec<Picture
 /// Every name must be that of a column or of a field that is there.
 fn check_names(source: &Source, request: &Request) -> Result<(), PictureError> {
     let known =
-        |name: &String| Quantity::of_column(name).is_some() || source.data.fields.iter().any(|field| field == name);
+        |name: &String| Column::named(name).is_some() || source.data.fields.iter().any(|field| field.name() == name);
     match request.of.iter().find(|name| !known(name)) {
         None => Ok(()),
         Some(name) => {
-            let allowed: Vec<&str> = Quantity::columns().chain(source.data.fields.iter().copied()).collect();
+            let allowed: Vec<&str> = Column::ALL
+                .map(Column::name)
+                .into_iter()
+                .chain(source.data.fields.iter().map(|field| field.name()))
+                .collect();
             Err(PictureError::Unknown { name: name.clone(), allowed: allowed.join(", ") })
         }
     }

@@ -4,13 +4,14 @@ use super::bundle::Bundle;
 use super::source::Source;
 use stribeck_charts::{Colour, Curve, Stroke};
 use stribeck_lab::Measured;
+use stribeck_sweep::Column;
 
 /// The measured points of a column that belong to the curves of a bundle, with their standard errors: those that were measured
 /// along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
 /// Points that belong to one member of several have its colour.
-pub(super) fn overlay(source: &Source, bundle: &Bundle, column: &str, colours: &[Colour]) -> Vec<Curve> {
-    let Some(measured) = source.measured.as_ref().filter(|measured| measured.column == column) else {
+pub(super) fn overlay(source: &Source, bundle: &Bundle, column: Column, colours: &[Colour]) -> Vec<Curve> {
+    let Some(measured) = source.measured.as_ref().filter(|measured| measured.column == column.name()) else {
         return Vec::new();
     };
     let Some(along) = measured.coordinate(&source.axis(bundle.along).name) else { return Vec::new() };

@@ -10,6 +10,7 @@ use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Curve, LineAxis, Lines, Stroke};
+use stribeck_sweep::Field;
 
 /// A profile for each field asked for that is there.
 pub(super) fn profiles(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
@@ -19,22 +20,23 @@ pub(super) fn profiles(source: &Source, request: &Request) -> Result<Vec<Picture
             "the sweep has no fields; add fields = [\"pressure\", \"film_thickness\"] below [output] to it and run it again",
         ));
     }
-    let named: Vec<&str> = there.iter().copied().filter(|name| request.of.iter().any(|of| of == name)).collect();
-    let names = if named.is_empty() { there.clone() } else { named };
+    let named: Vec<Field> =
+        there.iter().copied().filter(|field| request.of.iter().any(|of| of == field.name())).collect();
+    let fields = if named.is_empty() { there.clone() } else { named };
     let cases = Cases::choose(source, request, Kind::Profiles, Axis::Middle)?;
-    names.into_iter().map(|name| profile(source, request, &cases, name)).collect()
+    fields.into_iter().map(|field| profile(source, request, &cases, field)).collect()
 }
 
-fn profile(source: &Source, request: &Request, cases: &Cases, name: &'static str) -> Result<Picture, PictureError> {
-    let quantity = Quantity::of_field(name).expect("a data set has known fields only");
+fn profile(source: &Source, request: &Request, cases: &Cases, field: Field) -> Result<Picture, PictureError> {
+    let (quantity, name) = (Quantity::from(field), field.name());
     let inside = shown(source, request, Kind::Profiles)?;
     let (from, to) = (source.data.x[inside[0]], source.data.x[inside[inside.len() - 1]]);
     let mut table = Table::new(&[&["kind"], &source.coordinate_names()[..], &["x", name]].concat());
     let (mut curves, mut known_label, mut members) = (Vec::new(), "", Vec::new());
     for (i, indices) in cases.indices.iter().enumerate() {
-        let field = source.data.field(name, *indices)?;
+        let values = source.data.field(field, *indices)?;
         let coordinates = source.coordinates(*indices);
-        let points: Vec<(f64, f64)> = inside.iter().map(|i| (source.data.x[*i], field[*i])).collect();
+        let points: Vec<(f64, f64)> = inside.iter().map(|i| (source.data.x[*i], values[*i])).collect();
         let mut rows = |kind: &str, points: &[(f64, f64)]| {
             for (x, value) in points {
                 table.row(&[kind], &[&coordinates[..], &[*x, *value]].concat());
@@ -43,7 +45,7 @@ fn profile(source: &Source, request: &Request, cases: &Cases, name: &'static str
         rows("solution", &points);
         let colour = colour(i, cases.indices.len());
         if let Some(case) = source.parameters(*indices).filter(|_| !request.bare)
-            && let Some((label, mut known)) = known::of_field(name, &case)
+            && let Some((label, mut known)) = known::of_field(field, &case)
         {
             known.retain(|(x, _)| (from..=to).contains(x));
             let factor = source.factor(quantity.units, *indices);

@@ -1,21 +1,15 @@
 //! What a column of the data set is called in a picture.
 
 use stribeck_lab::si_units;
-use stribeck_solver::COLUMNS;
+use stribeck_sweep::{Column, Field};
 
 /// A column or a field as pictures show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// Name of the column or field.
-    pub column: &'static str,
     /// In words, with its symbol.
     pub words: &'static str,
-    /// Its unit in dimensionless results, as [`COLUMNS`] has it.
+    /// Its unit in dimensionless results.
     pub units: &'static str,
-}
-
-const fn quantity(column: &'static str, words: &'static str, units: &'static str) -> Quantity {
-    Quantity { column, words, units }
 }
 
 const FRICTION: &str = "a0/R";
@@ -24,61 +18,57 @@ const HEIGHT: &str = "a0^2/R";
 const PRESSURE: &str = "2N/(pi a0)";
 const NUMBER: &str = "1";
 
-/// Every column, in the order of [`COLUMNS`].
-const QUANTITIES: [Quantity; COLUMNS.len()] = [
-    quantity("mu_v", "viscoelastic friction μᵥ", FRICTION),
-    quantity("mu_h", "hydrodynamic friction μₕ", FRICTION),
-    quantity("mu_tot", "total friction μₜₒₜ", FRICTION),
-    quantity("mu_drag", "drag of the cylinder", FRICTION),
-    quantity("mu_h_cavity", "part of μₕ behind the outlet", FRICTION),
-    quantity("c", "film thickness c where p′ = 0", HEIGHT),
-    quantity("film_min", "smallest film thickness uₘᵢₙ", HEIGHT),
-    quantity("p_max", "largest pressure pₘₐₓ", PRESSURE),
-    quantity("x_outlet", "outlet xₒᵤₜ", LENGTH),
-    quantity("error_mu_v", "estimated relative error of μᵥ", NUMBER),
-    quantity("error_mu_h", "estimated relative error of μₕ", NUMBER),
-    quantity("error_c", "estimated relative error of c", NUMBER),
-    quantity("load_residual", "residual of the load, |load/(π/2) − 1|", NUMBER),
-    quantity("dry_mu_v", "dry friction", FRICTION),
-    quantity("approx_mu_h", "large-β approximation of μₕ", FRICTION),
-    quantity("x_p_max", "place of the largest pressure", LENGTH),
-    quantity("centroid", "centroid of the pressure", LENGTH),
-    quantity("separation", "separation h₀", HEIGHT),
-    quantity("mu_h_film", "part of μₕ in the film", FRICTION),
-];
+/// A column in words, with its symbol.
+const fn words(column: Column) -> &'static str {
+    match column {
+        Column::MuV => "viscoelastic friction μᵥ",
+        Column::MuH => "hydrodynamic friction μₕ",
+        Column::MuTot => "total friction μₜₒₜ",
+        Column::MuDrag => "drag of the cylinder",
+        Column::MuHCavity => "part of μₕ behind the outlet",
+        Column::C => "film thickness c where p′ = 0",
+        Column::FilmMin => "smallest film thickness uₘᵢₙ",
+        Column::PMax => "largest pressure pₘₐₓ",
+        Column::XOutlet => "outlet xₒᵤₜ",
+        Column::ErrorMuV => "estimated relative error of μᵥ",
+        Column::ErrorMuH => "estimated relative error of μₕ",
+        Column::ErrorC => "estimated relative error of c",
+        Column::LoadResidual => "residual of the load, |load/(π/2) − 1|",
+        Column::DryMuV => "dry friction",
+        Column::ApproxMuH => "large-β approximation of μₕ",
+        Column::XPMax => "place of the largest pressure",
+        Column::Centroid => "centroid of the pressure",
+        Column::Separation => "separation h₀",
+        Column::MuHFilm => "part of μₕ in the film",
+    }
+}
 
-/// The fields.
-const FIELDS: [Quantity; 3] = [
-    quantity("pressure", "pressure p", PRESSURE),
-    quantity("film_thickness", "film thickness u", HEIGHT),
-    quantity("displacement", "height of the surface w", HEIGHT),
-];
+impl From<Column> for Quantity {
+    fn from(column: Column) -> Self {
+        Self { words: words(column), units: column.units() }
+    }
+}
+
+impl From<Field> for Quantity {
+    fn from(field: Field) -> Self {
+        let words = match field {
+            Field::Pressure => "pressure p",
+            Field::FilmThickness => "film thickness u",
+            Field::Displacement => "height of the surface w",
+        };
+        Self { words, units: field.units() }
+    }
+}
 
 impl Quantity {
-    /// The quantity of a column; `None` if there is none of this name.
-    pub fn of_column(name: &str) -> Option<Self> {
-        QUANTITIES.into_iter().find(|quantity| quantity.column == name)
-    }
-
-    /// The quantity of a field; `None` if there is none of this name.
-    pub fn of_field(name: &str) -> Option<Self> {
-        FIELDS.into_iter().find(|quantity| quantity.column == name)
-    }
-
-    /// Names of all columns.
-    pub fn columns() -> impl Iterator<Item = &'static str> {
-        QUANTITIES.iter().map(|quantity| quantity.column)
-    }
-
     /// Two of these columns that cannot share an axis.
-    pub fn of_different_units<'a>(columns: &[&'a str]) -> Option<(&'a str, &'a str)> {
-        let unit = |column: &str| Self::of_column(column).map(|quantity| quantity.units);
-        columns.iter().find(|other| unit(other) != unit(columns[0])).map(|other| (columns[0], *other))
+    pub fn of_different_units(columns: &[Column]) -> Option<(Column, Column)> {
+        columns.iter().find(|other| other.units() != columns[0].units()).map(|other| (columns[0], *other))
     }
 
     /// What an axis that these columns share is called.
-    pub fn common_label(columns: &[&str], si: bool) -> String {
-        let first = Self::of_column(columns[0]).expect("names were checked");
+    pub fn common_label(columns: &[Column], si: bool) -> String {
+        let first = Self::from(columns[0]);
         let words = match (columns, first.units) {
             ([_], _) => return first.label(si),
             (_, FRICTION) => "friction coefficient",
@@ -101,16 +91,5 @@ impl Quantity {
             other => other,
         };
         if unit == NUMBER { self.words.to_owned() } else { format!("{}  ({unit})", self.words) }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_column_is_a_quantity() {
-        assert!(Quantity::columns().eq(COLUMNS.iter().map(|column| column.name)));
-        assert!(QUANTITIES.iter().zip(&COLUMNS).all(|(quantity, column)| quantity.units == column.units));
     }
 }

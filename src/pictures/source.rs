@@ -2,10 +2,10 @@
 
 use super::Axis;
 use super::axis::AxisWords;
-use super::quantity::Quantity;
 use stribeck_lab::Measured;
 use stribeck_lab::Scales;
 use stribeck_solver::{Parameters, Substrate, shortest};
+use stribeck_sweep::Field;
 use stribeck_sweep::store::{DataSet, StoreError};
 
 /// A published data set, and what else pictures of it need.
@@ -32,7 +32,7 @@ impl Source {
     pub fn new(data: DataSet, substrate: Option<Substrate>, measured: Option<Measured>) -> Result<Self, StoreError> {
         let scales = match data.laboratory {
             true => {
-                let [length, height, pressure, friction] = Scales::VARIABLES.map(|(name, ..)| data.column(name));
+                let [length, height, pressure, friction] = Scales::VARIABLES.map(|(name, ..)| data.variable(name));
                 Some([length?, height?, pressure?, friction?])
             }
             false => None,
@@ -88,10 +88,9 @@ impl Source {
     }
 
     /// A field in the units of dimensionless results.
-    pub(super) fn dimensionless_field(&self, name: &str, indices: [usize; 3]) -> Result<Vec<f64>, StoreError> {
-        let quantity = Quantity::of_field(name).expect("a data set has known fields only");
-        let mut values = self.data.field(name, indices)?;
-        let factor = self.factor(quantity.units, indices);
+    pub(super) fn dimensionless_field(&self, field: Field, indices: [usize; 3]) -> Result<Vec<f64>, StoreError> {
+        let mut values = self.data.field(field, indices)?;
+        let factor = self.factor(field.units(), indices);
         values.iter_mut().for_each(|value| *value /= factor);
         Ok(values)
     }

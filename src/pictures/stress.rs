@@ -9,6 +9,7 @@ use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{ColourScale, Section, SectionPanel};
 use stribeck_solver::stress::normal_stress;
+use stribeck_sweep::Field;
 
 /// Points across and downwards.
 const ACROSS: usize = 141;
@@ -22,10 +23,12 @@ const MOST_PANELS: usize = 4;
 
 /// σ_yy under chosen cases. Heights are drawn as if a₀ were R: the shape of the surface over x/a₀ is w R/a₀².
 pub(super) fn stress(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    for field in ["pressure", "film_thickness", "displacement"] {
+    for field in Field::ALL {
         if !source.data.fields.contains(&field) {
-            return Err(Kind::Stress
-                .missing(format!("the sweep has no field {field}; add it to fields below [output] and run it again")));
+            return Err(Kind::Stress.missing(format!(
+                "the sweep has no field {}; add it to fields below [output] and run it again",
+                field.name()
+            )));
         }
     }
     let mut cases = Cases::choose(source, request, Kind::Stress, Axis::Middle)?;
@@ -52,8 +55,7 @@ pub(super) fn stress(source: &Source, request: &Request) -> Result<Vec<Picture>,
         Table::new(&[&source.coordinate_names()[..], &["x", "depth", "surface", "cylinder", "stress"]].concat());
     let (mut panels, mut highest) = (Vec::new(), 0.0_f64);
     for indices in &cases.indices {
-        let [pressure, film, displacement] =
-            ["pressure", "film_thickness", "displacement"].map(|name| source.dimensionless_field(name, *indices));
+        let [pressure, film, displacement] = Field::ALL.map(|field| source.dimensionless_field(field, *indices));
         let (pressure, film, displacement) = (pressure?, film?, displacement?);
         let on = |field: &[f64]| -> Vec<f64> { x.iter().map(|at| interpolated(&source.data.x, field, *at)).collect() };
         // The surface is level with its inlet end: displacements have a constant that means nothing.

@@ -9,9 +9,10 @@ use super::source::Source;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Relief, ReliefPanel};
+use stribeck_sweep::Column;
 
 /// What surfaces show where nothing else is asked for.
-const COLUMNS: [&str; 3] = ["mu_tot", "mu_v", "mu_h"];
+const COLUMNS: [Column; 3] = [Column::MuTot, Column::MuV, Column::MuH];
 /// Most surfaces side by side.
 const MOST_PANELS: usize = 3;
 
@@ -42,15 +43,15 @@ fn surface(
     request: &Request,
     plane: &Plane,
     strengths: &[usize],
-    column: &str,
+    column: Column,
 ) -> Result<Option<Picture>, PictureError> {
-    let quantity = Quantity::of_column(column).expect("names were checked");
-    let mut panels: Vec<(String, &str, usize)> =
+    let quantity = Quantity::from(column);
+    let mut panels: Vec<(String, Column, usize)> =
         strengths.iter().map(|i_f| (source.words(Axis::F, *i_f), column, *i_f)).collect();
     if let ([i_f], false) = (strengths, request.bare) {
         let limit = match column {
-            "mu_v" => Some(("dry limit", "dry_mu_v")),
-            "mu_h" => Some(("large-β approximation", "approx_mu_h")),
+            Column::MuV => Some(("dry limit", Column::DryMuV)),
+            Column::MuH => Some(("large-β approximation", Column::ApproxMuH)),
             _ => None,
         };
         panels.extend(limit.map(|(label, column)| (label.to_owned(), column, *i_f)));
@@ -62,7 +63,7 @@ fn surface(
         let heights: Vec<Option<f64>> =
             plane.places(source, i_f).map(|(_, place)| Some(values[place]).filter(|value| value.is_finite())).collect();
         for (indices, place) in plane.places(source, i_f) {
-            table.row(&[column], &[&source.coordinates(indices)[..], &[values[place]]].concat());
+            table.row(&[column.name()], &[&source.coordinates(indices)[..], &[values[place]]].concat());
         }
         if heights.iter().any(Option::is_some) {
             drawn.push(ReliefPanel { label, heights, curves: vec![] });
@@ -85,7 +86,7 @@ fn surface(
         range: None,
         panels: drawn,
     };
-    Ok(Some(Picture { name: format!("surface-{column}"), chart: Chart::Relief(chart), table }))
+    Ok(Some(Picture { name: format!("surface-{}", column.name()), chart: Chart::Relief(chart), table }))
 }
 
 /// Symbol and unit of an axis.

@@ -2,9 +2,11 @@
 
 use serde::Serialize;
 
-use super::contents::{AxisValue, Words};
+use super::axis::AxisValue;
 use super::encoding::integers;
+use super::texts::Texts;
 use crate::pictures::AxisWords;
+use stribeck_sweep::GridIndex;
 use stribeck_sweep::store::{DataSet, Status, kind_of_reason};
 
 /// Most failed places that are listed.
@@ -12,18 +14,23 @@ const MOST_LISTED: usize = 1000;
 /// Most bytes of different reasons.
 const MOST_BYTES: usize = 1_000_000;
 
-/// Failed places of the whole data set, those not shown on the grid included.
+/// The failed places of the whole data set, those not shown on the grid included.
 #[derive(Debug, Serialize)]
 pub(super) struct FailurePart {
+    #[serde(flatten)]
+    list: FailureList,
+    #[serde(flatten)]
+    reasons: ReasonPart,
+}
+
+/// The failed places, with what kinds of reasons they have.
+#[derive(Debug, Default, Serialize)]
+struct FailureList {
     /// How many there are.
     count: usize,
     kinds: Vec<Kind>,
     /// Values on the three axes and the index of the kind, as far as they are listed.
-    listed: Vec<(AxisValue, AxisValue, AxisValue, usize)>,
-    /// Different reasons of the places shown on the grid.
-    reasons: Vec<String>,
-    /// For each place shown on the grid the index of its reason; −1 if it converged, or its reason is not in the page.
-    reason_of: String,
+    listed: Vec<([AxisValue; 3], usize)>,
 }
 
 /// Places that failed for reasons that differ in numbers alone.
@@ -36,8 +43,17 @@ struct Kind {
     varied: bool,
 }
 
+/// The reasons of the places shown on the grid.
+#[derive(Debug, Serialize)]
+struct ReasonPart {
+    /// Different reasons.
+    reasons: Vec<String>,
+    /// For each place the index of its reason; −1 if it converged, or its reason is not in the page.
+    reason_of: String,
+}
+
 impl FailurePart {
-    /// The failures of a data set of which these places are shown.
+    /// The failures of a data set of which these places are shown. Notes say what is left out.
     pub(super) fn of(
         data: &DataSet,
         places: &[usize],
@@ -45,53 +61,62 @@ impl FailurePart {
         reasons: &[String],
         notes: &mut Vec<String>,
     ) -> Self {
-        let ([_, alphas, betas], axes) = (data.shape(), AxisWords::of(data));
-        let failed = (0..statuses.len()).filter(|place| statuses[*place] == Status::Failed);
-        let (mut words, mut kinds, mut listed) = (Words::default(), Vec::<Kind>::new(), Vec::new());
-        let mut count = 0;
-        for place in failed {
-            let reason = &reasons[place];
-            let index = words.index(&kind_of_reason(reason));
-            match kinds.get_mut(index) {
+        // By place; none where a case converged.
+        let reason = |place: usize| (statuses[place] == Status::Failed).then(|| reasons[place].as_str());
+        let failed = (0..statuses.len()).filter_map(|place| Some((place, reason(place)?)));
+        Self {
+            list: FailureList::of(data, failed, notes),
+            reasons: ReasonPart::of(places.iter().map(|place| reason(*place)), notes),
+        }
+    }
+}
+
+impl FailureList {
+    fn of<'a>(data: &DataSet, failed: impl Iterator<Item = (usize, &'a str)>, notes: &mut Vec<String>) -> Self {
+        let (shape, axes) = (data.shape(), AxisWords::of(data));
+        let (mut kinds, mut list) = (Texts::default(), Self::default());
+        for (place, reason) in failed {
+            let index = kinds.index(&kind_of_reason(reason));
+            match list.kinds.get_mut(index) {
                 Some(kind) => {
                     kind.count += 1;
                     kind.varied |= kind.reason != *reason;
                 }
-                None => kinds.push(Kind { count: 1, reason: reason.clone(), varied: false }),
+                None => list.kinds.push(Kind { count: 1, reason: reason.to_owned(), varied: false }),
             }
-            if count < MOST_LISTED {
-                let (i_f, i_alpha, i_beta) = (place / (alphas * betas), place / betas % alphas, place % betas);
-                let [f, alpha, beta] =
-                    [(0, i_f), (1, i_alpha), (2, i_beta)].map(|(axis, i)| axes[axis].values[i].into());
-                listed.push((f, alpha, beta, index));
+            if list.count < MOST_LISTED {
+                let GridIndex { f, row, along } = shape.index(place);
+                let values = [(0, f), (1, row), (2, along)].map(|(axis, index)| axes[axis].values[index].into());
+                list.listed.push((values, index));
             }
-            count += 1;
+            list.count += 1;
         }
-        if count > MOST_LISTED {
+        if list.count > MOST_LISTED {
+            let count = list.count;
             notes.push(format!("Of {count} failed places the first {MOST_LISTED} are listed; summary.csv has all."));
         }
+        list
+    }
+}
 
-        let (mut texts, mut bytes, mut left_out) = (Words::default(), 0, 0_usize);
-        let reason_of: Vec<i32> = places
-            .iter()
-            .map(|place| {
-                if statuses[*place] != Status::Failed {
-                    return -1;
-                }
-                let reason = &reasons[*place];
-                if bytes + reason.len() > MOST_BYTES && !texts.has(reason) {
+impl ReasonPart {
+    /// The reasons of places in their order, none for a place that converged.
+    fn of<'a>(places: impl Iterator<Item = Option<&'a str>>, notes: &mut Vec<String>) -> Self {
+        let (mut texts, mut bytes, mut left_out) = (Texts::default(), 0, 0_usize);
+        let mut index = |reason: &str| {
+            if !texts.has(reason) {
+                if bytes + reason.len() > MOST_BYTES {
                     left_out += 1;
                     return -1;
                 }
-                let known = texts.words.len();
-                let index = texts.index(reason);
-                bytes += if index == known { reason.len() } else { 0 };
-                i32::try_from(index).expect("fewer reasons than 2³¹")
-            })
-            .collect();
+                bytes += reason.len();
+            }
+            i32::try_from(texts.index(reason)).expect("fewer reasons than 2³¹")
+        };
+        let reason_of: Vec<i32> = places.map(|reason| reason.map_or(-1, &mut index)).collect();
         if left_out > 0 {
             notes.push(format!("The reasons of {left_out} failed places are not in this page; summary.csv has them."));
         }
-        Self { count, kinds, listed, reasons: texts.words, reason_of: integers(reason_of) }
+        Self { reasons: texts.texts, reason_of: integers(reason_of) }
     }
 }

@@ -2,20 +2,34 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `contents` | the numbers that the page's script reads |
+//! | `contents` | all numbers and words that the page's script reads |
+//! | `axis` | names and values of the axes |
+//! | `columns` | the columns of `summary.csv`, and what cases cost |
 //! | `failures` | failed places and why |
 //! | `fields` | pressure, film and displacement of each case, thinned |
+//! | `measured` | measured points |
 //! | `thinning` | which places and points are shown of a large sweep |
+//! | `scaled` | where values lie in the range of their field |
+//! | `texts` | texts that come again, each once |
 //! | `encoding` | numbers as base64, texts that end no element |
 //! | `plotly` | the drawing library |
 //!
-//! The page itself, its style and its scripts are in `assets/report`; `docs/report.md` says what it shows.
+//! The page itself, its style and its scripts are in `assets/report`; `docs/report.md` says what it shows. The scripts
+//! are ES modules, which `build.rs` joins into one.
 
+mod axis;
+mod columns;
 mod contents;
 mod encoding;
 mod failures;
 mod fields;
+mod measured;
+#[cfg(test)]
+#[path = "../../build/modules.rs"]
+mod modules;
 mod plotly;
+mod scaled;
+mod texts;
 mod thinning;
 
 use contents::Contents;
@@ -24,23 +38,11 @@ use encoding::{html, json};
 use stribeck_lab::Measured;
 use stribeck_sweep::store::{DataSet, StoreError};
 
-/// How a page begins. A file that does not is none of ours, and is not replaced.
+/// The beginning of every page. A file that begins otherwise is none of ours, and is not replaced.
 pub const BEGINNING: &str = "<!DOCTYPE html>\n<!-- made by stribeck report -->\n";
 
-/// The scripts of the page, in the order in which they run.
-const SCRIPTS: [&str; 11] = [
-    include_str!("../../assets/report/sweep.js"),
-    include_str!("../../assets/report/words.js"),
-    include_str!("../../assets/report/axes.js"),
-    include_str!("../../assets/report/look.js"),
-    include_str!("../../assets/report/map.js"),
-    include_str!("../../assets/report/surface.js"),
-    include_str!("../../assets/report/case.js"),
-    include_str!("../../assets/report/curves.js"),
-    include_str!("../../assets/report/scatter.js"),
-    include_str!("../../assets/report/table.js"),
-    include_str!("../../assets/report/page.js"),
-];
+/// The scripts of the page, which build.rs has joined.
+const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/page.js"));
 
 /// A page, and what it leaves out.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,14 +53,14 @@ pub struct Page {
     pub notes: Vec<String>,
 }
 
-/// The page of a data set, with measured points beside it if there are some. The same data give the same bytes.
+/// Makes the page of a data set, with measured points beside it if there are some. The same data give the same bytes.
 ///
 /// # Errors
 /// [`StoreError`] if the data set cannot be read.
 pub fn page(data: &DataSet, measured: Option<&Measured>) -> Result<Page, StoreError> {
     let contents = Contents::of(data, measured)?;
     let frame = include_str!("../../assets/report/page.html");
-    let script = format!("<script>\n\"use strict\";\n(() => {{\n{}}})();\n</script>", SCRIPTS.join("\n"));
+    let script = format!("<script>\n\"use strict\";\n(() => {{\n{SCRIPT}}})();\n</script>");
     let parts = [
         ("{{title}}", html(&data.title)),
         ("{{style}}", format!("<style>\n{}</style>", include_str!("../../assets/report/page.css"))),

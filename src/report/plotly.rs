@@ -3,7 +3,7 @@
 /// Plotly's script, deflated by `build.rs`.
 const DEFLATED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/plotly.deflate"));
 
-/// Plotly as an element that the page's script runs once its words are on the screen.
+/// Writes Plotly as an element that the page's script runs once its words are on the screen.
 pub(super) fn element() -> String {
     let script = miniz_oxide::inflate::decompress_to_vec(DEFLATED).expect("the build has deflated it");
     let script = String::from_utf8(script).expect("the build has deflated a text");

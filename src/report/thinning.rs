@@ -1,17 +1,19 @@
-//! What of a large sweep is shown.
+//! Which places of a large sweep are shown, and which points of a case.
 
+use super::scaled::Scaled;
+use crate::pictures::AxisWords;
 use stribeck_sweep::store::DataSet;
 
 /// More places of the grid than this make the page slow, and larger than 15 MB.
 const MOST_PLACES: usize = 30_000;
 
-/// Indices on the axes f, α and β that are shown, ascending, with both ends of each axis.
+/// The indices on the axes f, α and β that are shown, ascending, with both ends of each axis.
 pub(super) struct Grid(pub(super) [Vec<usize>; 3]);
 
 impl Grid {
-    /// All, or of a large grid an even choice: the longest axis is thinned first.
+    /// All indices, or of a large grid an even choice: the longest axis is thinned first.
     pub(super) fn of(data: &DataSet) -> Self {
-        let shape = data.shape();
+        let shape = data.shape().lengths();
         let mut kept = shape;
         while kept.iter().product::<usize>() > MOST_PLACES {
             let longest = (0..3).max_by_key(|axis| kept[*axis]).expect("there are three axes");
@@ -20,9 +22,22 @@ impl Grid {
         Self(std::array::from_fn(|axis| evenly(shape[axis], kept[axis])))
     }
 
-    /// True if places are left out.
-    pub(super) fn is_thinned(&self, data: &DataSet) -> bool {
-        self.0.iter().zip(data.shape()).any(|(kept, all)| kept.len() < all)
+    /// Says how many places are left out, if some are.
+    pub(super) fn note(&self, data: &DataSet, axes: &[AxisWords; 3]) -> Option<String> {
+        let (all, shown) = (data.shape().lengths(), self.0.each_ref().map(Vec::len));
+        // An axis without a symbol has one value, and is no axis to the reader.
+        let product = |words: [String; 3]| {
+            let named = words.into_iter().zip(axes).filter(|(_, axis)| !axis.symbol.is_empty());
+            named.map(|(word, _)| word).collect::<Vec<_>>().join(" × ")
+        };
+        (shown != all).then(|| {
+            format!(
+                "Of the {} places of the sweep ({}) {} are shown, spread evenly with both ends of each axis.",
+                product(all.map(|length| length.to_string())),
+                product(axes.each_ref().map(|axis| axis.symbol.clone())),
+                product(shown.map(|length| length.to_string()))
+            )
+        })
     }
 
     /// The indices of every place shown, in the order of the plan.
@@ -34,7 +49,7 @@ impl Grid {
     }
 }
 
-/// `kept` of `count` indices with both ends.
+/// Chooses `kept` of `count` indices evenly, with both ends.
 fn evenly(count: usize, kept: usize) -> Vec<usize> {
     if kept >= count {
         return (0..count).collect();
@@ -42,13 +57,14 @@ fn evenly(count: usize, kept: usize) -> Vec<usize> {
     (0..kept).map(|i| (i * (count - 1) + (kept - 1) / 2) / (kept - 1)).collect()
 }
 
-/// The points of a case that show its shape best: `kept` of them with both ends. Beginning with a line between the ends, the point
-/// that is farthest from the lines drawn so far is added, again and again; distances are over the range of each field.
+/// Chooses the points of a case that show its shape best: `kept` of them with both ends. Beginning with a line between
+/// the ends, it adds the point that is farthest from the lines drawn so far, again and again; distances are over the
+/// range of each field.
 pub(super) fn shape_points(fields: &[Vec<f64>], x: &[f64], kept: usize) -> Vec<usize> {
     if x.len() <= kept {
         return (0..x.len()).collect();
     }
-    let scaled: Vec<Vec<f64>> = fields.iter().map(|field| over_range(field)).collect();
+    let scaled: Vec<Vec<f64>> = fields.iter().map(|field| Scaled::of(field).shares).collect();
     let piece = |from: usize, to: usize| {
         // In the middle if all is straight.
         let (mut farthest, mut distance) = (from.midpoint(to), 0.0);
@@ -82,37 +98,21 @@ struct Piece {
     distance: f64,
 }
 
-/// How far a point is from the line between two others.
+/// Returns how far a point is from the line between two others.
 fn from_line(x: &[f64], values: &[f64], (from, to): (usize, usize), i: usize) -> f64 {
     let share = (x[i] - x[from]) / (x[to] - x[from]);
     (values[from] + share * (values[to] - values[from]) - values[i]).abs()
 }
 
-/// How far the lines through the chosen points are from the whole field, at most, over the range of the field.
+/// Returns how far the lines through the chosen points are from the whole field at most, over the range of the field.
 pub(super) fn deviation(x: &[f64], field: &[f64], chosen: &[usize]) -> f64 {
-    let values = over_range(field);
+    let values = Scaled::of(field).shares;
     let pairs = chosen.windows(2).map(|pair| (pair[0], pair[1]));
     let distances = pairs.flat_map(|(from, to)| {
         let values = &values;
         (from..to).map(move |i| from_line(x, values, (from, to), i))
     });
     distances.fold(0.0, f64::max)
-}
-
-/// From 0 to 1; positive values over more than a decade in their logarithm.
-fn over_range(values: &[f64]) -> Vec<f64> {
-    let ends = |values: &[f64]| {
-        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
-    };
-    let (least, most) = ends(values);
-    let places: Vec<f64> = if least > 0.0 && most > 10.0 * least {
-        values.iter().map(|value| value.log10()).collect()
-    } else {
-        values.to_vec()
-    };
-    let (low, high) = ends(&places);
-    let span = if high > low { high - low } else { 1.0 };
-    places.into_iter().map(|place| (place - low) / span).collect()
 }
 
 #[cfg(test)]

@@ -47,7 +47,7 @@ impl Reference {
 /// Relative differences between two solutions of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Errors {
-    /// Of μ_v; over μ_tot/1000 where μ_v is smaller, for it vanishes on an elastic substrate.
+    /// Of μ_v, relative to [`viscoelastic_error_scale`](stribeck_solver::viscoelastic_error_scale).
     pub mu_v: f64,
     /// Of μ_h.
     pub mu_h: f64,
@@ -70,7 +70,7 @@ impl Errors {
     pub fn between(numbers: &Quantities, better: &Quantities) -> Self {
         let (ours, theirs) = (&numbers.friction, &better.friction);
         let relative = |ours: f64, theirs: f64| (ours / theirs - 1.0).abs();
-        let scale = theirs.viscoelastic.abs().max(1e-3 * theirs.total());
+        let scale = theirs.viscoelastic_error_scale();
         Self {
             mu_v: (ours.viscoelastic - theirs.viscoelastic).abs() / scale,
             mu_h: relative(ours.hydrodynamic(), theirs.hydrodynamic()),
@@ -131,7 +131,7 @@ pub fn references(
                 Ok(solution) => {
                     break Ok(Reference { quantities: solution.quantities, tolerance, errors: solution.errors });
                 }
-                Err(failure) if 10.0 * tolerance > 1.01 * LOOSEST => break Err(failure.reason),
+                Err(failure) if 10.0 * tolerance > 1.01 * LOOSEST => break Err(failure.to_string()),
                 Err(_) => tolerance = rounded(10.0 * tolerance),
             }
         });

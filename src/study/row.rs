@@ -119,7 +119,7 @@ impl Row {
         Self {
             case,
             variant: variant.0,
-            failure: solved.outcome.as_ref().err().map(|failure| failure.reason.clone()),
+            failure: solved.outcome.as_ref().err().map(|failure| failure.to_string()),
             seed: solved.seed.to_string(),
             iterations: solved.effort.iterations,
             unknowns: solution.map(|_| solved.effort.unknowns),

@@ -4,7 +4,7 @@ use super::reference::Errors;
 use super::variant::guarded;
 use super::{Examination, Setting, Variant};
 use stribeck_solver::continuation::{Interrupt, Interrupted, Seed, Solution, SolvedCase};
-use stribeck_solver::{Failure, Output, Parameters};
+use stribeck_solver::{FailureKind, Output, Parameters};
 
 /// β of the neighbours that a case is solved from once more, over its own: first from above, where films are thinner, for
 /// every other way to a case comes from thicker ones.
@@ -93,12 +93,12 @@ fn from_neighbour(
     if !led && other.outcome.is_ok() {
         // it went the usual way after all, which says nothing about the seed
         let reason = "no neighbour leads to it".to_owned();
-        other.outcome = Err(Failure::new(reason));
+        other.outcome = Err(FailureKind::Other(reason).into());
     }
     let both = solved.outcome.as_ref().ok().zip(other.outcome.as_ref().ok());
     let difference = both.map(|(ours, theirs)| Errors::between(&theirs.quantities, &ours.quantities).largest());
     let allowed = both.map(|both| agreement(&variant.setting, both.into()));
-    Ok(Other { seed: other.seed, failure: other.outcome.err().map(|failure| failure.reason), difference, allowed })
+    Ok(Other { seed: other.seed, failure: other.outcome.err().map(|failure| failure.to_string()), difference, allowed })
 }
 
 /// How much two solutions of one case may differ in μ_v, μ_h and c: each may be off by the tolerance, or by its estimated

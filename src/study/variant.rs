@@ -7,7 +7,7 @@ use super::examination::{Examination, Examine, examine};
 use stribeck_solver::collocation::{self, CollocationSolver};
 use stribeck_solver::continuation::{Chain, Effort, Interrupt, Interrupted, SolvedCase, panic_message, solve_chain};
 use stribeck_solver::relaxation::{self, RelaxationSolver};
-use stribeck_solver::{Failure, Limits, Output, Parameters};
+use stribeck_solver::{FailureKind, Output, Parameters};
 
 /// A method at one of its settings.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,7 +83,7 @@ pub(super) fn guarded(
         let seconds = start.elapsed().as_secs_f64() / cases.len() as f64;
         let reason = format!("the solver panicked: {}; please report it", panic_message(payload.as_ref()));
         let effort = Effort { seconds, ..Effort::default() };
-        let failed = SolvedCase { effort, ..SolvedCase::failed(Failure::new(reason), Limits::UNKNOWN) };
+        let failed = SolvedCase { effort, ..SolvedCase::failed(FailureKind::Other(reason)) };
         Ok(vec![failed; cases.len()])
     })
 }
@@ -147,7 +147,7 @@ mod tests {
         let solved = guarded(&cases, || panic!("index out of bounds")).expect("nobody asked to stop");
         assert_eq!(solved.len(), 2);
         for case in solved {
-            let reason = case.outcome.expect_err("failed").reason;
+            let reason = case.outcome.expect_err("failed").to_string();
             assert_eq!(reason, "the solver panicked: index out of bounds; please report it");
             assert!(case.effort.seconds > 0.0);
         }

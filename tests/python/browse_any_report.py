@@ -1,50 +1,69 @@
-"""Opens a page of `stribeck report` of any sweep in Chromium: every picture that is shown is drawn, and what is missing is said.
+"""Opens pages of `stribeck report` of any sweeps in one Chromium.
 
-    python tests/python/browse_any_report.py PAGE [SENTENCE...]
+    python tests/python/browse_any_report.py (--page PAGE [SENTENCE...])...
 
-Each sentence must stand in the page at some f, to be seen. Any difference ends it with an error.
+Every picture that is shown must be drawn, and each sentence must be seen in its page at some f. Any difference ends it
+with an error.
 """
 
-import sys
+import argparse
 from pathlib import Path
 
-from chromium import browser
+from chromium import launched, window
 
-# Pictures that are shown without anything drawn in them.
-EMPTY = """() => [...document.querySelectorAll(".plot")].filter(plot => plot.checkVisibility() && !plot.querySelector(".main-svg")).map(plot => plot.id)"""
-# Sections with a heading and nothing else.
-SILENT = """() => [...document.querySelectorAll("section")].filter(section => section.innerText.trim() === section.querySelector("h2").innerText.trim()).map(section => section.id)"""
+# Pictures that are shown without anything drawn in them, and sections that have a heading and nothing else.
+LACKS = """() => {
+    const empty = [...document.querySelectorAll(".plot")].filter(
+        plot => plot.checkVisibility() && !plot.querySelector(".main-svg"));
+    const silent = [...document.querySelectorAll("section")].filter(
+        section => section.innerText.trim() === section.querySelector("h2").innerText.trim());
+    return [...empty, ...silent].map(element => element.id);
+}"""
+# Chooses each quantity, and each f, as a reader would; what each of them lacks and what the page says at each f.
+CHOOSE_ALL = """() => {
+    const lacks = %s, lacking = [], texts = [];
+    const choose = (control, value, event) => {
+        control.value = value;
+        control.dispatchEvent(new Event(event, { bubbles: true }));
+        lacking.push(...lacks().map(id => `${id} at ${control.id} = ${value}`));
+    };
+    const [quantity, slider] = ["quantity", "f-slider"].map(id => document.getElementById(id));
+    for (const { value } of quantity.options) choose(quantity, value, "change");
+    for (let f = 0; slider.checkVisibility() && f <= slider.max; f++) {
+        choose(slider, f, "input");
+        texts.push(document.body.innerText);
+    }
+    return [lacking, texts];
+}""" % LACKS
 
 
-def main():
-    path, sentences = Path(sys.argv[1]), sys.argv[2:]
+def browse(chromium, path, sentences):
+    """Looks at the page on a desktop, with each quantity and each f, and on a phone."""
     for width, height in [(1280, 900), (390, 844)]:
-        with browser(width, height) as watched:
+        with window(chromium, width, height) as watched:
             watched.open(path)
             page = watched.page
             text = page.inner_text("body")
-            assert page.evaluate(EMPTY) == []
-            assert page.evaluate(SILENT) == []
+            assert page.evaluate(LACKS) == []
             assert page.evaluate("document.documentElement.scrollWidth") <= width
             watched.screenshot(f"any-{width}-{path.parent.parent.parent.name}")
-            if width < 600:
-                watched.expect_peace()
-                continue
-            # Every quantity can be chosen, and every value of f; on a phone that is no different.
-            for value in page.eval_on_selector_all("#quantity option", "options => options.map(option => option.value)"):
-                page.select_option("#quantity", value)
-                assert page.evaluate(EMPTY) == [], value
-                assert page.evaluate(SILENT) == [], value
-            if page.is_visible("#f-slider"):
-                page.focus("#f-slider")
-                for key in ["Home"] + int(page.get_attribute("#f-slider", "max")) * ["ArrowRight"]:
-                    page.keyboard.press(key)
-                    assert page.evaluate(EMPTY) == []
-                    text += page.inner_text("body")
-            for sentence in sentences:
-                assert sentence in text, (sentence, text)
+            # What can be chosen is no different on a phone.
+            if width > 600:
+                lacking, texts = page.evaluate(CHOOSE_ALL)
+                assert lacking == [], lacking
+                text = "\n".join([text, *texts])
+                for sentence in sentences:
+                    assert sentence in text, (sentence, text)
             watched.expect_peace()
-    print("every picture shown is drawn")
+    print(f"{path}: every picture shown is drawn")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--page", action="append", nargs="+", metavar=("PAGE", "SENTENCE"), required=True)
+    with launched() as chromium:
+        for path, *sentences in parser.parse_args().page:
+            browse(chromium, Path(path), sentences)
 
 
 if __name__ == "__main__":

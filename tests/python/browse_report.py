@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 from playwright.sync_api import TimeoutError
 
-from chromium import browser
+from chromium import launched, window
 
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
@@ -138,7 +138,7 @@ def main():
     data = xr.open_dataset(results / "results.h5", engine="h5netcdf")
     f, alpha, beta = (data[name].values for name in ("f", "alpha", "beta"))
 
-    with browser() as watched:
+    with launched() as chromium, window(chromium) as watched:
         page, picture = watched.page, watched.screenshot
         watched.open(path)
         paint = page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime")

@@ -13,6 +13,7 @@ OPTIONS = [
     "--no-sandbox",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    "--webgl-antialiasing-mode=none",
     "--disable-quic",
     "--no-first-run",
     "--disable-background-networking",
@@ -22,7 +23,7 @@ OPTIONS = [
 
 
 class Watched:
-    """A page in a browser of its own, with what it complained of and what it asked for."""
+    """A page, with what it complained of and what it asked for."""
 
     def __init__(self, page):
         self.page, self.complaints, self.requests = page, [], []
@@ -53,11 +54,20 @@ class Watched:
 
 
 @contextmanager
-def browser(width=1280, height=900, theme="light"):
+def launched():
+    """Chromium, for any number of pages."""
     if not Path(BROWSER).exists():
         sys.exit(f"{BROWSER} is not there; run ./scripts/prerequisites --tests, which names the package")
     with sync_playwright() as driver:
         chromium = driver.chromium.launch(executable_path=BROWSER, args=OPTIONS)
-        context = chromium.new_context(viewport={"width": width, "height": height}, color_scheme=theme, accept_downloads=True)
-        yield Watched(context.new_page())
+        yield chromium
         chromium.close()
+
+
+@contextmanager
+def window(chromium, width=1280, height=900, theme="light"):
+    """A page with a window, storage and downloads of its own."""
+    size = {"width": width, "height": height}
+    context = chromium.new_context(viewport=size, color_scheme=theme, accept_downloads=True)
+    yield Watched(context.new_page())
+    context.close()

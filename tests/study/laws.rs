@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use stribeck_solver::continuation::Interrupt;
 use stribeck::study::{Row, run};
+use stribeck_solver::continuation::Interrupt;
 
 use crate::study::{findings, of, study};
 

@@ -121,7 +121,7 @@ fn solve(chain: &[Reference], points: usize, acceleration: Acceleration) -> Vec<
     let cases: Vec<Parameters> = chain.iter().map(|row| row.parameters.clone()).collect();
     let solved = solve_chain(&solver, &cases, &output, &Interrupt::new()).expect("nobody interrupts");
     let on_grid = |(row, case): (&Reference, SolvedCase)| OnGrid {
-        errors: case.outcome.map_err(|failure| failure.reason).map(|solution| GridErrors {
+        errors: case.outcome.map_err(|failure| failure.to_string()).map(|solution| GridErrors {
             relative: relative_errors(&solution.quantities, &row.values),
             flow: flow_error(&solution.fields, &x, row.parameters.beta, solution.quantities.c),
         }),

@@ -14,7 +14,7 @@ use std::fs;
 use rayon::prelude::*;
 use stribeck_solver::collocation::{CollocationSolver, Settings};
 use stribeck_solver::continuation::{Interrupt, SolvedCase, solve_chain};
-use stribeck_solver::exact::{LargeBeta, fitted_c};
+use stribeck_solver::exact::{self, LargeBeta, fitted_c};
 use stribeck_solver::{FieldSelection, Output, Parameters};
 
 const STRENGTHS: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
@@ -48,18 +48,18 @@ fn beta(i: u32) -> f64 {
 }
 
 fn errors(case: &Parameters, solved: SolvedCase) -> Result<[f64; APPROXIMATIONS.len()], String> {
-    let quantities = solved.outcome.map_err(|failure| format!("{case:?}: {}", failure.reason))?.quantities;
+    let quantities = solved.outcome.map_err(|failure| format!("{case:?}: {failure}"))?.quantities;
     let one_time = "one retardation time";
     let asymptote = |case: &Parameters| {
         let thin = Parameters { beta: ASYMPTOTIC, ..case.clone() };
         fitted_c(&thin).expect(one_time) * (case.beta / ASYMPTOTIC).powf(-0.6)
     };
-    let friction = &quantities.friction;
+    let (friction, limits) = (&quantities.friction, exact::limits(case));
     Ok([
-        solved.limits.dry_mu_v / friction.viscoelastic,
+        limits.dry_mu_v / friction.viscoelastic,
         LargeBeta::new(case).expect(one_time).approx_c() / quantities.c,
-        solved.limits.approx_mu_h / friction.hydrodynamic_film,
-        solved.limits.approx_mu_h / friction.hydrodynamic(),
+        limits.approx_mu_h / friction.hydrodynamic_film,
+        limits.approx_mu_h / friction.hydrodynamic(),
         0.4458 * case.beta.powf(-0.6) / quantities.c,
         asymptote(case) / quantities.c,
         fitted_c(case).expect(one_time) / quantities.c,

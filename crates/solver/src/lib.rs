@@ -4,6 +4,11 @@ pub mod collocation;
 pub mod continuation;
 pub mod exact;
 mod model;
+mod points;
 pub mod relaxation;
+mod solve;
 
+pub use continuation::{Failure, FailureKind, Interrupt, Interrupted, Solution, SolvedCase};
 pub use model::*;
+pub use points::solve_points;
+pub use solve::{Method, Settings, Solver, solve};

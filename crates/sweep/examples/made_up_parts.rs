@@ -4,7 +4,7 @@
 //! cargo run --release -p stribeck-sweep --example made_up_parts -- --cases 10000000 --parts 1000 --directory DIR
 //! ```
 //!
-//! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results --shard I/N`
+//! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results --part I/N`
 //! would have left them; then `stribeck merge DIR/results` and the other commands find a sweep that is solved.
 
 use std::error::Error;
@@ -12,9 +12,10 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use stribeck_solver::{COLUMNS, Fields, Parameters};
+use stribeck_solver::continuation::Seed;
+use stribeck_solver::{Fields, Parameters};
 use stribeck_sweep::store::{CaseEntry, Ending, Status, Store, Timing};
-use stribeck_sweep::{Part, Plan, Sweep};
+use stribeck_sweep::{Part, Plan, Sweep, Values};
 
 /// Cases of a commit, as the engine makes them of quick cases in a part of many.
 const COMMIT: usize = 4096;
@@ -54,14 +55,14 @@ fn made_up(plan: &Plan, case: &Parameters) -> CaseEntry {
         id: plan.id(case),
         outcome: Status::Converged,
         reason: String::new(),
-        values: std::array::from_fn::<f64, { COLUMNS.len() }, _>(|column| (seed + column as f64).sin()),
+        values: Values(std::array::from_fn(|column| (seed + column as f64).sin())),
         fields: Fields::default(),
         sensitivities: None,
         timing: Timing {
             seconds: 1e-4 * (1.0 + seed.cos().abs()),
             iterations: 3,
             factorisations: 2,
-            seed: "predictor".to_owned(),
+            seed: Some(Seed::Predictor),
             time_limit: None,
         },
     }

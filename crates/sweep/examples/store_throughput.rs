@@ -21,7 +21,7 @@ use stribeck_solver::continuation::{Effort, Interrupt, Interrupted, Seed, Soluti
 use stribeck_solver::{Fields, Friction, Limits, Parameters, Quantities, RelativeErrors};
 use stribeck_sweep::engine::{Engine, Finished};
 use stribeck_sweep::store::{CaseEntry, Ending, Point, Publication, Status, Store, StoreError, Timing};
-use stribeck_sweep::{Chain, Plan, Sweep};
+use stribeck_sweep::{Chain, GridIndex, Plan, Sweep, Values};
 
 struct Options {
     cases: usize,
@@ -117,7 +117,6 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         outcome: Ok(Solution { quantities, errors, fields: Fields::default(), sensitivities: None }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
-        cut: None,
         path: stribeck_solver::continuation::Path::default(),
         trace: stribeck_solver::continuation::Trace::default(),
         effort: Effort {
@@ -136,10 +135,10 @@ fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
         id: plan.id(parameters),
         outcome: Status::Converged,
         reason: String::new(),
-        values: solution.quantities.row(&solution.errors, &case.limits),
+        values: Values::converged(&solution.quantities, &solution.errors, &case.limits),
         fields: solution.fields,
         sensitivities: solution.sensitivities,
-        timing: Timing { seconds, iterations, factorisations, seed: case.seed.to_string(), time_limit: None },
+        timing: Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit: None },
     }
 }
 
@@ -153,13 +152,9 @@ fn chains(plan: &Plan, beta: usize, length: usize) -> Vec<Chain> {
 }
 
 fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<bool, StoreError> {
-    let [_, rows, length] = sweep.grid.shape();
-    let point = |place @ [i_f, i_row, along]: [usize; 3]| Point {
-        case: plan.case_at(i_f, i_row, along),
-        numbers: sweep.grid.numbers(place),
-        experiment: None,
-    };
-    let row = |row: usize| (0..length).map(|along| point([row / rows, row % rows, along])).collect();
+    let point =
+        |place: GridIndex| Point { case: plan.case_at(place), numbers: sweep.grid.numbers(place), experiment: None };
+    let row = |row: usize| sweep.grid.shape().row(row).map(point).collect();
     let dimensions = sweep.grid.dimensions();
     let published = store.publish(&Publication {
         title: &sweep.title,

@@ -10,8 +10,8 @@ use std::sync::{Barrier, Condvar, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
+use stribeck_solver::FailureKind;
 use stribeck_solver::continuation::{Effort, Interrupt, Interrupted, SolvedCase};
-use stribeck_solver::{Failure, Limits};
 use stribeck_sweep::engine::{Engine, Finished, Report};
 
 fn engine(threads: usize) -> Engine {
@@ -20,7 +20,7 @@ fn engine(threads: usize) -> Engine {
 
 fn case(chain: usize, reason: &str) -> SolvedCase {
     let effort = Effort { iterations: chain as u64, ..Effort::default() };
-    SolvedCase { effort, ..SolvedCase::failed(Failure::new(reason.to_owned()), Limits::UNKNOWN) }
+    SolvedCase { effort, ..SolvedCase::failed(FailureKind::Other(reason.to_owned())) }
 }
 
 fn solve(&chain: &usize, _: &Interrupt) -> Result<Vec<SolvedCase>, Interrupted> {
@@ -227,7 +227,7 @@ fn a_panic_fails_its_own_chain_only_and_its_message_is_kept() {
             committed.insert(chain);
             for case in cases {
                 assert_eq!(case.effort.iterations, chain as u64);
-                reasons.insert((case.outcome.expect_err("all fakes fail").reason, chain % 10 == 0 && chain > 0));
+                reasons.insert((case.outcome.expect_err("all fakes fail").to_string(), chain % 10 == 0 && chain > 0));
             }
             Ok::<_, Infallible>(())
         };

@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 use proptest::prelude::*;
 use stribeck_solver::relaxation::{Acceleration, Domain};
 use stribeck_solver::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
-use stribeck_sweep::CaseId;
-use stribeck_sweep::{Axes, Chain, Fingerprint, Grid, MAX_CHAIN, Method, Part, Plan, Recipe, SolverSettings, Sweep};
+use stribeck_sweep::{
+    Axes, CaseId, Chain, Fingerprint, Grid, GridIndex, MAX_CHAIN, Method, Part, Plan, Recipe, SolverSettings, Sweep,
+};
 
 fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
     Sweep {
@@ -45,20 +46,21 @@ fn axes_mut(sweep: &mut Sweep) -> &mut Axes {
 }
 
 /// Every grid point in the order of publication.
-fn places(sweep: &Sweep) -> Vec<(usize, usize, usize)> {
-    let Axes { f, alpha, beta } = axes(sweep);
+fn places(sweep: &Sweep) -> Vec<GridIndex> {
+    let Axes { f: strengths, alpha, beta } = axes(sweep);
     let mut places = Vec::new();
-    for i_f in 0..f.len() {
-        for i_alpha in 0..alpha.len() {
-            places.extend((0..beta.len()).map(|i_beta| (i_f, i_alpha, i_beta)));
+    for f in 0..strengths.len() {
+        for row in 0..alpha.len() {
+            places.extend((0..beta.len()).map(|along| GridIndex { f, row, along }));
         }
     }
     places
 }
 
 /// What of a grid point matters to the equations: nothing but β where the substrate is relaxed elastic.
-fn problem(sweep: &Sweep, (i_f, i_alpha, i_beta): (usize, usize, usize)) -> (u64, u64, u64) {
-    let (f, alpha, beta) = (axes(sweep).f[i_f], axes(sweep).alpha[i_alpha], axes(sweep).beta[i_beta]);
+fn problem(sweep: &Sweep, place: GridIndex) -> (u64, u64, u64) {
+    let Axes { f, alpha, beta } = axes(sweep);
+    let (f, alpha, beta) = (f[place.f], alpha[place.row], beta[place.along]);
     let (f, alpha) = if f == 0.0 || alpha.is_infinite() { (0.0, f64::INFINITY) } else { (f, alpha) };
     (f.to_bits(), alpha.to_bits(), beta.to_bits())
 }
@@ -104,7 +106,7 @@ proptest! {
             }
         }
         let grid: HashMap<_, CaseId> =
-            places(&sweep).into_iter().map(|place| (problem(&sweep, place), plan.case_at(place.0, place.1, place.2))).collect();
+            places(&sweep).into_iter().map(|place| (problem(&sweep, place), plan.case_at(place))).collect();
         let distinct: HashSet<CaseId> = grid.values().copied().collect();
         prop_assert_eq!(distinct.len(), grid.len(), "two problems share an id");
         prop_assert_eq!(&seen, &distinct);
@@ -147,15 +149,14 @@ proptest! {
             .flat_map(|chain| chain.cases.clone().map(move |i_beta| (chain.row, i_beta)).zip(plan.ids(&chain)))
             .collect();
         let mut first = HashMap::new();
-        for (i_f, i_alpha, i_beta) in places(&sweep) {
-            let id = plan.case_at(i_f, i_alpha, i_beta);
-            prop_assert_eq!(plan.id(&plan.parameters_at(i_f, i_alpha, i_beta)), id);
-            first.entry(id).or_insert((i_f, i_alpha, i_beta));
+        for place in places(&sweep) {
+            let id = plan.case_at(place);
+            prop_assert_eq!(plan.id(&plan.parameters_at(place)), id);
+            first.entry(id).or_insert(place);
         }
         prop_assert_eq!(by_row.len(), first.len());
-        for ((row, i_beta), id) in by_row {
-            let (i_f, i_alpha) = plan.place_of_row(row);
-            prop_assert_eq!(first.get(&id), Some(&(i_f, i_alpha, i_beta)));
+        for ((row, case), id) in by_row {
+            prop_assert_eq!(first.get(&id), Some(&plan.place(row, case)));
         }
         for (id, place) in first.into_iter().take(20) {
             prop_assert_eq!(plan.find(id), Some(place));
@@ -180,7 +181,7 @@ proptest! {
         }
         let ids = |sweep: &Sweep| -> HashMap<_, _> {
             let plan = Plan::new(sweep);
-            places(sweep).into_iter().map(|place| (problem(sweep, place), plan.case_at(place.0, place.1, place.2))).collect()
+            places(sweep).into_iter().map(|place| (problem(sweep, place), plan.case_at(place))).collect()
         };
         let grown = ids(&large);
         prop_assert!(ids(&small).iter().all(|(problem, id)| grown.get(problem) == Some(id)));
@@ -194,15 +195,15 @@ fn elastic_cases_are_one_row_solved_once() {
     let plan = Plan::new(&sweep);
     // (0, any), (any, inf) make one row; (10 and 100) x (0 and 1) make four.
     assert_eq!((plan.cases(), plan.rows(), plan.problems()), (18, 5, 10));
-    for (i_f, i_alpha) in [(0, 0), (0, 1), (0, 2), (1, 2), (2, 2)] {
-        assert_eq!(plan.case_at(i_f, i_alpha, 1), plan.case_at(0, 0, 1));
-        assert_eq!(plan.parameters_at(i_f, i_alpha, 1), Parameters::elastic(100.0));
+    for place in [[0, 0, 1], [0, 1, 1], [0, 2, 1], [1, 2, 1], [2, 2, 1]] {
+        assert_eq!(plan.case_at(place.into()), plan.case_at([0, 0, 1].into()));
+        assert_eq!(plan.parameters_at(place.into()), Parameters::elastic(100.0));
     }
     let only_infinite = Plan::new(&self::sweep(&[10.0, 20.0], &[f64::INFINITY], &[10.0]));
     assert_eq!((only_infinite.rows(), only_infinite.problems(), only_infinite.cases()), (1, 1, 2));
     let only_zero = Plan::new(&self::sweep(&[0.0], &[1.0, 2.0, 3.0], &[10.0]));
     assert_eq!((only_zero.rows(), only_zero.problems(), only_zero.cases()), (1, 1, 3));
-    assert_eq!(only_zero.case_at(0, 1, 0), only_infinite.case_at(1, 0, 0));
+    assert_eq!(only_zero.case_at([0, 1, 0].into()), only_infinite.case_at([1, 0, 0].into()));
 }
 
 #[test]
@@ -210,9 +211,9 @@ fn modes_count_where_the_substrate_retards_and_only_there() {
     let one = sweep(&[0.0, 10.0], &[0.0, 1.0, f64::INFINITY], &[10.0]);
     let two = Sweep { substrate: two_modes(), ..one.clone() };
     let (one_plan, two_plan) = (Plan::new(&one), Plan::new(&two));
-    for (i_f, i_alpha, i_beta) in places(&one) {
-        let retards = i_f == 1 && i_alpha == 1;
-        assert_eq!(one_plan.case_at(i_f, i_alpha, i_beta) != two_plan.case_at(i_f, i_alpha, i_beta), retards);
+    for place in places(&one) {
+        let retards = place.f == 1 && place.row == 1;
+        assert_eq!(one_plan.case_at(place) != two_plan.case_at(place), retards);
     }
 }
 
@@ -233,7 +234,7 @@ fn changed(method: Method, changes: Changes) -> Vec<Sweep> {
 }
 
 fn distinct_ids(sweeps: &[Sweep]) -> usize {
-    sweeps.iter().map(|sweep| Plan::new(sweep).case_at(0, 0, 0)).collect::<HashSet<_>>().len()
+    sweeps.iter().map(|sweep| Plan::new(sweep).case_at([0, 0, 0].into())).collect::<HashSet<_>>().len()
 }
 
 /// Changes of what the relaxation method is told.
@@ -292,8 +293,8 @@ fn an_id_stays_whatever_is_kept_of_the_case() {
         other.output.limits = false;
         other.output.sensitivities = true;
         let (base_plan, other_plan) = (Plan::new(&base), Plan::new(&other));
-        for (i_f, i_alpha, i_beta) in places(&base) {
-            assert_eq!(base_plan.case_at(i_f, i_alpha, i_beta), other_plan.case_at(i_f, i_alpha, i_beta));
+        for place in places(&base) {
+            assert_eq!(base_plan.case_at(place), other_plan.case_at(place));
         }
     }
 }
@@ -346,7 +347,7 @@ fn an_id_is_the_same_in_every_process_and_release() {
     let sweep = sweep(&[0.0, 100.0], &[0.0, 1.0, f64::INFINITY], &[10.0]);
     let ids = |method| {
         let plan = Plan::new(&Sweep { solver: by(method), ..sweep.clone() });
-        [(0, 0), (1, 0), (1, 1)].map(|(i_f, i_alpha)| plan.case_at(i_f, i_alpha, 0).to_string())
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0]].map(|place| plan.case_at(place.into()).to_string())
     };
     assert_eq!(ids(Method::Collocation), ["0dc4903ad63c56bb", "ba4b52b394b5781c", "91facd846231902e"]);
     assert_eq!(ids(Method::Relaxation), ["7d6496ca34be6840", "2840b5ab4a038449", "f2cc1738b5e53483"]);
@@ -375,7 +376,8 @@ fn a_billion_cases_are_planned_at_once() {
     let last = plan.chains().next_back().expect("there are chains");
     assert_eq!((last.row, last.cases.end), (999_999, 1000));
     assert_eq!(plan.parameters(&last).last(), Some(&Parameters::new(1000.0, 1000.0, 1000.0)));
-    assert_eq!(plan.find(plan.case_at(0, 2, 500)), Some((0, 2, 500)));
+    let place = GridIndex { f: 0, row: 2, along: 500 };
+    assert_eq!(plan.find(plan.case_at(place)), Some(place));
     // Listing the cases, or the chains, would take many times longer.
     assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());
 }

@@ -8,9 +8,9 @@ use crate::synthetic::{
     ALPHA, BETA, F, SWEEP, chains, entry, finished, open, output, publish, publish_as, published_bytes, reference,
     resume, row,
 };
-use stribeck_solver::{COLUMNS, FieldSelection, Fields, Output, Sensitivities};
-use stribeck_sweep::CaseId;
+use stribeck_solver::{FieldSelection, Fields, Output, Sensitivities};
 use stribeck_sweep::store::{DataSet, Ending, Holdings, Inspection, Status, Store, StoreError, Warning, verify};
+use stribeck_sweep::{CaseId, Column, Field};
 use tempfile::tempdir;
 
 fn bits(values: &[f64]) -> Vec<u64> {
@@ -32,9 +32,9 @@ fn what_is_committed_comes_back_bit_for_bit() {
     let directory = tempdir().unwrap();
     let output = output();
     let mut chain: Vec<_> = BETA.iter().map(|&beta| entry(100.0, 1.0, beta, &output)).collect();
-    chain[0].values[0] = f64::INFINITY;
-    chain[0].values[1] = -0.0;
-    chain[0].values[2] = f64::from_bits(0x7ff8_0000_dead_beef);
+    chain[0].values.0[0] = f64::INFINITY;
+    chain[0].values.0[1] = -0.0;
+    chain[0].values.0[2] = f64::from_bits(0x7ff8_0000_dead_beef);
     chain[1].fields.pressure.as_mut().unwrap()[3] = f64::NAN;
     chain[1].fields.pressure.as_mut().unwrap()[4] = f64::NEG_INFINITY;
     chain[2] = entry(100.0, 0.1, 1000.0, &output);
@@ -47,7 +47,7 @@ fn what_is_committed_comes_back_bit_for_bit() {
     for entry in &chain {
         assert_eq!(held.holds(entry.id), Some(entry.outcome));
         let back = held.entry(entry.id).unwrap().unwrap();
-        assert_eq!(bits(&back.values), bits(&entry.values));
+        assert_eq!(bits(&back.values.0), bits(&entry.values.0));
         assert_eq!((&back.reason, back.outcome, &back.timing), (&entry.reason, entry.outcome, &entry.timing));
         for (back, field) in [
             (&back.fields.pressure, &entry.fields.pressure),
@@ -456,7 +456,7 @@ fn the_summary_keeps_the_contract() {
             assert_eq!(cell.parse::<f64>().unwrap().to_bits(), value.to_bits());
         }
         assert_eq!((&row[4], &row[5]), (expected.outcome.name(), expected.reason.as_str()));
-        for (cell, value) in row.iter().skip(6).zip(expected.values) {
+        for (cell, value) in row.iter().skip(6).zip(expected.values.0) {
             match cell {
                 "" => assert!(value.is_nan()),
                 number => assert_eq!(number.parse::<f64>().unwrap().to_bits(), value.to_bits()),
@@ -579,13 +579,14 @@ fn a_first_start_killed_before_its_first_record_is_resumed() {
 #[test]
 fn the_documentation_lists_every_column_field_and_header() {
     let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/output.md")).unwrap();
-    for column in &COLUMNS {
-        let shown = if column.in_summary { "yes" } else { "no" };
-        let row = format!("| `{}` | {} | {shown} |", column.name, column.units);
+    for column in Column::ALL {
+        let shown = if column.in_summary() { "yes" } else { "no" };
+        let row = format!("| `{}` | {} | {shown} |", column.name(), column.units());
         assert!(text.contains(&row), "docs/output.md has no row {row}");
     }
-    for field in FieldSelection::ALL.names() {
-        assert!(text.contains(&format!("\n| `{field}` |")), "docs/output.md has no row for {field}");
+    for field in Field::ALL {
+        let row = format!("\n| `{}` | {} |", field.name(), field.units());
+        assert!(text.contains(&row), "docs/output.md has no row {row}");
     }
     let directory = tempdir().unwrap();
     drop(finished(directory.path()));
@@ -605,7 +606,7 @@ fn a_data_set_is_read_back_as_it_was_published() {
     assert_eq!((data.x.as_slice(), data.outdated), (&*output().x, false));
     let (statuses, reasons, cases) = (data.statuses().unwrap(), data.reasons().unwrap(), data.cases().unwrap());
     let costs = data.costs().unwrap().unwrap();
-    let columns: Vec<Vec<f64>> = COLUMNS.iter().map(|column| data.column(column.name).unwrap()).collect();
+    let columns = Column::ALL.map(|column| data.column(column).unwrap());
     for (i_f, f) in F.into_iter().enumerate() {
         for (i_alpha, alpha) in ALPHA.into_iter().enumerate() {
             for (i_beta, beta) in BETA.into_iter().enumerate() {
@@ -618,8 +619,8 @@ fn a_data_set_is_read_back_as_it_was_published() {
                 assert_eq!((&cases[place], &costs[place].case), (&wanted.id.to_string(), &wanted.id.to_string()));
                 assert_eq!(costs[place].seconds, wanted.timing.seconds);
                 let values: Vec<f64> = columns.iter().map(|column| column[place]).collect();
-                assert_eq!(bits(&values), bits(&wanted.values));
-                let film = data.field("film_thickness", [i_f, i_alpha, i_beta]).unwrap();
+                assert_eq!(bits(&values), bits(&wanted.values.0));
+                let film = data.field(Field::FilmThickness, [i_f, i_alpha, i_beta]).unwrap();
                 match wanted.fields.film_thickness {
                     Some(field) => assert_eq!(bits(&film), bits(&field)),
                     None => assert!(film.iter().all(|value| value.is_nan())),
@@ -627,7 +628,7 @@ fn a_data_set_is_read_back_as_it_was_published() {
             }
         }
     }
-    assert!(data.column("mu_q").is_err());
+    assert!(data.variable("mu_q").is_err());
 
     // Cases that come later are not in it.
     store.commit(&[entry(7.0, 1.0, 10.0, &output())]).unwrap();
@@ -657,8 +658,8 @@ fn a_data_set_whose_parts_do_not_fit_is_refused() {
         };
         file.close().unwrap();
         let data = DataSet::open(alone.path()).unwrap();
-        let error = if name == "status" { data.statuses().unwrap_err() } else { data.column(name).unwrap_err() };
+        let error = if name == "status" { data.statuses().unwrap_err() } else { data.variable(name).unwrap_err() };
         assert!(matches!(&error, StoreError::Altered { .. }) && error.to_string().contains(expected), "{error}");
-        assert_eq!(data.column("mu_h").unwrap().len(), 40);
+        assert_eq!(data.column(Column::MuH).unwrap().len(), 40);
     }
 }

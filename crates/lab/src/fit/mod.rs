@@ -62,7 +62,9 @@ pub enum FitError {
         what: String,
     },
     /// A point has no solution at the start.
-    #[error("the point on line {line} has no solution at the start of the fit: {}; begin nearer to the expected values", failure.reason)]
+    #[error(
+        "the point on line {line} has no solution at the start of the fit: {failure}; begin nearer to the expected values"
+    )]
     Start {
         /// Line of the point.
         line: u64,

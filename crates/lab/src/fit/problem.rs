@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use super::FitError;
 use super::prediction::{Failed, Prediction, Predictor};
 use crate::measured::Measured;
-use stribeck_solver::Failure;
+use stribeck_solver::FailureKind;
 
 /// The residual of each point where a case has no solution: so large that the step there is taken back, and a shorter one tried.
 const REFUSED: f64 = 1e50;
@@ -94,7 +94,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         self.prediction = match near {
             true => self.predictor.predict(&self.unknowns()),
             false => {
-                let failure = Failure::new("an unknown is a million times what it began at".to_owned());
+                let failure = FailureKind::Other("an unknown is a million times what it began at".to_owned()).into();
                 Err(Failed { point: 0, failure })
             }
         };

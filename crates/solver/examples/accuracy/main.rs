@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let exact: Vec<_> = alone.iter().flat_map(|case| outcomes(measure::EXACT, case)).collect();
     let exact: Vec<_> = exact.into_iter().map(|case| case.outcome.map(|solution| solution.quantities)).collect();
-    let exact = exact.into_iter().collect::<Result<Vec<_>, _>>().map_err(|failure| failure.reason)?;
+    let exact = exact.into_iter().collect::<Result<Vec<_>, _>>().map_err(|failure| failure.to_string())?;
 
     tolerances::print("Each case alone", &alone, &exact);
     tolerances::print("Chains of four β, a decade apart", &chains, &exact);

@@ -56,7 +56,7 @@ pub fn compare(solver: &RelaxationSolver, settings: Settings, chain: &[Parameter
             let rough = CollocationSolver::new(collocation::Settings { tolerance: 1e-3, ..Default::default() });
             outcomes(&rough, std::slice::from_ref(parameters), &[]).remove(0).outcome
         });
-        let deviations = relaxed.outcome.map_err(|failure| failure.reason).map(|solution| {
+        let deviations = relaxed.outcome.map_err(|failure| failure.to_string()).map(|solution| {
             let quantities = exactly.ok().map(|exact| exact.quantities);
             Deviations {
                 relative: quantities.map_or([f64::NAN; 4], |exact| relative(&solution.quantities, &exact)),

@@ -195,15 +195,15 @@ impl<'a> Sizes<'a> {
 #[cfg(test)]
 mod tests {
     use super::super::displacement::Displacement;
-    use super::super::stages::Stages;
     use super::super::thick_film;
+    use super::super::timings::Timings;
     use super::*;
     use crate::model::{DisplacementKernel, Parameters};
 
     fn thick_film_state(reference: &Arc<ReferencePanel>) -> State {
         let mut displacement = Displacement::new(reference);
         let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
-        displacement.set_mesh(&thick_film::mesh(reference.degree, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(reference.degree, 3.0, 1.0, 300.0), &kernel, &mut Timings::default());
         thick_film::state(&displacement, 1.0)
     }
 

@@ -10,8 +10,8 @@ use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::{ReferencePanel, dot};
 use super::retardation::RetardationFilter;
-use super::retardation_rates::FilterRates;
-use super::stages::{Stages, timed};
+use super::retardation_derivatives::FilterDerivatives;
+use super::timings::{Timings, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
 /// w relative to the outlet as a matrix on the pressure, and what else follows from it along the mesh; for all cases with the
@@ -29,7 +29,7 @@ pub struct Displacement {
     /// f_j/(1+f) of each mode, with its filter.
     pub(super) filters: Vec<(f64, RetardationFilter)>,
     /// How they change with α, once that is asked for.
-    pub(super) filter_rates: OnceCell<Vec<FilterRates>>,
+    pub(super) filter_derivatives: OnceCell<Vec<FilterDerivatives>>,
     /// Weight of e in w.
     pub(super) elastic_weight: f64,
 }
@@ -53,23 +53,24 @@ impl Displacement {
             outlet: Vec::new(),
             retarded_outlet: Vec::new(),
             filters: Vec::new(),
-            filter_rates: OnceCell::new(),
+            filter_derivatives: OnceCell::new(),
             elastic_weight: 1.0,
         }
     }
 
     /// The displacement on a mesh, in the memory of the one before.
-    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel, stages: &mut Stages) {
-        timed(&mut stages.kernel, || self.discretisation.set_mesh(mesh));
-        timed(&mut stages.filter, || self.set_substrate(kernel));
+    pub fn set_mesh(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel, timings: &mut Timings) {
+        timed(&mut timings.kernel, || self.discretisation.set_mesh(mesh));
+        timed(&mut timings.filter, || self.set_substrate(kernel));
     }
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, relative, outlet, retarded_outlet, filters, filter_rates, elastic_weight } = self;
+        let Self { discretisation, relative, outlet, retarded_outlet, filters, filter_derivatives, elastic_weight } =
+            self;
         *elastic_weight = kernel.singular_weight();
         filters.clear();
-        filter_rates.take();
+        filter_derivatives.take();
         relative.copy_scaled(&discretisation.elastic, discretisation.film(), *elastic_weight);
         outlet.clear();
         outlet.extend(discretisation.elastic_at_outlet.iter().map(|e| *elastic_weight * e));

@@ -67,7 +67,7 @@ impl Estimate {
 ///
 /// The solution is interpolated to degree d + 2 on its own panels, a Newton step is taken there, and what that changes in
 /// μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step would be
-/// seen in them, chord steps follow. μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that.
+/// seen in them, chord steps follow.
 pub fn estimate(
     coarse: &Displacement,
     fine: &mut Level,
@@ -80,7 +80,7 @@ pub fn estimate(
     let (corrector, fine) = fine.parts();
     let solution = quantities(coarse, beta, state, cavity_shear);
     let mut better = enriched(coarse, fine, state);
-    corrector.polish(fine, beta, &mut better, REMAINDER * tolerance, effort);
+    corrector.refine(fine, beta, &mut better, REMAINDER * tolerance, effort);
     let corrected = quantities(fine, beta, &better, cavity_shear);
     // extremes lie between the points: the richer polynomials know them better
     let Quantities { film_min, p_max, x_p_max, .. } = corrected;
@@ -88,7 +88,7 @@ pub fn estimate(
     let film_change = (solution.film_min / film_min - 1.0).abs() / FILM_SLACK;
     let solution = Quantities { film_min, p_max, x_p_max, ..solution };
     let (before, after) = (&solution.friction, &corrected.friction);
-    let scale = before.viscoelastic.abs().max(1e-3 * before.total());
+    let scale = before.viscoelastic_error_scale();
     let errors = RelativeErrors {
         mu_v: (after.viscoelastic - before.viscoelastic).abs() / scale,
         mu_h: (after.hydrodynamic() / before.hydrodynamic() - 1.0).abs(),

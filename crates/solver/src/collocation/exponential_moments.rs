@@ -34,24 +34,24 @@ pub fn exponential_moments(kappa: f64, t: f64, moments: &mut [f64]) {
     by_quadrature(kappa, t, |_| 1.0, moments);
 }
 
-/// κ times the derivative of the [`exponential_moments`] with respect to κ (T50), into `rates`.
-pub fn exponential_moment_rates(kappa: f64, t: f64, rates: &mut [f64]) {
-    let count = rates.len();
+/// κ times the derivative of the [`exponential_moments`] with respect to κ (T50), into `derivatives`.
+pub fn exponential_moment_derivatives(kappa: f64, t: f64, derivatives: &mut [f64]) {
+    let count = derivatives.len();
     if kappa <= STIFF {
-        return by_quadrature(kappa, t, |passed| 1.0 - passed, rates);
+        return by_quadrature(kappa, t, |passed| 1.0 - passed, derivatives);
     }
     let mut moments = [0.0; MOST_MOMENTS];
     exponential_moments(kappa, t, &mut moments[..count]);
     let reach = kappa * (1.0 - t);
-    rates[0] = reach * (-reach).exp();
-    let mut two_below = rates[0];
+    derivatives[0] = reach * (-reach).exp();
+    let mut two_below = derivatives[0];
     if count > 1 {
-        rates[1] = rates[0] + (rates[0] - moments[0]) / kappa;
+        derivatives[1] = derivatives[0] + (derivatives[0] - moments[0]) / kappa;
     }
     for k in 1..count - 1 {
-        let next = two_below + (2 * k + 1) as f64 / kappa * (rates[k] - moments[k]);
-        two_below = rates[k];
-        rates[k + 1] = next;
+        let next = two_below + (2 * k + 1) as f64 / kappa * (derivatives[k] - moments[k]);
+        two_below = derivatives[k];
+        derivatives[k + 1] = next;
     }
 }
 
@@ -104,7 +104,7 @@ mod tests {
         }
     }
 
-    /// Rates against differences of fourth order, soft and stiff.
+    /// RetardationDerivatives against differences of fourth order, soft and stiff.
     #[test]
     fn moment_rates_are_derivatives() {
         for kappa in [1e-8, 0.3, 5.0, 11.0, 13.0, 40.0, 1e3] {
@@ -114,13 +114,16 @@ mod tests {
                     exponential_moments(kappa * ln.exp(), t, &mut moments);
                     moments
                 };
-                let mut rates = [0.0; 12];
-                exponential_moment_rates(kappa, t, &mut rates);
+                let mut derivatives = [0.0; 12];
+                exponential_moment_derivatives(kappa, t, &mut derivatives);
                 let step = 2e-3;
                 let [near, far] = [step, 2.0 * step].map(|h| (at(h), at(-h)));
-                for (k, rate) in rates.iter().enumerate() {
+                for (k, derivative) in derivatives.iter().enumerate() {
                     let difference = (8.0 * (near.0[k] - near.1[k]) - (far.0[k] - far.1[k])) / (12.0 * step);
-                    assert!((rate - difference).abs() < 1e-9, "κ {kappa}, t {t}, k {k}: {rate:e} {difference:e}");
+                    assert!(
+                        (derivative - difference).abs() < 1e-9,
+                        "κ {kappa}, t {t}, k {k}: {derivative:e} {difference:e}"
+                    );
                 }
             }
         }

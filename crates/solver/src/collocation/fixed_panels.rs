@@ -1,14 +1,14 @@
 //! Collocation on a fixed number of panels: to study the method, not to use it.
 
+use super::acceptance::{Acceptance, check_tension, complete};
 use super::adaptation::Panels;
-use super::judgement::{complete, tension_failure};
 use super::scaling::Scaling;
 use super::settings::Settings;
-use super::solver::{CollocationSolver, ROUGH_TENSION};
+use super::solver::CollocationSolver;
 use super::state::State;
 use super::workspace::Workspace;
-use crate::continuation::{Halt, Solution, Work};
-use crate::model::{Failure, Output, Parameters};
+use crate::continuation::{FailureKind, Solution, SolveContext, SolveError};
+use crate::model::{Output, Parameters};
 
 /// Meshes of a fixed number of panels, each laid out by the solution on the one before.
 const FIXED_MESHES: usize = 3;
@@ -27,7 +27,7 @@ impl CollocationSolver {
     /// The solution on so many panels, laid out for it, whatever its error is.
     ///
     /// # Errors
-    /// [`Halt`] if sizes that change gradually take more panels, Newton's method fails, the film is under tension, or the user
+    /// [`SolveError`] if sizes that change gradually take more panels, Newton's method fails, the film is under tension, or the user
     /// asks to stop.
     pub(super) fn evaluate_on(
         &self,
@@ -36,25 +36,20 @@ impl CollocationSolver {
         parameters: &Parameters,
         state: &mut State,
         output: &Output,
-        work: &mut Work,
-    ) -> Result<Solution, Halt> {
+        context: &mut SolveContext,
+    ) -> Result<Solution, SolveError> {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
         for _ in 0..FIXED_MESHES {
             *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
             let least = state.mesh.panels();
             if least > panels {
-                let reason = format!(
-                    "panels whose sizes change gradually are {least} at least, not {panels}; ask for more panels"
-                );
-                return Err(Halt::Failed(Failure { reason, conclusive: true }));
+                return Err(FailureKind::TooFewPanels { least, panels }.into());
             }
-            self.correct(workspace, beta, state, work)?;
+            self.correct(workspace, beta, state, context)?;
         }
-        let (judgement, solution) = self.judge(workspace, beta, state, output, work);
-        if judgement.tension < ROUGH_TENSION {
-            return Err(tension_failure(judgement.tension));
-        }
-        Ok(complete(workspace, beta, state, solution, output, work))
+        let (acceptance, solution) = Acceptance::of(workspace, (beta, state), output, self.settings.tolerance, context);
+        check_tension(acceptance.tension)?;
+        Ok(complete(workspace, beta, state, solution, output, context))
     }
 }

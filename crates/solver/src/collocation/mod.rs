@@ -15,13 +15,14 @@
 //! | `displacement.rs`, `matrix.rs` | w of a mesh and a substrate |
 //! | `inlet.rs` | the film ahead of the mesh |
 //! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
-//! | `adaptation.rs`, `estimate.rs`, `judgement.rs` | where panels are wanted, how large the error is, whether that is good enough |
+//! | `adaptation.rs`, `estimate.rs`, `acceptance.rs` | where panels are wanted, how large the error is, whether that is good enough |
 //! | `quantities.rs`, `fields.rs` | what comes out |
 //! | `sensitivity.rs`, `adjoint.rs` | how friction changes with α, β and f, by one transposed system for each friction |
 //! | `friction_partials.rs`, `inlet_partials.rs` | what friction takes of each unknown |
-//! | `substrate_rates.rs`, `retardation_rates.rs`, `retardation_transpose.rs` | how w changes with α and f; the filter backwards |
-//! | `workspace.rs`, `solver.rs`, `fixed_panels.rs`, `settings.rs`, `state.rs`, `stages.rs` | how it is run, and where the time goes |
+//! | `substrate_derivatives.rs`, `retardation_derivatives.rs`, `retardation_transpose.rs` | how w changes with α and f; the filter backwards |
+//! | `workspace.rs`, `solver.rs`, `fixed_panels.rs`, `settings.rs`, `state.rs`, `timings.rs` | how it is run, and where the time goes |
 
+mod acceptance;
 mod adaptation;
 mod adjoint;
 mod discretisation;
@@ -34,7 +35,6 @@ mod fixed_panels;
 mod friction_partials;
 mod inlet;
 mod inlet_partials;
-mod judgement;
 mod legendre;
 mod log_moments;
 mod matrix;
@@ -43,23 +43,23 @@ mod newton;
 mod quantities;
 mod reference;
 mod retardation;
-mod retardation_rates;
+mod retardation_derivatives;
 mod retardation_transpose;
 mod scaling;
 mod sensitivity;
 mod settings;
 mod solver;
-mod stages;
 mod state;
-mod substrate_rates;
+mod substrate_derivatives;
 mod system;
 mod thick_film;
+mod timings;
 mod transfer;
 mod workspace;
 
 pub use settings::Settings;
 pub use solver::CollocationSolver;
-pub use stages::Stages;
+pub use timings::Timings;
 pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other numbers for

@@ -4,11 +4,11 @@ use super::displacement::Displacement;
 use super::factorisation::Factorisation;
 use super::matrix::Matrix;
 use super::sensitivity::sensitivities;
-use super::stages::{Stages, timed};
 use super::state::State;
 use super::system::System;
-use crate::continuation::{Effort, Halt, Work};
-use crate::model::{CavityShear, Failure, Sensitivities};
+use super::timings::{Timings, timed};
+use crate::continuation::{Effort, FailureKind, SolveContext, SolveError};
+use crate::model::{CavityShear, Sensitivities};
 
 /// Iterations after which the corrector is given up.
 const MOST_ITERATIONS: u64 = 40;
@@ -25,7 +25,7 @@ pub struct Corrector {
     system: System,
     factorisation: Factorisation,
     /// Where the time went.
-    pub stages: Stages,
+    pub timings: Timings,
 }
 
 impl Corrector {
@@ -36,40 +36,40 @@ impl Corrector {
     /// The step is only shortened so far that the film stays positive.
     ///
     /// # Errors
-    /// [`Halt`] if it does not converge, or the user asks to stop.
+    /// [`SolveError`] if it does not converge, or the user asks to stop.
     pub fn correct(
         &mut self,
         displacement: &Displacement,
         beta: f64,
         state: &mut State,
         tolerance: f64,
-        work: &mut Work,
-    ) -> Result<(), Halt> {
+        context: &mut SolveContext,
+    ) -> Result<(), SolveError> {
         let (mut before, mut fresh) = (f64::INFINITY, false);
         let (mut size, mut last, mut stalled) = (f64::INFINITY, f64::INFINITY, 0);
         for iteration in 1..=MOST_ITERATIONS {
-            work.go_on()?;
-            work.effort.iterations += 1;
+            context.check_abort()?;
+            context.effort.iterations += 1;
             self.linearise(displacement, beta, state);
             if !fresh {
-                self.factorise(displacement, beta, state, &mut work.effort);
+                self.factorise(displacement, beta, state, &mut context.effort);
             }
             self.step(displacement, beta, state);
             size = self.system.size(state);
             if !size.is_finite() {
-                return Err(failed("Newton's method broke down: a step is not finite".to_owned()));
+                return Err(FailureKind::NewtonBrokeDown.into());
             }
             let thinnest = state.film.iter().fold(state.c, |a, &u| a.min(u));
             let floor = ROUNDING / thinnest;
             if fresh && size > CHORD_RATE * before && size > floor {
                 // about the same state again, with its own matrix
                 self.linearise(displacement, beta, state);
-                self.factorise(displacement, beta, state, &mut work.effort);
+                self.factorise(displacement, beta, state, &mut context.effort);
                 self.step(displacement, beta, state);
                 size = self.system.size(state);
                 (before, fresh) = (f64::INFINITY, false);
             }
-            work.note_residual(iteration, size);
+            context.note_residual(iteration, size);
             let part = self.system.admissible(state);
             self.system.advance(state, part);
             let rate = size / before;
@@ -87,20 +87,17 @@ impl Corrector {
             fresh = part == 1.0 && size < 0.3;
             before = if fresh { size } else { f64::INFINITY };
         }
-        Err(failed(format!(
-            "Newton's method did not converge in {MOST_ITERATIONS} iterations: the last step changed the film by {size:.1e} \
-             of itself"
-        )))
+        Err(FailureKind::NewtonStalled { iterations: MOST_ITERATIONS, step: size }.into())
     }
 
     fn linearise(&mut self, displacement: &Displacement, beta: f64, state: &State) {
-        timed(&mut self.stages.assembly, || self.system.linearise(displacement, beta, state));
+        timed(&mut self.timings.assembly, || self.system.linearise(displacement, beta, state));
     }
 
     fn factorise(&mut self, displacement: &Displacement, beta: f64, state: &State, effort: &mut Effort) {
-        let Self { system, factorisation, stages } = self;
-        timed(&mut stages.assembly, || system.matrix(displacement, beta, state, &mut factorisation.matrix));
-        timed(&mut stages.factorisation, || factorisation.factorise());
+        let Self { system, factorisation, timings } = self;
+        timed(&mut timings.assembly, || system.matrix(displacement, beta, state, &mut factorisation.matrix));
+        timed(&mut timings.factorisation, || factorisation.factorise());
         effort.factorisations += 1;
     }
 
@@ -120,17 +117,17 @@ impl Corrector {
         cavity_shear: CavityShear,
         effort: &mut Effort,
     ) -> Sensitivities {
-        let Self { system, factorisation, stages } = self;
+        let Self { system, factorisation, timings } = self;
         effort.factorisations += 1;
-        timed(&mut stages.sensitivities, || {
+        timed(&mut timings.sensitivities, || {
             sensitivities(system, factorisation, displacement, beta, state, cavity_shear)
         })
     }
 
     /// One step about a linearised state, not yet gone.
     fn step(&mut self, displacement: &Displacement, beta: f64, state: &State) {
-        let Self { system, factorisation, stages } = self;
-        timed(&mut stages.step, || {
+        let Self { system, factorisation, timings } = self;
+        timed(&mut timings.step, || {
             system.fold_end(displacement, beta, state);
             factorisation.solve(&mut system.right_side);
             system.expand(displacement);
@@ -138,7 +135,7 @@ impl Corrector {
     }
 
     /// A full Newton step, and chord steps until what they leave, about the square of the first, is below `remainder`.
-    pub fn polish(
+    pub fn refine(
         &mut self,
         displacement: &Displacement,
         beta: f64,
@@ -165,10 +162,6 @@ impl Corrector {
     }
 }
 
-fn failed(reason: String) -> Halt {
-    Halt::Failed(Failure::new(reason))
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
@@ -182,7 +175,7 @@ mod tests {
     fn prepared(beta: f64) -> (Displacement, State) {
         let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(8)));
         let kernel = DisplacementKernel::new(&Parameters::new(1.0, beta, 10.0));
-        displacement.set_mesh(&thick_film::mesh(8, 3.0, beta, 1e3), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(8, 3.0, beta, 1e3), &kernel, &mut Timings::default());
         let state = thick_film::state(&displacement, beta);
         (displacement, state)
     }
@@ -191,14 +184,14 @@ mod tests {
     fn nothing_is_allocated_once_the_buffers_are_there() {
         let (displacement, start) = prepared(0.02);
         let interrupt = Interrupt::new();
-        let (mut corrector, mut work) = (Corrector::default(), Work::new(&interrupt));
-        corrector.correct(&displacement, 0.02, &mut start.clone(), 1e-10, &mut work).expect("a thick film");
+        let (mut corrector, mut context) = (Corrector::default(), SolveContext::new(&interrupt));
+        corrector.correct(&displacement, 0.02, &mut start.clone(), 1e-10, &mut context).expect("a thick film");
         let mut state = start.clone();
         let mut converged = false;
         let count = allocation_counter::measure(|| {
-            converged = corrector.correct(&displacement, 0.03, &mut state, 1e-10, &mut work).is_ok();
+            converged = corrector.correct(&displacement, 0.03, &mut state, 1e-10, &mut context).is_ok();
         });
-        assert!(converged && work.effort.iterations > 4);
+        assert!(converged && context.effort.iterations > 4);
         assert_eq!(count.count_total, 0);
     }
 
@@ -207,12 +200,12 @@ mod tests {
     fn a_good_guess_needs_one_factorisation() {
         let (displacement, mut state) = prepared(0.02);
         let interrupt = Interrupt::new();
-        let (mut corrector, mut work) = (Corrector::default(), Work::new(&interrupt));
-        corrector.correct(&displacement, 0.02, &mut state, 1e-12, &mut work).expect("a thick film");
-        let before = work.effort;
-        corrector.correct(&displacement, 0.0201, &mut state, 1e-12, &mut work).expect("a thick film");
-        assert_eq!(work.effort.factorisations - before.factorisations, 1);
-        assert!(work.effort.iterations - before.iterations <= 6);
+        let (mut corrector, mut context) = (Corrector::default(), SolveContext::new(&interrupt));
+        corrector.correct(&displacement, 0.02, &mut state, 1e-12, &mut context).expect("a thick film");
+        let before = context.effort;
+        corrector.correct(&displacement, 0.0201, &mut state, 1e-12, &mut context).expect("a thick film");
+        assert_eq!(context.effort.factorisations - before.factorisations, 1);
+        assert!(context.effort.iterations - before.iterations <= 6);
     }
 
     #[test]
@@ -220,10 +213,10 @@ mod tests {
         let (displacement, mut state) = prepared(0.02);
         let interrupt = Interrupt::new();
         interrupt.request();
-        let mut work = Work::new(&interrupt);
-        let result = Corrector::default().correct(&displacement, 0.02, &mut state, 1e-12, &mut work);
-        assert_eq!(result, Err(Halt::Interrupted));
-        assert_eq!(work.effort.iterations, 0);
+        let mut context = SolveContext::new(&interrupt);
+        let result = Corrector::default().correct(&displacement, 0.02, &mut state, 1e-12, &mut context);
+        assert_eq!(result, Err(SolveError::Interrupted));
+        assert_eq!(context.effort.iterations, 0);
     }
 
     #[test]
@@ -231,8 +224,8 @@ mod tests {
         let (displacement, mut state) = prepared(0.02);
         state.c = f64::NAN;
         let interrupt = Interrupt::new();
-        let mut work = Work::new(&interrupt);
-        let result = Corrector::default().correct(&displacement, 0.02, &mut state, 1e-12, &mut work);
-        assert!(matches!(result, Err(Halt::Failed(_))));
+        let mut context = SolveContext::new(&interrupt);
+        let result = Corrector::default().correct(&displacement, 0.02, &mut state, 1e-12, &mut context);
+        assert!(matches!(result, Err(SolveError::Failed(_))));
     }
 }

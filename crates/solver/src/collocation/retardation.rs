@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::discretisation::Discretisation;
-use super::exponential_moments::{exponential_moment_rates, exponential_moments};
+use super::exponential_moments::{exponential_moment_derivatives, exponential_moments};
 use super::log_moments::MOST_MOMENTS;
 use super::matrix::Matrix;
 use super::mesh::locate;
@@ -85,10 +85,10 @@ impl PanelFilter {
     }
 
     /// α times its derivative with respect to α.
-    pub fn rates(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
+    pub fn derivatives(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
         let kappa = alpha * half;
         let decay = |t: f64| -kappa * (1.0 - t) * (-kappa * (1.0 - t)).exp();
-        Self::of(reference, kappa, half, decay, |t, rates| exponential_moment_rates(kappa, t, rates))
+        Self::of(reference, kappa, half, decay, |t, derivatives| exponential_moment_derivatives(kappa, t, derivatives))
     }
 
     /// One of what is left at t of what is handed on, and of the moments there.

@@ -6,7 +6,7 @@ use super::factorisation::Factorisation;
 use super::friction_partials::Partials;
 use super::reference::dot;
 use super::state::State;
-use super::substrate_rates::AlongRates;
+use super::substrate_derivatives::DisplacementDerivatives;
 use super::system::System;
 use crate::model::{CavityShear, Sensitivities};
 
@@ -24,12 +24,15 @@ pub fn sensitivities(
 ) -> Sensitivities {
     let mut adjoint = Adjoint::new(system, factors, displacement, beta, state);
     let along = displacement.along(&state.pressure, true);
-    let substrate =
-        [displacement.rates_with_alpha(&state.pressure, &along), displacement.rates_with_f(&state.pressure, &along)];
+    let substrate = [
+        displacement.derivatives_with_alpha(&state.pressure, &along),
+        displacement.derivatives_with_f(&state.pressure, &along),
+    ];
     let mut of = |partials: &Partials| {
         let multipliers = adjoint.multipliers(partials);
         let with_beta = adjoint.with_beta(partials, &multipliers);
-        let [with_alpha, with_f] = substrate.each_ref().map(|rates| with_substrate(partials, &multipliers, rates));
+        let [with_alpha, with_f] =
+            substrate.each_ref().map(|derivatives| with_substrate(partials, &multipliers, derivatives));
         [with_alpha, with_beta, with_f]
     };
     Sensitivities {
@@ -43,9 +46,9 @@ pub fn sensitivities(
 }
 
 /// A parameter of the substrate is in the film equation, u + W p = …, in the retarded slope and in the gap behind the outlet.
-fn with_substrate(of: &Partials, multipliers: &Multipliers, rates: &AlongRates) -> f64 {
-    dot(&of.retarded_slope, &rates.retarded_slope) + dot(&of.behind, &rates.behind)
-        - dot(&multipliers.film, &rates.film)
+fn with_substrate(of: &Partials, multipliers: &Multipliers, derivatives: &DisplacementDerivatives) -> f64 {
+    dot(&of.retarded_slope, &derivatives.retarded_slope) + dot(&of.behind, &derivatives.behind)
+        - dot(&multipliers.film, &derivatives.film)
 }
 
 #[cfg(test)]
@@ -56,10 +59,10 @@ mod tests {
     use super::super::newton::Corrector;
     use super::super::quantities::quantities;
     use super::super::reference::ReferencePanel;
-    use super::super::stages::Stages;
     use super::super::thick_film;
+    use super::super::timings::Timings;
     use super::*;
-    use crate::continuation::{Effort, Interrupt, Work};
+    use crate::continuation::{Effort, Interrupt, SolveContext};
     use crate::model::{DisplacementKernel, Parameters, RetardationMode, Substrate};
 
     /// A solution on the mesh that the film at `mesh_beta` would have, so short that the inlet beyond it matters.
@@ -68,12 +71,12 @@ mod tests {
         let whole = thick_film::mesh(8, 3.0, mesh_beta, 1e3);
         let near = whole.film.iter().copied().take(9).collect();
         let kernel = DisplacementKernel::new(parameters);
-        displacement.set_mesh(&Mesh::new(8, 3.0, near), &kernel, &mut Stages::default());
+        displacement.set_mesh(&Mesh::new(8, 3.0, near), &kernel, &mut Timings::default());
         let mut state = thick_film::state(&displacement, parameters.beta);
         let interrupt = Interrupt::new();
-        let mut work = Work::new(&interrupt);
+        let mut context = SolveContext::new(&interrupt);
         let beta = parameters.beta;
-        Corrector::default().correct(&displacement, beta, &mut state, 1e-14, &mut work).expect("a thick film");
+        Corrector::default().correct(&displacement, beta, &mut state, 1e-14, &mut context).expect("a thick film");
         (displacement, state)
     }
 

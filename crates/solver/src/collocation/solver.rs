@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use faer::Mat;
 
+use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, tension};
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
 use super::estimate::ENRICHMENT;
-use super::judgement::{Judgement, TENSION, complete, tension, tension_failure};
 use super::mesh::growth_behind;
 use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
@@ -15,8 +15,10 @@ use super::state::State;
 use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
-use crate::continuation::{CaseSolver, Effort, Halt, Seed, Solution, StepControl, Work, secant};
-use crate::model::{Failure, Output, Parameters};
+use crate::continuation::{
+    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
+};
+use crate::model::{Output, Parameters};
 
 /// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
 const THICK: f64 = 0.01;
@@ -27,16 +29,17 @@ const ROUGH: f64 = 1e-3;
 const SMOOTH: f64 = 1e-4;
 /// Meshes that are tried for a solution that is good enough to go on from.
 const ROUGH_MESHES: usize = 4;
-/// A mesh that leaves more than the first part of the least error so far is in vain; after so many there is no other.
+/// Refinement has stalled when a new mesh reduces the best error by less than 20 %.
 const GAIN: f64 = 0.8;
-const VAIN_MESHES: usize = 4;
-/// The estimated error over the tolerance that is accepted, and the one that a new mesh is made for.
-pub(super) const ACCEPTED: f64 = 0.9;
+/// Refinement is given up after so many stalled meshes in a row.
+const STALLED_MESHES: usize = 4;
+/// The estimated error over the tolerance that a new mesh is made for.
 const AIM: f64 = 0.15;
-/// The next case gets a new mesh if the error over the tolerance was outside of these.
+/// The next case gets a new mesh if the error over the tolerance was below the first or above the second of these.
 const IDLE: f64 = 0.001;
 const CLOSE: f64 = 0.45;
-/// So does one whose mesh would reach less than this part of what it should: no estimate sees what lies beyond a mesh.
+/// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what lies beyond
+/// a mesh.
 const SHORT: f64 = 0.8;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
@@ -48,8 +51,6 @@ const THINNEST: f64 = 1e-11;
 /// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be trusted,
 /// for they may happen to be alike on two meshes.
 const ROUNDING: f64 = 5e-17;
-/// The same for a solution that is only good enough to go on from.
-pub(super) const ROUGH_TENSION: f64 = -1e-2;
 
 /// The collocation solver with given settings.
 pub struct CollocationSolver {
@@ -83,24 +84,18 @@ impl CollocationSolver {
         workspace: &mut Workspace,
         beta: f64,
         state: &mut State,
-        work: &mut Work,
-    ) -> Result<(), Halt> {
+        context: &mut SolveContext,
+    ) -> Result<(), SolveError> {
         let panels = state.mesh.panels();
         if panels > MOST_PANELS {
-            let reason =
-                format!("the film would take {panels} panels to resolve, more than the {MOST_PANELS} there may be");
-            return Err(Halt::Failed(Failure::new(reason)));
+            return Err(FailureKind::TooManyPanels { panels, most: MOST_PANELS }.into());
         }
-        workspace.prepare_coarse(&state.mesh, &mut work.effort);
+        workspace.prepare_coarse(&state.mesh, &mut context.effort);
         let (corrector, displacement) = workspace.coarse.parts();
-        corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, work)?;
+        corrector.correct(displacement, beta, state, NEWTON * self.settings.tolerance, context)?;
         state.error = None;
         if state.c < THINNEST {
-            let c = state.c;
-            let reason = format!(
-                "the film carries a flow of c = {c:.1e}; below {THINNEST:e} it is lost in the rounding errors of double precision"
-            );
-            return Err(Halt::Failed(Failure { reason, conclusive: true }));
+            return Err(FailureKind::FilmTooThin { c: state.c, least: THINNEST }.into());
         }
         Ok(())
     }
@@ -126,9 +121,6 @@ impl CaseSolver for CollocationSolver {
     type State = State;
 
     fn prepare(&self, parameters: &Parameters, _: &Output) -> Result<Workspace, Failure> {
-        if !(parameters.beta > 0.0 && parameters.beta.is_finite()) {
-            return Err(Failure::new(format!("beta must be a positive number, not {}", parameters.beta)));
-        }
         Ok(Workspace::new(&self.coarse, &self.fine, parameters))
     }
 
@@ -154,14 +146,14 @@ impl CaseSolver for CollocationSolver {
         &self,
         workspace: &mut Workspace,
         parameters: &Parameters,
-        work: &mut Work,
-    ) -> Result<(State, Seed), Halt> {
+        context: &mut SolveContext,
+    ) -> Result<(State, Seed), SolveError> {
         workspace.enter(parameters);
         let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
         let Settings { degree, tolerance } = self.settings;
         let growth = growth_behind(degree, BEHIND * tolerance);
         let mesh = thick_film::mesh(degree, growth, parameters.beta, reach);
-        workspace.prepare_coarse(&mesh, &mut work.effort);
+        workspace.prepare_coarse(&mesh, &mut context.effort);
         Ok((thick_film::state(workspace.coarse.displacement(), parameters.beta), Seed::ThickFilm))
     }
 
@@ -200,21 +192,21 @@ impl CaseSolver for CollocationSolver {
         workspace: &mut Workspace,
         parameters: &Parameters,
         guess: State,
-        work: &mut Work,
-    ) -> Result<State, Halt> {
+        context: &mut SolveContext,
+    ) -> Result<State, SolveError> {
         workspace.enter(parameters);
         let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
         let mut state = guess;
         for _ in 0..ROUGH_MESHES {
-            self.correct(workspace, parameters.beta, &mut state, work)?;
+            self.correct(workspace, parameters.beta, &mut state, context)?;
             let (tension, _) = tension(&self.coarse, &state);
             let roughest = indicators(&self.coarse, &state).into_iter().fold(0.0, f64::max);
             if roughest <= ROUGH {
-                return if tension < ROUGH_TENSION { Err(tension_failure(tension)) } else { Ok(state) };
+                return check_tension(tension).map(|()| state);
             }
             state = self.remeshed(parameters, &state, Panels::Indicator(SMOOTH), reach);
         }
-        self.correct(workspace, parameters.beta, &mut state, work)?;
+        self.correct(workspace, parameters.beta, &mut state, context)?;
         Ok(state)
     }
 
@@ -224,41 +216,36 @@ impl CaseSolver for CollocationSolver {
         parameters: &Parameters,
         state: &mut State,
         output: &Output,
-        work: &mut Work,
-    ) -> Result<Solution, Halt> {
+        context: &mut SolveContext,
+    ) -> Result<Solution, SolveError> {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
         if let Some(panels) = self.panels {
-            return self.evaluate_on(panels, workspace, parameters, state, output, work);
+            return self.evaluate_on(panels, workspace, parameters, state, output, context);
         }
         let rounding = ROUNDING / state.c;
         if rounding > ACCEPTED * self.settings.tolerance {
             let (c, tolerance) = (state.c, self.settings.tolerance);
-            let reason = format!(
-                "a flow of c = {c:.1e} is known to {rounding:.0e} of itself in double precision, not to the tolerance {tolerance:e}; \
-                 ask for a larger tolerance"
-            );
-            return Err(Halt::Failed(Failure { reason, conclusive: true }));
+            return Err(FailureKind::ToleranceTooTight { c, rounding, tolerance }.into());
         }
-        let (mut least, mut vain) = (f64::INFINITY, 0);
+        let (mut least, mut stalled) = (f64::INFINITY, 0);
         loop {
-            let (judgement, solution) = self.judge(workspace, beta, state, output, work);
-            state.error = Some(judgement.error);
-            work.note_error(unknowns(workspace.coarse.displacement()), judgement.error);
-            if judgement.tension < ROUGH_TENSION {
-                return Err(tension_failure(judgement.tension));
+            let (acceptance, solution) =
+                Acceptance::of(workspace, (beta, state), output, self.settings.tolerance, context);
+            state.error = Some(acceptance.error);
+            context.note_error(unknowns(workspace.coarse.displacement()), acceptance.error);
+            check_tension(acceptance.tension)?;
+            if acceptance.is_accepted() {
+                return Ok(complete(workspace, beta, state, solution, output, context));
             }
-            if judgement.is_accepted() {
-                return Ok(complete(workspace, beta, state, solution, output, work));
-            }
-            vain = if judgement.excess() > GAIN * least { vain + 1 } else { 0 };
-            least = least.min(judgement.excess());
-            let finer = self.refined(parameters, state, &judgement, reach);
-            if vain == VAIN_MESHES || finer.mesh.panels() > MOST_PANELS {
-                return Err(judgement.failure(self.settings.tolerance, state.mesh.panels()));
+            stalled = if acceptance.excess() > GAIN * least { stalled + 1 } else { 0 };
+            least = least.min(acceptance.excess());
+            let finer = self.refined(parameters, state, &acceptance, reach);
+            if stalled == STALLED_MESHES || finer.mesh.panels() > MOST_PANELS {
+                return Err(acceptance.failure(self.settings.tolerance, state.mesh.panels()).into());
             }
             *state = finer;
-            self.correct(workspace, beta, state, work)?;
+            self.correct(workspace, beta, state, context)?;
         }
     }
 }
@@ -279,16 +266,16 @@ impl CollocationSolver {
 
     /// A guess on a mesh on which a solution should do better. A little tension is an oscillation about p′ = 0 at the outlet,
     /// which a shorter first panel resolves; all else takes more panels.
-    fn refined(&self, parameters: &Parameters, state: &State, judgement: &Judgement, reach: f64) -> State {
+    fn refined(&self, parameters: &Parameters, state: &State, acceptance: &Acceptance, reach: f64) -> State {
         let mut panels = state.mesh.panels();
         let mut state = state.clone();
-        if judgement.tension < TENSION && judgement.place == 0 {
+        if acceptance.tension < TENSION && acceptance.place == 0 {
             state.outlet_panel = 0.4 * state.mesh.film[1] / layer(parameters, state.c);
         } else {
             panels += 1;
         }
-        if judgement.error > ACCEPTED {
-            panels = self.panels(state.mesh.panels(), judgement.error).max(panels);
+        if acceptance.error > ACCEPTED {
+            panels = self.panels(state.mesh.panels(), acceptance.error).max(panels);
         }
         self.remeshed(parameters, &state, Panels::Number(panels), reach)
     }

@@ -259,10 +259,10 @@ mod tests {
 
     use super::super::newton::Corrector;
     use super::super::reference::ReferencePanel;
-    use super::super::stages::Stages;
     use super::super::thick_film;
+    use super::super::timings::Timings;
     use super::*;
-    use crate::continuation::{Interrupt, Work};
+    use crate::continuation::{Interrupt, SolveContext};
     use crate::model::{DisplacementKernel, Parameters};
 
     /// The matrix times a step against central differences of the residuals, about a solution. The step in p(Y) and u is the
@@ -275,12 +275,12 @@ mod tests {
             displacement.set_mesh(
                 &thick_film::mesh(6, 3.0, beta, 500.0),
                 &DisplacementKernel::new(&parameters),
-                &mut Stages::default(),
+                &mut Timings::default(),
             );
             let mut state = thick_film::state(&displacement, beta);
             let interrupt = Interrupt::new();
-            let mut work = Work::new(&interrupt);
-            Corrector::default().correct(&displacement, beta, &mut state, 1e-13, &mut work).expect("a thick film");
+            let mut context = SolveContext::new(&interrupt);
+            Corrector::default().correct(&displacement, beta, &mut state, 1e-13, &mut context).expect("a thick film");
 
             let mut system = System::default();
             system.linearise(&displacement, beta, &state);

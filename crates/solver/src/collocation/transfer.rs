@@ -109,8 +109,8 @@ fn at(ends: &[f64], t: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::displacement::Displacement;
-    use super::super::stages::Stages;
     use super::super::thick_film;
+    use super::super::timings::Timings;
     use super::*;
     use crate::model::{DisplacementKernel, Parameters};
 
@@ -118,7 +118,7 @@ mod tests {
     fn thick_film() -> (Displacement, DisplacementKernel, State) {
         let mut displacement = Displacement::new(&Arc::new(ReferencePanel::new(7)));
         let kernel = DisplacementKernel::new(&Parameters::elastic(1.0));
-        displacement.set_mesh(&thick_film::mesh(7, 3.0, 1.0, 300.0), &kernel, &mut Stages::default());
+        displacement.set_mesh(&thick_film::mesh(7, 3.0, 1.0, 300.0), &kernel, &mut Timings::default());
         let state = thick_film::state(&displacement, 1.0);
         (displacement, kernel, state)
     }
@@ -149,7 +149,7 @@ mod tests {
             weights.iter().zip(&state.pressure).map(|(weight, p)| weight * p).sum()
         };
         let before = load(&displacement, &state);
-        displacement.set_mesh(&stretched.mesh, &kernel, &mut Stages::default());
+        displacement.set_mesh(&stretched.mesh, &kernel, &mut Timings::default());
         assert!((load(&displacement, &stretched) / before - 1.0).abs() < 1e-14);
     }
 }

@@ -6,7 +6,7 @@ use super::displacement::Displacement;
 use super::mesh::Mesh;
 use super::newton::Corrector;
 use super::reference::ReferencePanel;
-use super::stages::{Stages, timed};
+use super::timings::{Timings, timed};
 use crate::continuation::Effort;
 use crate::exact;
 use crate::model::{DisplacementKernel, Parameters};
@@ -29,7 +29,7 @@ pub(super) struct Level {
     corrector: Corrector,
     displacement: Displacement,
     prepared: bool,
-    stages: Stages,
+    timings: Timings,
 }
 
 impl Level {
@@ -38,7 +38,7 @@ impl Level {
             corrector: Corrector::default(),
             displacement: Displacement::new(reference),
             prepared: false,
-            stages: Stages::default(),
+            timings: Timings::default(),
         }
     }
 
@@ -51,7 +51,7 @@ impl Level {
         }
         let of_degree =
             if mesh.degree == degree { Arc::clone(mesh) } else { Arc::new(Mesh { degree, ..(**mesh).clone() }) };
-        self.displacement.set_mesh(&of_degree, kernel, &mut self.stages);
+        self.displacement.set_mesh(&of_degree, kernel, &mut self.timings);
         self.prepared = true;
         true
     }
@@ -59,13 +59,13 @@ impl Level {
     /// The same mesh, another substrate.
     fn change(&mut self, kernel: &DisplacementKernel) {
         if self.prepared {
-            timed(&mut self.stages.filter, || self.displacement.set_substrate(kernel));
+            timed(&mut self.timings.filter, || self.displacement.set_substrate(kernel));
         }
     }
 
     /// Where the time went.
-    fn stages(&self) -> Stages {
-        self.stages.and(self.corrector.stages)
+    fn timings(&self) -> Timings {
+        self.timings.and(self.corrector.timings)
     }
 
     /// The corrector and the displacement that was prepared.
@@ -115,8 +115,8 @@ impl Workspace {
     }
 
     /// Where the time went so far: for the solutions, and for their error estimates.
-    pub fn stages(&self) -> [Stages; 2] {
-        [self.coarse.stages(), self.fine.stages()]
+    pub fn timings(&self) -> [Timings; 2] {
+        [self.coarse.timings(), self.fine.timings()]
     }
 
     /// Half the width of the dry contact of the case.

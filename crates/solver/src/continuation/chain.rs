@@ -1,4 +1,4 @@
-//! Solving a chain: each case seeded by the ones before it, with a ladder of other seeds should one fail.
+//! Solving a chain: each case is seeded by the ones before it, and other seeds are tried if that fails.
 
 use std::any::Any;
 use std::borrow::Cow;
@@ -8,17 +8,18 @@ use std::time::{Duration, Instant};
 
 use super::walk::{Corrector, push};
 use super::{
-    CaseSolver, Cut, Halt, Interrupt, Interrupted, Path, Seed, Solution, SolvedCase, StepControl, Work, distance,
+    CaseSolver, Failure, FailureKind, Interrupt, Interrupted, Path, Seed, Solution, SolveContext, SolveError,
+    SolvedCase, StepControl, distance,
 };
-use crate::exact::ChainLimits;
-use crate::model::{Failure, Limits, Output, Parameters, shortest};
+use crate::model::{Limits, Output, Parameters};
 
 /// Solves the cases of a chain in their order. A case that fails is reported as such and does not stop the others.
 ///
-/// A ladder of seeds is tried: the predictor from the last two solved cases; a walk from the last one, whose first step is
-/// the whole way; from each of the solver's origins, its start there and a walk to the case. The first case has the origins
-/// alone. So every number is a function of the chain, and of nothing that happens elsewhere. A conclusive failure ends the
-/// search. Cases that are not [computable](Parameters::computable) fail without a try.
+/// These seeds are tried in their order: the predictor from the last two solved cases; a walk from the last one, whose first
+/// step is the whole way; from each of the solver's origins, its start there and a walk to the case. The first case has the
+/// origins alone. So every number is a function of the chain, and of nothing that happens elsewhere. A
+/// [conclusive](FailureKind::is_conclusive) failure ends the search. Cases that are not [computable](Parameters::computable)
+/// fail without a try.
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last case is done; what was solved of the chain is dropped.
@@ -37,7 +38,6 @@ pub struct Chain<'a, S: CaseSolver> {
     solver: &'a S,
     /// What the cases share, once the first one is there.
     workspace: Option<Result<S::Workspace, Failure>>,
-    limits: ChainLimits,
     solved: Solved<S>,
     output: &'a Output,
     interrupt: &'a Interrupt,
@@ -51,13 +51,13 @@ type Solved<S> = Vec<(Parameters, <S as CaseSolver>::State)>;
 impl<'a, S: CaseSolver> Chain<'a, S> {
     /// A chain without any case yet.
     pub fn new(solver: &'a S, output: &'a Output, interrupt: &'a Interrupt) -> Self {
-        let (limits, solved) = (ChainLimits::default(), Vec::with_capacity(2));
-        Self { solver, workspace: None, limits, solved, output, interrupt, time_limit: None, traced: false }
+        let solved = Vec::with_capacity(2);
+        Self { solver, workspace: None, solved, output, interrupt, time_limit: None, traced: false }
     }
 
     /// The chain with a limit to the time that each of its cases may take.
     #[must_use]
-    pub fn within(self, time_limit: Duration) -> Self {
+    pub fn with_time_limit(self, time_limit: Duration) -> Self {
         Self { time_limit: Some(time_limit), ..self }
     }
 
@@ -66,60 +66,46 @@ impl<'a, S: CaseSolver> Chain<'a, S> {
         self.traced = traced;
     }
 
-    /// Solves the next case. The first one pays for what the chain shares. A case that takes longer than it may fails, and so
-    /// does one whose solver panics: the next one has a workspace of its own then.
+    /// Solves the next case. The first one pays for what the chain shares. A case that takes longer than the time limit fails,
+    /// and so does one whose solver panics: the next one has a workspace of its own then.
     ///
     /// # Errors
     /// [`Interrupted`] if the user asks to stop before it is done.
     pub fn solve(&mut self, parameters: &Parameters) -> Result<SolvedCase, Interrupted> {
         let start = Instant::now();
-        let limits = self.limits(parameters);
         // What a panic leaves half-changed is thrown away; solved cases are added whole.
-        let mut result = match catch_unwind(AssertUnwindSafe(|| self.attempt(parameters, limits))) {
+        let mut result = match catch_unwind(AssertUnwindSafe(|| self.attempt(parameters))) {
             Ok(result) => result?,
             Err(payload) => {
                 self.workspace = None;
-                let reason = format!("the solver panicked: {}", panic_message(payload.as_ref()));
-                let failed = SolvedCase::failed(Failure::new(reason), limits);
-                SolvedCase { cut: Some(Cut::Panic), ..failed }
+                SolvedCase::failed(FailureKind::Panic { message: panic_message(payload.as_ref()) })
             }
         };
         result.effort.seconds = start.elapsed().as_secs_f64();
         Ok(result)
     }
 
-    /// The limits beside the solution of a case, if they are wanted; not known if their computation panics.
-    fn limits(&mut self, parameters: &Parameters) -> Limits {
-        if !self.output.limits || parameters.computable().is_err() {
-            return Limits::UNKNOWN;
-        }
-        let limits = &mut self.limits;
-        catch_unwind(AssertUnwindSafe(|| limits.of(parameters))).unwrap_or_else(|_| {
-            self.limits = ChainLimits::default();
-            Limits::UNKNOWN
-        })
-    }
-
-    fn attempt(&mut self, parameters: &Parameters, limits: Limits) -> Result<SolvedCase, Interrupted> {
+    fn attempt(&mut self, parameters: &Parameters) -> Result<SolvedCase, Interrupted> {
         let Self { solver, workspace, solved, output, interrupt, time_limit, traced, .. } = self;
         let prepare = || solver.prepare(parameters, output);
         let prepared = parameters
             .computable()
+            .map_err(Failure::from)
             .and_then(|()| workspace.get_or_insert_with(prepare).as_mut().map_err(|why| why.clone()));
         let workspace = match prepared {
             Ok(workspace) => workspace,
-            Err(failure) => return Ok(SolvedCase::failed(failure, limits)),
+            Err(failure) => return Ok(SolvedCase::failed(failure)),
         };
-        let mut work = Work::new(interrupt);
+        let mut context = SolveContext::new(interrupt);
         if let Some(limit) = *time_limit {
-            work = work.within(limit);
+            context = context.with_time_limit(limit);
         }
         if *traced {
-            work = work.traced();
+            context = context.traced();
         }
         let control = solver.step_control();
-        Ladder { solver: *solver, workspace, control, solved, output, time_limit: *time_limit }
-            .climb(parameters, limits, work)
+        SeedSearch { solver: *solver, workspace, control, solved, output, time_limit: *time_limit }
+            .try_seeds(parameters, context)
     }
 
     /// The last case that was solved, in the solver's own unknowns, and the workspace; `None` before the first.
@@ -143,8 +129,18 @@ pub fn panic_message(payload: &(dyn Any + Send)) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// The seeds of one case, tried one after the other.
-struct Ladder<'c, 'a, S: CaseSolver> {
+/// A way to get the first guess of a case.
+enum SeedStrategy {
+    /// The extrapolation of the last two solutions.
+    Predictor,
+    /// The last solution, and a walk from there.
+    Neighbour,
+    /// The solver's own start at a case, and a walk from there.
+    Origin(Parameters),
+}
+
+/// The solution of a case from one seed after the other.
+struct SeedSearch<'c, 'a, S: CaseSolver> {
     solver: &'a S,
     workspace: &'c mut S::Workspace,
     control: StepControl,
@@ -153,103 +149,102 @@ struct Ladder<'c, 'a, S: CaseSolver> {
     time_limit: Option<Duration>,
 }
 
-/// A place on the ladder of seeds.
-enum Rung {
-    Predictor,
-    Neighbour,
-    Origin(Parameters),
-}
-
-impl<S: CaseSolver> Ladder<'_, '_, S> {
-    /// Tries one rung after the other.
-    fn climb(mut self, parameters: &Parameters, limits: Limits, mut work: Work) -> Result<SolvedCase, Interrupted> {
+impl<S: CaseSolver> SeedSearch<'_, '_, S> {
+    /// Tries the seeds in their order until one leads to a solution.
+    fn try_seeds(mut self, parameters: &Parameters, mut context: SolveContext) -> Result<SolvedCase, Interrupted> {
         let solver = self.solver;
-        let mut path = Path::default();
-        let (mut seed, mut cut) = (Seed::None, None);
-        let mut reasons: Vec<String> = Vec::new();
-        let predictor = (self.solved.len() == 2).then_some(Rung::Predictor);
-        let neighbour = (!self.solved.is_empty()).then_some(Rung::Neighbour);
-        let origins = iter::once_with(|| solver.origins(parameters)).flatten().map(Rung::Origin);
-        for rung in predictor.into_iter().chain(neighbour).chain(origins) {
-            match self.step_on(rung, parameters, &mut seed, &mut path, &mut work) {
+        let (mut path, mut seed) = (Path::default(), Seed::None);
+        let mut attempts: Vec<Failure> = Vec::new();
+        let predictor = (self.solved.len() == 2).then_some(SeedStrategy::Predictor);
+        let neighbour = (!self.solved.is_empty()).then_some(SeedStrategy::Neighbour);
+        let origins = iter::once_with(|| solver.origins(parameters)).flatten().map(SeedStrategy::Origin);
+        for strategy in predictor.into_iter().chain(neighbour).chain(origins) {
+            match self.try_seed(strategy, parameters, &mut seed, &mut path, &mut context) {
                 Ok((state, solution)) => {
                     push(self.solved, parameters.clone(), state);
                     if path.points.len() == 1 {
                         path = Path::default();
                     }
-                    let (trace, effort) = (work.take_trace(), work.effort);
-                    return Ok(SolvedCase { outcome: Ok(solution), limits, seed, cut: None, path, trace, effort });
+                    return Ok(solved_case(Ok(solution), seed, path, context));
                 }
-                Err(Halt::Failed(Failure { reason, conclusive })) => {
-                    reasons.push(match seed {
-                        Seed::None => format!("no first guess: {reason}"),
-                        _ => format!("from {seed}: {reason}"),
-                    });
+                Err(SolveError::Failed(failure)) => {
+                    let conclusive = failure.kind.is_conclusive();
+                    attempts.push(failure.from_seed(seed));
                     if conclusive {
                         break;
                     }
                 }
-                Err(Halt::Interrupted) => return Err(Interrupted),
-                Err(Halt::OutOfTime) => {
-                    let limit = self.time_limit.unwrap_or_default();
-                    reasons = vec![format!(
-                        "not solved within {} s, the time limit of a case; raise `time_limit` in [solver] to try it again",
-                        shortest(limit.as_secs_f64())
-                    )];
-                    cut = Some(Cut::TimeLimit(limit));
+                Err(SolveError::Interrupted) => return Err(Interrupted),
+                Err(SolveError::OutOfTime) => {
+                    attempts = vec![FailureKind::TimeLimit(self.time_limit.unwrap_or_default()).into()];
                     break;
                 }
             }
         }
-        let failure = Failure::new(reasons.join("; "));
-        let (trace, effort) = (work.take_trace(), work.effort);
-        Ok(SolvedCase { outcome: Err(failure), limits, seed, cut, path, trace, effort })
+        let last = attempts.pop().expect("a solver has origins");
+        Ok(solved_case(Err(last.after(attempts)), seed, path, context))
     }
 
-    /// The solution by way of one rung, and what is to be known of it; `seed` is how far this went.
-    fn step_on(
+    /// Solves and evaluates a case from one seed. `seed` tells how far this went.
+    fn try_seed(
         &mut self,
-        rung: Rung,
+        strategy: SeedStrategy,
         case: &Parameters,
         seed: &mut Seed,
         path: &mut Path,
-        work: &mut Work,
-    ) -> Result<(S::State, Solution), Halt> {
-        let Self { solver, control, solved, output, .. } = self;
-        let mut corrector = Corrector { solver: *solver, workspace: self.workspace, work, path };
-        let mut state = match rung {
-            Rung::Predictor => {
-                *seed = Seed::Predictor;
-                let guess = corrector.predict(solved, case);
-                corrector.solve(case, guess)?.0
-            }
-            Rung::Neighbour => {
-                let nearest = &solved[solved.len() - 1..];
-                let way = distance(&nearest[0].0, case);
-                let mut points = 0;
-                let reached = corrector.walk(Cow::Borrowed(nearest), case, way, control, &mut points);
-                *seed = if points == 0 { Seed::Neighbour } else { Seed::Intermediate(points) };
-                reached?
-            }
-            Rung::Origin(origin) if origin == *case => {
-                *seed = Seed::None;
-                let (guess, from) = corrector.solver.start(corrector.workspace, case, corrector.work)?;
-                *seed = from;
-                corrector.solve(case, guess)?.0
-            }
-            Rung::Origin(origin) => {
-                *seed = Seed::March(0);
-                let state = corrector.begin(&origin, case)?;
-                let mut points = 1;
-                let solved = Cow::Owned(vec![(origin, state)]);
-                let reached = corrector.walk(solved, case, control.first, control, &mut points);
-                *seed = Seed::March(points);
-                reached?
-            }
-        };
-        work.note_evaluation();
-        let solution = self.solver.evaluate(self.workspace, case, &mut state, output, work);
-        work.note_end(solution.as_ref().map(drop));
+        context: &mut SolveContext,
+    ) -> Result<(S::State, Solution), SolveError> {
+        let mut corrector = Corrector { solver: self.solver, workspace: self.workspace, context, path };
+        let mut state = converge(&mut corrector, strategy, self.solved, &self.control, case, seed)?;
+        context.note_evaluation();
+        let solution = self.solver.evaluate(self.workspace, case, &mut state, self.output, context);
+        context.note_end(solution.as_ref().map(drop));
         Ok((state, solution?))
+    }
+}
+
+fn solved_case(outcome: Result<Solution, Failure>, seed: Seed, path: Path, mut context: SolveContext) -> SolvedCase {
+    let (trace, effort) = (context.take_trace(), context.effort);
+    SolvedCase { outcome, limits: Limits::UNKNOWN, seed, path, trace, effort }
+}
+
+/// The converged state of a case from one seed, which is told in `seed`.
+fn converge<S: CaseSolver>(
+    corrector: &mut Corrector<'_, '_, S>,
+    strategy: SeedStrategy,
+    solved: &[(Parameters, S::State)],
+    control: &StepControl,
+    case: &Parameters,
+    seed: &mut Seed,
+) -> Result<S::State, SolveError> {
+    match strategy {
+        SeedStrategy::Predictor => {
+            *seed = Seed::Predictor;
+            let guess = corrector.predict(solved, case);
+            Ok(corrector.solve(case, guess)?.0)
+        }
+        SeedStrategy::Neighbour => {
+            let nearest = &solved[solved.len() - 1..];
+            let way = distance(&nearest[0].0, case);
+            let mut points = 0;
+            let reached = corrector.walk(Cow::Borrowed(nearest), case, way, control, &mut points);
+            *seed = if points == 0 { Seed::Neighbour } else { Seed::Intermediate(points) };
+            reached
+        }
+        SeedStrategy::Origin(origin) if origin == *case => {
+            *seed = Seed::None;
+            let (guess, from) = corrector.solver.start(corrector.workspace, case, corrector.context)?;
+            *seed = from;
+            Ok(corrector.solve(case, guess)?.0)
+        }
+        SeedStrategy::Origin(origin) => {
+            *seed = Seed::March(0);
+            let state = corrector.begin(&origin, case)?;
+            let mut points = 1;
+            let solved = Cow::Owned(vec![(origin, state)]);
+            let reached = corrector.walk(solved, case, control.first, control, &mut points);
+            *seed = Seed::March(points);
+            reached
+        }
     }
 }

@@ -1,30 +1,37 @@
-//! From one case to the next along a chain: seeds, predictor, retries.
+//! Chains of cases: each solution is the first guess of the next case, and other seeds are tried if it fails.
 //!
-//! `line.rs` holds straight lines in (ln α, ln β, ln(1+f)), `step.rs` how long steps along them are, `walk.rs` the steps,
-//! `chain.rs` the ladder of seeds of each case, `work.rs` what it costs and whether to go on, `path.rs` the record of how it
-//! was reached, `trace.rs` the same in detail.
+//! | file | what it holds |
+//! | --- | --- |
+//! | `chain.rs` | a chain, and the seeds that are tried for each case |
+//! | `seed.rs` | the names of the seeds |
+//! | `line.rs` | straight lines between cases in (ln α, ln β, ln(1+f)) |
+//! | `walk.rs`, `step.rs` | steps along a line, and their lengths |
+//! | `context.rs` | the cost of a case so far, and whether to abort it |
+//! | `failure.rs` | the kinds of failures, and their sentences |
+//! | `path.rs`, `trace.rs` | how a case was reached, in short and in detail |
 
-use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
 
-use crate::model::{Failure, Fields, Limits, Output, Parameters, Quantities, RelativeErrors, Sensitivities};
+use crate::model::{Fields, Limits, Output, Parameters, Quantities, RelativeErrors, Sensitivities};
 
 mod chain;
+mod context;
+mod failure;
 mod line;
 mod path;
+mod seed;
 mod step;
 mod trace;
 mod walk;
-mod work;
 
-pub use chain::panic_message;
-pub use chain::{Chain, solve_chain};
+pub use chain::{Chain, panic_message, solve_chain};
+pub use context::{SolveContext, SolveError};
+pub use failure::{ErrorMeasure, Failure, FailureKind, Iterations, Waypoint, kind_name_of_text};
 pub use line::{Line, NoLine, distance, secant};
 pub use path::{Path, PathPoint};
+pub use seed::{NotASeed, Seed};
 pub use step::StepControl;
 pub use trace::{Event, Trace};
-pub use work::{Halt, Work};
 
 /// Set when the user asks the program to stop; solvers look at it often.
 #[derive(Debug, Default)]
@@ -44,45 +51,6 @@ impl Interrupt {
     /// True once [`Interrupt::request`] was called.
     pub fn requested(&self) -> bool {
         self.0.load(Ordering::Relaxed)
-    }
-}
-
-/// Where the first guess of a case came from; recorded with the case.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Seed {
-    /// There was no first guess at all.
-    None,
-    /// Hertz pressure on the dry contact.
-    Hertz,
-    /// Dry pressure, and the film of the elastic (EHL) solution at ā²β on the dry contact of half width ā.
-    Elastic,
-    /// The same where the dry contact is nearer to that of the instantaneous modulus.
-    RescaledElastic,
-    /// The film under a rigid cylinder on a rigid plane, at the case itself.
-    ThickFilm,
-    /// The converged neighbour along the chain.
-    Neighbour,
-    /// Extrapolated from the last two cases of the chain.
-    Predictor,
-    /// The neighbour, by way of so many intermediate points that are not published.
-    Intermediate(usize),
-    /// The start of another case where films are thicker, by way of so many cases that are not published, this one included.
-    March(usize),
-}
-
-impl fmt::Display for Seed {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Seed::None => formatter.write_str("none"),
-            Seed::Hertz => formatter.write_str("hertz"),
-            Seed::Elastic => formatter.write_str("elastic"),
-            Seed::RescaledElastic => formatter.write_str("rescaled-elastic"),
-            Seed::ThickFilm => formatter.write_str("thick-film"),
-            Seed::Neighbour => formatter.write_str("neighbour"),
-            Seed::Predictor => formatter.write_str("predictor"),
-            Seed::Intermediate(points) => write!(formatter, "intermediate-{points}"),
-            Seed::March(points) => write!(formatter, "march-{points}"),
-        }
     }
 }
 
@@ -106,12 +74,11 @@ pub struct Effort {
 pub struct SolvedCase {
     /// The solution, or why there is none.
     pub outcome: Result<Solution, Failure>,
-    /// Known whether or not the case converged.
+    /// The limits beside the solution, known whether or not the case converged. [`Solver`](crate::Solver) computes them where
+    /// they are asked for; a [`Chain`] alone leaves them unknown.
     pub limits: Limits,
     /// The seed that led to the outcome (for a failure: the last one tried).
     pub seed: Seed,
-    /// What ended the search before the method did; then there is no solution.
-    pub cut: Option<Cut>,
     /// How it was reached.
     pub path: Path,
     /// How it was reached in detail; empty unless the chain is [traced](Chain::traced).
@@ -121,27 +88,17 @@ pub struct SolvedCase {
 }
 
 impl SolvedCase {
-    /// A case without a solution, whose seed, path and cost are not known.
-    pub fn failed(failure: Failure, limits: Limits) -> Self {
+    /// A failed case whose limits, seed, path and cost are not known.
+    pub fn failed(failure: impl Into<Failure>) -> Self {
         Self {
-            outcome: Err(failure),
-            limits,
+            outcome: Err(failure.into()),
+            limits: Limits::UNKNOWN,
             seed: Seed::None,
-            cut: None,
             path: Path::default(),
             trace: Trace::default(),
             effort: Effort::default(),
         }
     }
-}
-
-/// What ended the search for a solution that the method would have gone on with.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cut {
-    /// The time that a case may take. The only outcome that depends on the machine.
-    TimeLimit(Duration),
-    /// A panic of the solver.
-    Panic,
 }
 
 /// A converged case.
@@ -177,6 +134,11 @@ pub trait CaseSolver: Sync {
     /// [`Failure`] if no case of this kind can be solved.
     fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Self::Workspace, Failure>;
 
+    /// Whether the workspace of a chain that holds `from` is also good for `to`, and a line leads there.
+    fn can_continue(&self, from: &Parameters, to: &Parameters) -> bool {
+        Line::new(from, to).is_ok()
+    }
+
     /// Places from which a case can be reached when no neighbour helps, best first; the first may be the case itself.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters>;
 
@@ -186,13 +148,13 @@ pub trait CaseSolver: Sync {
     /// A first guess that needs no neighbour, and where it came from.
     ///
     /// # Errors
-    /// [`Halt`] if there is none.
+    /// [`SolveError`] if there is none.
     fn start(
         &self,
         workspace: &mut Self::Workspace,
         parameters: &Parameters,
-        work: &mut Work,
-    ) -> Result<(Self::State, Seed), Halt>;
+        context: &mut SolveContext,
+    ) -> Result<(Self::State, Seed), SolveError>;
 
     /// A first guess from one or two solved cases, the nearest last; [`secant`] is the factor of an extrapolation.
     fn predict(
@@ -205,26 +167,26 @@ pub trait CaseSolver: Sync {
     /// The solution near a first guess.
     ///
     /// # Errors
-    /// [`Halt`] if the method does not converge or is interrupted. A conclusive [`Failure`] ends the search for the case
+    /// [`SolveError`] if the method does not converge or is interrupted. A conclusive [`Failure`] ends the search for the case
     /// in hand, also if it is met at a point on the way.
     fn solve(
         &self,
         workspace: &mut Self::Workspace,
         parameters: &Parameters,
         guess: Self::State,
-        work: &mut Work,
-    ) -> Result<Self::State, Halt>;
+        context: &mut SolveContext,
+    ) -> Result<Self::State, SolveError>;
 
     /// What is to be known of a solution. May first improve the state until it is as accurate as wanted.
     ///
     /// # Errors
-    /// [`Halt`] if there is nothing to be known after all, or the user asks to stop.
+    /// [`SolveError`] if there is nothing to be known after all, or the user asks to stop.
     fn evaluate(
         &self,
         workspace: &mut Self::Workspace,
         parameters: &Parameters,
         state: &mut Self::State,
         output: &Output,
-        work: &mut Work,
-    ) -> Result<Solution, Halt>;
+        context: &mut SolveContext,
+    ) -> Result<Solution, SolveError>;
 }

@@ -1,6 +1,6 @@
-//! What happened on the way to a case, in detail: for those who ask why it is as it is.
+//! The record of every attempt, residual and error estimate on the way to a case.
 
-use super::Halt;
+use super::SolveError;
 use crate::model::Parameters;
 
 /// Iterations of an attempt whose residuals are all kept; of later ones ever fewer are.
@@ -46,8 +46,8 @@ pub enum Event {
     Evaluation,
     /// The attempt, or the evaluation, succeeded.
     Solved,
-    /// It did not, for this reason.
-    Failed(String),
+    /// The attempt, or the evaluation, failed.
+    Failed(SolveError),
 }
 
 impl Trace {
@@ -73,12 +73,10 @@ impl Trace {
         self.events.push(Event::Error { unknowns, error });
     }
 
-    pub(super) fn end(&mut self, end: Result<(), &Halt>) {
+    pub(super) fn end(&mut self, end: Result<(), &SolveError>) {
         self.events.push(match end {
             Ok(()) => Event::Solved,
-            Err(Halt::Failed(failure)) => Event::Failed(failure.reason.clone()),
-            Err(Halt::Interrupted) => Event::Failed("interrupted".to_owned()),
-            Err(Halt::OutOfTime) => Event::Failed("out of time".to_owned()),
+            Err(error) => Event::Failed(error.clone()),
         });
     }
 }

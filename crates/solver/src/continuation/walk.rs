@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::{CaseSolver, Halt, Line, Path, StepControl, Work};
-use crate::model::{Failure, Parameters};
+use super::{CaseSolver, FailureKind, Line, Path, SolveContext, SolveError, StepControl};
+use crate::model::Parameters;
 
 /// A remainder of less than this part of a step is added to it.
 const REMAINDER: f64 = 0.01;
@@ -12,7 +12,7 @@ const REMAINDER: f64 = 0.01;
 pub(super) struct Corrector<'a, 'w, S: CaseSolver> {
     pub(super) solver: &'a S,
     pub(super) workspace: &'a mut S::Workspace,
-    pub(super) work: &'a mut Work<'w>,
+    pub(super) context: &'a mut SolveContext<'w>,
     pub(super) path: &'a mut Path,
 }
 
@@ -23,25 +23,25 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
     }
 
     /// The solution near a guess; recorded in the path, with its iterations.
-    pub(super) fn solve(&mut self, parameters: &Parameters, guess: S::State) -> Result<(S::State, u64), Halt> {
-        self.work.go_on()?;
-        let before = self.work.effort.iterations;
-        self.work.note_attempt(parameters);
-        let result = self.solver.solve(self.workspace, parameters, guess, self.work);
-        let iterations = self.work.effort.iterations - before;
+    pub(super) fn solve(&mut self, parameters: &Parameters, guess: S::State) -> Result<(S::State, u64), SolveError> {
+        self.context.check_abort()?;
+        let before = self.context.effort.iterations;
+        self.context.note_attempt(parameters);
+        let result = self.solver.solve(self.workspace, parameters, guess, self.context);
+        let iterations = self.context.effort.iterations - before;
         self.path.record(parameters, iterations, result.is_ok());
-        self.work.note_end(result.as_ref().map(drop));
+        self.context.note_end(result.as_ref().map(drop));
         Ok((result?, iterations))
     }
 
     /// The solution at an origin from which `target` is to be reached, from the solver's own start there.
-    pub(super) fn begin(&mut self, origin: &Parameters, target: &Parameters) -> Result<S::State, Halt> {
-        let start = self.solver.start(self.workspace, origin, self.work);
+    pub(super) fn begin(&mut self, origin: &Parameters, target: &Parameters) -> Result<S::State, SolveError> {
+        let start = self.solver.start(self.workspace, origin, self.context);
         let reached = start.and_then(|(guess, _)| self.solve(origin, guess));
         match reached {
             Ok((state, _)) => Ok(state),
-            Err(Halt::Failed(failure)) => Err(Halt::Failed(located(failure, origin, target))),
-            Err(halt) => Err(halt),
+            Err(SolveError::Failed(failure)) => Err(failure.at(origin, target).into()),
+            Err(error) => Err(error),
         }
     }
 
@@ -49,7 +49,7 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
     /// last). `points` counts those that were solved on the way.
     ///
     /// # Errors
-    /// [`Halt`] if there is no line, a step that would be too short is needed, a failure on the way is conclusive, or the
+    /// [`SolveError`] if there is no line, a step that would be too short is needed, a failure on the way is conclusive, or the
     /// user asks to stop.
     pub(super) fn walk(
         &mut self,
@@ -58,9 +58,9 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
         first_step: f64,
         control: &StepControl,
         points: &mut usize,
-    ) -> Result<S::State, Halt> {
+    ) -> Result<S::State, SolveError> {
         let from = solved.last().expect("a walk starts at a solved case").0.clone();
-        let line = Line::new(&from, target).map_err(|reason| Halt::Failed(Failure::new(reason.to_string())))?;
+        let line = Line::new(&from, target).map_err(FailureKind::from)?;
         let way = line.length();
         let (mut done, mut step) = (0.0, first_step);
         loop {
@@ -79,11 +79,11 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
                     done += step;
                     step = control.after_success(step, iterations);
                 }
-                Err(Halt::Failed(failure)) => match control.after_failure(step, way) {
-                    Some(shorter) if !failure.conclusive => step = shorter,
-                    _ => return Err(Halt::Failed(located(failure, &here, target))),
+                Err(SolveError::Failed(failure)) => match control.after_failure(step, way) {
+                    Some(shorter) if !failure.kind.is_conclusive() => step = shorter,
+                    _ => return Err(failure.at(&here, target).into()),
                 },
-                Err(halt) => return Err(halt),
+                Err(error) => return Err(error),
             }
         }
     }
@@ -95,16 +95,4 @@ pub(super) fn push<T>(solved: &mut Vec<(Parameters, T)>, parameters: Parameters,
         solved.remove(0);
     }
     solved.push((parameters, state));
-}
-
-/// The failure with the place where it happened, by the coordinates that are not those of the case.
-fn located(failure: Failure, here: &Parameters, case: &Parameters) -> Failure {
-    let coordinates =
-        [("alpha", here.alpha, case.alpha), ("beta", here.beta, case.beta), ("f", here.f, case.f)].into_iter();
-    let other = coordinates.filter(|(_, here, case)| here != case);
-    let place: Vec<String> = other.map(|(name, here, _)| format!("{name} = {here:.4e}")).collect();
-    match place.as_slice() {
-        [] => failure,
-        _ => Failure { reason: format!("at {}: {}", place.join(", "), failure.reason), ..failure },
-    }
 }

@@ -1,5 +1,7 @@
 //! The limits that are published beside solutions.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use super::dry::DryContact;
 use super::dry_gradient::DryGradient;
 use super::dry_modes::DrySliding;
@@ -39,8 +41,19 @@ impl Dry {
 }
 
 impl ChainLimits {
-    /// The limits of a case; the shear is NaN for several retardation times, where the dry pressure is not at hand.
+    /// The limits of a case; [`Limits::UNKNOWN`] if double precision cannot represent the case, or their computation panics. The
+    /// shear is NaN for several retardation times, where the dry pressure is not at hand.
     pub fn of(&mut self, case: &Parameters) -> Limits {
+        if case.computable().is_err() {
+            return Limits::UNKNOWN;
+        }
+        catch_unwind(AssertUnwindSafe(|| self.compute(case))).unwrap_or_else(|_| {
+            *self = Self::default();
+            Limits::UNKNOWN
+        })
+    }
+
+    fn compute(&mut self, case: &Parameters) -> Limits {
         let same =
             |known: &Parameters| (known.alpha, known.f) == (case.alpha, case.f) && known.substrate == case.substrate;
         let dry = self.dry.take().filter(|(known, _)| same(known)).unwrap_or_else(|| (case.clone(), Dry::of(case)));
@@ -53,7 +66,7 @@ impl ChainLimits {
     }
 }
 
-/// The limits of one case; the shear is NaN for several retardation times, where the dry pressure is not at hand.
+/// The limits of one case; see [`ChainLimits::of`].
 pub fn limits(parameters: &Parameters) -> Limits {
     ChainLimits::default().of(parameters)
 }

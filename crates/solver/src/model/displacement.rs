@@ -70,6 +70,6 @@ pub fn retarded_mode(rate: f64, x: f64) -> f64 {
 }
 
 /// α ∂I/∂α of [`retarded_mode`], z S(z) − 1 with z = αx ≠ 0 (T11).
-pub fn retarded_mode_rate(rate: f64, x: f64) -> f64 {
+pub fn retarded_mode_derivative(rate: f64, x: f64) -> f64 {
     rate * x * retarded_log(rate * x) - 1.0
 }

@@ -11,9 +11,9 @@ mod output;
 mod parameters;
 mod sensitivities;
 
-pub use displacement::{DisplacementKernel, retarded_mode, retarded_mode_rate};
+pub use displacement::{DisplacementKernel, retarded_mode, retarded_mode_derivative};
 pub use number::shortest;
-pub use outcome::{COLUMNS, Column, Failure, Fields, Friction, Limits, Quantities, RelativeErrors};
+pub use outcome::{Fields, Friction, Limits, Quantities, RelativeErrors, viscoelastic_error_scale};
 pub use output::{CavityShear, FieldSelection, Output};
-pub use parameters::{Parameters, Retardation, RetardationMode, Substrate, SubstrateError};
+pub use parameters::{OutOfRange, Parameters, Retardation, RetardationMode, Substrate, SubstrateError};
 pub use sensitivities::Sensitivities;

@@ -45,20 +45,6 @@ impl FieldSelection {
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
-
-    /// True if all that `other` asks for is here.
-    pub fn covers(&self, other: &Self) -> bool {
-        (self.pressure || !other.pressure)
-            && (self.film_thickness || !other.film_thickness)
-            && (self.displacement || !other.displacement)
-    }
-
-    /// Names of the fields selected, in the order in which they are stored.
-    pub fn names(&self) -> Vec<&'static str> {
-        let all =
-            [(self.pressure, "pressure"), (self.film_thickness, "film_thickness"), (self.displacement, "displacement")];
-        all.into_iter().filter(|(selected, _)| *selected).map(|(_, name)| name).collect()
-    }
 }
 
 /// What to evaluate once a case is solved.
@@ -74,6 +60,13 @@ pub struct Output {
     pub cavity_shear: CavityShear,
     /// Whether the derivatives of friction with respect to α, β and f are wanted; only the collocation method has them.
     pub sensitivities: bool,
+}
+
+impl Output {
+    /// What every solution has: friction, film and their errors; no fields, limits or sensitivities.
+    pub fn numbers() -> Self {
+        Self { fields: FieldSelection::default(), limits: false, ..Self::default() }
+    }
 }
 
 impl Default for Output {

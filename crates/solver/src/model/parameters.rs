@@ -3,8 +3,6 @@
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use super::Failure;
-
 /// One retardation time of the substrate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RetardationMode {
@@ -98,6 +96,31 @@ pub struct Parameters {
     pub substrate: Substrate,
 }
 
+/// A parameter that is outside of the range that double precision can be used with.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum OutOfRange {
+    /// α of a retardation mode.
+    #[error(
+        "alpha of a mode = {0:e} is beyond what double precision can be used with: it must be 0, inf, or between {least:e} and {most:e}",
+        least = Parameters::MAGNITUDES.start(),
+        most = Parameters::MAGNITUDES.end()
+    )]
+    Alpha(f64),
+    /// β.
+    #[error(
+        "beta = {0:e} is beyond what double precision can be used with: it must be between {least:e} and {most:e}",
+        least = Parameters::MAGNITUDES.start(),
+        most = Parameters::MAGNITUDES.end()
+    )]
+    Beta(f64),
+    /// f.
+    #[error(
+        "f = {0:e} is beyond what double precision can be used with: it must be between 0 and {most:e}",
+        most = Parameters::MAGNITUDES.end()
+    )]
+    Strength(f64),
+}
+
 /// A mode as the equations use it: strength f_j and rate α_j of (T8), (T9).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Retardation {
@@ -132,34 +155,26 @@ impl Parameters {
         modes.map(|mode| Retardation { strength: mode.share * self.f, rate: self.alpha / mode.time }).collect()
     }
 
-    /// Magnitudes that products of parameters, lengths and films can be formed of without leaving the range of double
-    /// precision. It has no physical meaning: solvers give up long before.
+    /// The range of α, β and 1 + f in which products of parameters, lengths and films stay within double precision. It has no
+    /// physical meaning: solvers give up long before.
     pub const MAGNITUDES: RangeInclusive<f64> = 1e-50..=1e50;
 
-    /// Tells why a case is none that numbers of double precision can be computed of: β, or α of a mode (0 and ∞ apart), or f
-    /// is beyond [`MAGNITUDES`](Self::MAGNITUDES), or none of the numbers it may be. f may be as small as it likes.
+    /// Checks that α, β and f lie in the range that double precision can represent: β and the α of each mode within
+    /// [`MAGNITUDES`](Self::MAGNITUDES) (or α = 0 or ∞), f between 0 and its end.
     ///
     /// # Errors
-    /// A conclusive [`Failure`], the same for every solver.
-    pub fn computable(&self) -> Result<(), Failure> {
-        let (least, most) = (Self::MAGNITUDES.start(), Self::MAGNITUDES.end());
-        let refuse = |what: &str, value: f64, allowed: &str| {
-            let reason =
-                format!("{what} = {value:e} is beyond what double precision can be used with: it must be {allowed}");
-            Err(Failure { reason, conclusive: true })
-        };
+    /// [`OutOfRange`] names the first number that does not.
+    pub fn computable(&self) -> Result<(), OutOfRange> {
         if !Self::MAGNITUDES.contains(&self.beta) {
-            return refuse("beta", self.beta, &format!("between {least:e} and {most:e}"));
+            return Err(OutOfRange::Beta(self.beta));
         }
-        if !(0.0..=*most).contains(&self.f) {
-            return refuse("f", self.f, &format!("between 0 and {most:e}"));
+        if !(0.0..=*Self::MAGNITUDES.end()).contains(&self.f) {
+            return Err(OutOfRange::Strength(self.f));
         }
         let limit = self.alpha == 0.0 || self.alpha == f64::INFINITY;
-        let rates = self.substrate.modes().iter().map(|mode| self.alpha / mode.time);
-        match rates.into_iter().find(|rate| !limit && !Self::MAGNITUDES.contains(rate)) {
-            Some(rate) => refuse("alpha of a mode", rate, &format!("0, inf, or between {least:e} and {most:e}")),
-            None => Ok(()),
-        }
+        let mut rates = self.substrate.modes().iter().map(|mode| self.alpha / mode.time);
+        let outside = rates.find(|rate| !limit && !Self::MAGNITUDES.contains(rate));
+        outside.map_or(Ok(()), |rate| Err(OutOfRange::Alpha(rate)))
     }
 
     /// Compliance at once over relaxed compliance, E∞/E₀ = 1/(1 + f).

@@ -1,7 +1,5 @@
 //! How friction changes with the parameters of a case.
 
-use super::outcome::{Column, column};
-
 /// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order (T49).
 ///
 /// α stands for all modes: their rates change together. f changes at fixed shares. Where a parameter means nothing (α and f of a
@@ -15,17 +13,11 @@ pub struct Sensitivities {
 }
 
 impl Sensitivities {
-    /// The numbers of [`Sensitivities::row`], as they are called where they are stored.
-    pub const COLUMNS: [Column; 6] = [
-        column("dmu_v_dln_alpha", "a0/R", false, "derivative of mu_v with respect to ln(alpha)"),
-        column("dmu_v_dln_beta", "a0/R", false, "derivative of mu_v with respect to ln(beta)"),
-        column("dmu_v_dln_f", "a0/R", false, "derivative of mu_v with respect to ln(f)"),
-        column("dmu_h_dln_alpha", "a0/R", false, "derivative of mu_h with respect to ln(alpha)"),
-        column("dmu_h_dln_beta", "a0/R", false, "derivative of mu_h with respect to ln(beta)"),
-        column("dmu_h_dln_f", "a0/R", false, "derivative of mu_h with respect to ln(f)"),
-    ];
+    /// The names of the derivatives in the order of [`Sensitivities::row`]: `dmu_v_dln_alpha` is dF_v/d ln α.
+    pub const NAMES: [&'static str; 6] =
+        ["dmu_v_dln_alpha", "dmu_v_dln_beta", "dmu_v_dln_f", "dmu_h_dln_alpha", "dmu_h_dln_beta", "dmu_h_dln_f"];
 
-    /// The values of [`Sensitivities::COLUMNS`], in their order.
+    /// The derivatives in the order of [`Sensitivities::NAMES`].
     pub fn row(&self) -> [f64; 6] {
         let ([a, b, c], [d, e, f]) = (self.viscoelastic, self.hydrodynamic);
         [a, b, c, d, e, f]
@@ -60,9 +52,9 @@ mod tests {
         let sensitivities = Sensitivities { viscoelastic: [1.0, 2.0, 3.0], hydrodynamic: [4.0, 5.0, 6.0] };
         assert_eq!(Sensitivities::from_row(sensitivities.row()), Some(sensitivities));
         assert_eq!(Sensitivities::from_row([f64::NAN; 6]), None);
-        for (place, (column, value)) in Sensitivities::COLUMNS.iter().zip(sensitivities.row()).enumerate() {
+        for (place, (name, value)) in Sensitivities::NAMES.iter().zip(sensitivities.row()).enumerate() {
             let (mu, theta) = (["mu_v", "mu_h"][place / 3], ["alpha", "beta", "f"][place % 3]);
-            assert_eq!(column.name, format!("d{mu}_dln_{theta}"));
+            assert_eq!(*name, format!("d{mu}_dln_{theta}"));
             assert_eq!(value, 1.0 + place as f64);
         }
     }

@@ -7,8 +7,9 @@ use super::iteration::{Iteration, index_of_largest};
 use super::quantities::film_min;
 use super::stiffness::thin_film_number;
 use super::{Grid, reynolds};
+use crate::continuation::FailureKind;
 use crate::exact::{RigidFilm, contact_bounds};
-use crate::model::{Failure, Parameters};
+use crate::model::Parameters;
 
 /// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
 const MOST_UNRESOLVED: f64 = 0.1;
@@ -32,96 +33,42 @@ pub fn film_on_contact(parameters: &Parameters) -> f64 {
     compliance * elastic_film(compliance * parameters.beta)
 }
 
-/// Why a state, or a case before it has one, is refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
-    /// Outlet or largest pressure of the state lie at an end of the grid.
-    LongerThanGrid(Grid),
-    /// Those of a rigid film do, and no film is shorter.
-    SurelyLonger(Grid),
-    /// The flow at mid-points is wrong by this part of the film.
-    Unresolved(f64),
-    /// The smallest film is this part of c, which that of no solution is.
-    Dip(f64),
-    /// The film is much too thin for the grid.
-    SurelyUnresolved,
-    /// The flow is wrong by more than the film.
-    Astray,
-}
-
-impl From<Refusal> for Failure {
-    fn from(refusal: Refusal) -> Self {
-        let longer = |grid: Grid| {
-            let Grid { x_min, x_max, .. } = grid;
-            format!(
-                "the film under pressure is longer than the grid, [{x_min:.3}, {x_max:.3}]; \
-                 set a wider domain = [x_min, x_max] in [solver.relaxation]"
-            )
-        };
-        let unresolved = "the grid does not resolve the film";
-        match refusal {
-            Refusal::LongerThanGrid(grid) => Failure::new(longer(grid)),
-            Refusal::SurelyLonger(grid) => Failure { reason: longer(grid), conclusive: true },
-            Refusal::Unresolved(error) => {
-                let percent = 100.0 * error;
-                let reason =
-                    format!("{unresolved}: the flow at mid-points is wrong by {percent:.0} % of it; use more points");
-                Failure { reason, conclusive: true }
-            }
-            Refusal::Dip(ratio) => {
-                let reason = format!(
-                    "{unresolved}: its dip at the outlet is narrower than a step (smallest film {ratio:.2} c); \
-                     use more points"
-                );
-                Failure { reason, conclusive: true }
-            }
-            Refusal::SurelyUnresolved => {
-                let reason = format!("{unresolved}: its inlet and outlet are narrower than a step; use more points");
-                Failure { reason, conclusive: true }
-            }
-            Refusal::Astray => Failure::new(
-                "the iteration ends in a state that does not conserve the flow at all; use more points".to_owned(),
-            ),
-        }
-    }
-}
-
-/// Refuses what no iteration on the grid can solve.
+/// Checks that the film of a case is neither longer than the grid nor so thin that no iteration on the grid can solve it.
 ///
 /// A film so thick that the substrate hardly yields reaches from x_out to −x_out of the rigid film (T17), about the centre
 /// of the dry contact at the farthest; yielding lengthens it. A film so thin that the number by which the displacement outweighs
 /// the flow in a cell is large has its inlet and outlet within a step.
 ///
 /// # Errors
-/// [`Refusal::SurelyLonger`], [`Refusal::SurelyUnresolved`].
-pub fn foresee(parameters: &Parameters, grid: &Grid, stiffness: f64) -> Result<(), Refusal> {
+/// [`FailureKind::FilmLongerThanGrid`], [`FailureKind::FilmThinnerThanGrid`].
+pub fn check_resolvable(parameters: &Parameters, grid: &Grid, stiffness: f64) -> Result<(), FailureKind> {
     let (trailing, leading, _) = contact_bounds(parameters);
     let rigid = RigidFilm::new(parameters.beta).outlet();
     if 0.5 * (trailing + leading) + rigid <= grid.x_min || -rigid >= grid.x_max {
-        return Err(Refusal::SurelyLonger(*grid));
+        return Err(FailureKind::FilmLongerThanGrid { grid: grid.ends(), certain: true });
     }
     let number = thin_film_number(grid.spacing(), parameters.beta, film_on_contact(parameters), stiffness);
-    if number > HOPELESSLY_THIN { Err(Refusal::SurelyUnresolved) } else { Ok(()) }
+    if number > HOPELESSLY_THIN { Err(FailureKind::FilmThinnerThanGrid) } else { Ok(()) }
 }
 
-/// A converged state is a solution only on a grid that holds the film and resolves it.
+/// Checks that the grid holds the film of a converged state and resolves it; only then the state is a solution.
 ///
 /// Small residuals alone are not enough: a cylinder that leans its load on an end of the grid has them too.
 ///
 /// # Errors
 /// What is wrong with the state.
-pub fn judge(state: &Iteration) -> Result<(), Refusal> {
+pub fn check_accepted(state: &Iteration) -> Result<(), FailureKind> {
     let grid = &state.shared.grid;
     let outlet = state.p.iter().position(|&p| p > 0.0).unwrap_or(0);
     if outlet < NEAREST_TO_AN_END || index_of_largest(&state.p) + NEAREST_TO_AN_END >= grid.points {
-        return Err(Refusal::LongerThanGrid(*grid));
+        return Err(FailureKind::FilmLongerThanGrid { grid: grid.ends(), certain: false });
     }
     let error = reynolds::conservation_error(&state.p, &state.u, state.beta, grid.spacing(), state.c());
     let dip = film_min(state) / state.c();
     match error {
         _ if error <= MOST_UNRESOLVED && FILM_MIN.contains(&dip) => Ok(()),
-        _ if error <= MOST_UNRESOLVED => Err(Refusal::Dip(dip)),
-        _ if error <= 1.0 => Err(Refusal::Unresolved(error)),
-        _ => Err(Refusal::Astray),
+        _ if error <= MOST_UNRESOLVED => Err(FailureKind::NarrowDip { ratio: dip }),
+        _ if error <= 1.0 => Err(FailureKind::FlowError { error }),
+        _ => Err(FailureKind::FlowLost),
     }
 }

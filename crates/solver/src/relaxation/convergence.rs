@@ -1,13 +1,12 @@
 //! From a first guess to the solution: the plain iteration, and the accelerated one that falls back on it.
 
 use super::Acceleration;
-use super::acceptance::{Refusal, judge};
+use super::acceptance::check_accepted;
 use super::anderson::Anderson;
 use super::iteration::{Iteration, LOAD_GAIN, PASSES_PER_BALANCE};
 use super::reynolds::Relaxation;
 use super::stiffness::thin_film_number;
-use crate::continuation::{Halt, Work};
-use crate::model::Failure;
+use crate::continuation::{FailureKind, Iterations, SolveContext, SolveError};
 
 /// λ over the number that limits it where the film is thin, κ of [`Relaxation::Local`].
 const THIN_FILM: f64 = 0.1;
@@ -57,16 +56,16 @@ pub struct Target {
 /// ends on is judged like any other state.
 ///
 /// # Errors
-/// [`Halt::Failed`] says why there is no solution, the others that the work is not to go on. The iteration then
+/// [`SolveError::Failed`] says why there is no solution, the others that the work is not to go on. The iteration then
 /// holds the best state it saw.
 pub fn converge(
     iteration: &mut Iteration,
     acceleration: Acceleration,
     target: Target,
     stiffness: f64,
-    work: &mut Work,
-) -> Result<(), Halt> {
-    let mut solver = Convergence { iteration, target, stiffness, work };
+    context: &mut SolveContext,
+) -> Result<(), SolveError> {
+    let mut solver = Convergence { iteration, target, stiffness, context };
     match acceleration {
         Acceleration::None => solver.plain(Rule::Uniform),
         Acceleration::Anderson => {
@@ -93,7 +92,7 @@ struct Convergence<'i, 's, 'w> {
     iteration: &'i mut Iteration<'s>,
     target: Target,
     stiffness: f64,
-    work: &'i mut Work<'w>,
+    context: &'i mut SolveContext<'w>,
 }
 
 impl Convergence<'_, '_, '_> {
@@ -121,7 +120,7 @@ impl Convergence<'_, '_, '_> {
 
     /// Rounds without acceleration. A divergence goes back to the best state and halves the steps of pressure and load;
     /// a stretch that goes well doubles them again.
-    fn plain(&mut self, rule: Rule) -> Result<(), Halt> {
+    fn plain(&mut self, rule: Rule) -> Result<(), SolveError> {
         let mut best = self.iteration.state();
         let mut least = f64::INFINITY;
         let (mut reduction, mut divergences, mut good_looks) = (1.0, 0, 0);
@@ -130,9 +129,9 @@ impl Convergence<'_, '_, '_> {
         let patience = self.patience(rule);
         loop {
             let residuals = self.iteration.residuals();
-            self.work.note_residual(self.iteration.passes, residuals.largest());
+            self.context.note_residual(self.iteration.passes, residuals.largest());
             if residuals.within(self.target.tolerance) {
-                return judge(self.iteration).map_err(|refusal| Halt::Failed(refusal.into()));
+                return Ok(check_accepted(self.iteration)?);
             }
             let size = residuals.largest();
             if size < least {
@@ -149,7 +148,7 @@ impl Convergence<'_, '_, '_> {
                 good_looks = 0;
                 self.iteration.restore(&best);
                 if divergences > MOST_DIVERGENCES || reduction < LEAST_REDUCTION {
-                    return Err(self.failed("the iteration diverges with every relaxation factor tried", least));
+                    return Err(FailureKind::Diverged(self.iterations(least)).into());
                 }
             }
             if least < 0.5 * milestone {
@@ -158,19 +157,19 @@ impl Convergence<'_, '_, '_> {
             let passes = self.iteration.passes;
             if passes - first_pass > self.target.most_passes || passes - milestone_pass > patience {
                 self.iteration.restore(&best);
-                return Err(self.failed("the iteration stalls", least));
+                return Err(FailureKind::Stalled(self.iterations(least)).into());
             }
             let relaxation = self.relaxation(rule, reduction);
             for _ in 0..ROUNDS_PER_LOOK {
                 self.iteration.round(relaxation, reduction * LOAD_GAIN);
             }
             self.iteration.update_film();
-            self.work.go_on()?;
+            self.context.check_abort()?;
         }
     }
 
     /// Rounds with Anderson acceleration; false if it ran away, stalled, or ended in a state that is no solution.
-    fn accelerated(&mut self) -> Result<bool, Halt> {
+    fn accelerated(&mut self) -> Result<bool, SolveError> {
         let n = self.iteration.p.len();
         let scale = self.iteration.c().abs();
         let (mut x, mut image) = (vec![0.0; n + 1], vec![0.0; n + 1]);
@@ -183,12 +182,12 @@ impl Convergence<'_, '_, '_> {
         let most_rounds = most_passes / PASSES_PER_BALANCE;
         for _ in 0..most_rounds {
             let residuals = self.iteration.residuals();
-            self.work.note_residual(self.iteration.passes, residuals.largest());
+            self.context.note_residual(self.iteration.passes, residuals.largest());
             if residuals.within(self.target.tolerance) {
-                return match judge(self.iteration) {
+                return match check_accepted(self.iteration) {
                     Ok(()) => Ok(true),
-                    Err(Refusal::Astray) => Ok(false),
-                    Err(refusal) => Err(Halt::Failed(refusal.into())),
+                    Err(FailureKind::FlowLost) => Ok(false),
+                    Err(kind) => Err(kind.into()),
                 };
             }
             let size = residuals.largest();
@@ -223,7 +222,7 @@ impl Convergence<'_, '_, '_> {
                 self.iteration.replace(&x[..n], plain_separation);
                 anderson.forget();
             }
-            self.work.go_on()?;
+            self.context.check_abort()?;
         }
         Ok(false)
     }
@@ -243,11 +242,9 @@ impl Convergence<'_, '_, '_> {
         x[n] = self.iteration.separation / scale;
     }
 
-    fn failed(&self, what: &str, residual: f64) -> Halt {
-        let (passes, tolerance) = (self.iteration.passes, self.target.tolerance);
-        Halt::Failed(Failure::new(format!(
-            "{what}: residual {residual:.1e} after {passes} passes, tolerance {tolerance:.1e}"
-        )))
+    /// How far the iteration came: its least residual, and what that took.
+    fn iterations(&self, residual: f64) -> Iterations {
+        Iterations { residual, passes: self.iteration.passes, tolerance: self.target.tolerance }
     }
 }
 

@@ -12,6 +12,11 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// [x_min, x_max].
+    pub fn ends(&self) -> [f64; 2] {
+        [self.x_min, self.x_max]
+    }
+
     /// Δx.
     pub fn spacing(&self) -> f64 {
         (self.x_max - self.x_min) / (self.points - 1) as f64

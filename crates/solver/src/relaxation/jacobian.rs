@@ -70,18 +70,18 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 mod tests {
     use super::super::Settings;
     use super::*;
-    use crate::continuation::{CaseSolver, Interrupt, Work};
+    use crate::continuation::{CaseSolver, Interrupt, SolveContext};
     use crate::model::{FieldSelection, Output};
 
     /// A case solved alone.
     fn solved(points: usize, parameters: &Parameters) -> (RelaxationSolver, Workspace, State) {
         let output = Output { fields: FieldSelection::default(), ..Output::default() };
         let interrupt = Interrupt::new();
-        let mut work = Work::new(&interrupt);
+        let mut context = SolveContext::new(&interrupt);
         let solver = RelaxationSolver::new(Settings { points, ..Settings::default() });
         let mut workspace = solver.prepare(parameters, &output).expect("the automatic domain fits");
-        let (guess, _) = solver.start(&mut workspace, parameters, &mut work).expect("a start");
-        let state = solver.solve(&mut workspace, parameters, guess, &mut work).expect("a solution");
+        let (guess, _) = solver.start(&mut workspace, parameters, &mut context).expect("a start");
+        let state = solver.solve(&mut workspace, parameters, guess, &mut context).expect("a solution");
         (solver, workspace, state)
     }
 

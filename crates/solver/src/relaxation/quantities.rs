@@ -194,7 +194,7 @@ fn centroid(state: &Iteration, inlet: &Inlet) -> f64 {
 mod tests {
     use super::super::{RelaxationSolver, Settings};
     use super::*;
-    use crate::continuation::{CaseSolver, Interrupt, Work};
+    use crate::continuation::{CaseSolver, Interrupt, SolveContext};
     use crate::model::{FieldSelection, Output, Parameters};
 
     /// F_drag = F_h + (2/π) ∫ p x dx on the cylinder, F_v + F_h − (2/π) ∫ p′u dx on the substrate: equal up to the error
@@ -208,9 +208,9 @@ mod tests {
             let difference = [201, 401, 801].map(|points| {
                 let solver = RelaxationSolver::new(Settings { points, ..Settings::default() });
                 let mut workspace = solver.prepare(&parameters, &output).expect("the automatic domain fits");
-                let mut work = Work::new(&interrupt);
-                let (guess, _) = solver.start(&mut workspace, &parameters, &mut work).expect("a start");
-                let state = solver.solve(&mut workspace, &parameters, guess, &mut work).expect("a solution");
+                let mut context = SolveContext::new(&interrupt);
+                let (guess, _) = solver.start(&mut workspace, &parameters, &mut context).expect("a start");
+                let state = solver.solve(&mut workspace, &parameters, guess, &mut context).expect("a solution");
                 let iteration = Iteration::new(workspace.finest(), parameters.beta, &state);
                 let result = quantities(&iteration, CavityShear::Full);
                 let inlet = Inlet::of(&iteration, result.c);

@@ -5,7 +5,7 @@ use std::f64::consts::LN_10;
 use std::iter;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::acceptance::{elastic_film, film_on_contact, foresee};
+use super::acceptance::{check_resolvable, elastic_film, film_on_contact};
 use super::convergence::{Target, converge};
 use super::far_field::FarField;
 use super::fields::fields;
@@ -13,9 +13,11 @@ use super::iteration::{Discretisation, Iteration, levelled_kernel};
 use super::quantities::quantities;
 use super::stiffness::{stiffness, thin_film_number};
 use super::{Domain, Grid, Settings, State};
-use crate::continuation::{CaseSolver, Halt, Seed, Solution, StepControl, Work, secant};
+use crate::continuation::{
+    CaseSolver, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
+};
 use crate::exact;
-use crate::model::{Failure, FieldSelection, Output, Parameters, Quantities, RelativeErrors};
+use crate::model::{FieldSelection, Output, Parameters, Quantities, RelativeErrors};
 
 /// Passes after which the plain iteration is given up.
 const MOST_PASSES: u64 = 2_000_000;
@@ -57,9 +59,9 @@ impl Workspace {
         &self.levels[0]
     }
 
-    /// See [`foresee`].
-    fn foresee(&self, parameters: &Parameters) -> Result<(), Halt> {
-        foresee(parameters, &self.finest().grid, self.stiffness).map_err(|refusal| Halt::Failed(refusal.into()))
+    /// See [`check_resolvable`].
+    fn check_resolvable(&self, parameters: &Parameters) -> Result<(), SolveError> {
+        Ok(check_resolvable(parameters, &self.finest().grid, self.stiffness)?)
     }
 }
 
@@ -81,10 +83,9 @@ impl RelaxationSolver {
             Domain::Fixed { x_min, x_max } if x_min < trailing && leading < x_max && x_max > 0.0 => {
                 Ok(Grid { x_min, x_max, points: self.settings.points })
             }
-            Domain::Fixed { x_min, x_max } => Err(Failure::new(format!(
-                "the domain [{x_min}, {x_max}] does not hold the dry contact [{trailing:.3}, {leading:.3}]; \
-                     widen it or use domain = \"auto\""
-            ))),
+            Domain::Fixed { x_min, x_max } => {
+                Err(FailureKind::DomainTooNarrow { domain: [x_min, x_max], contact: [trailing, leading] }.into())
+            }
         }
     }
 
@@ -107,7 +108,13 @@ impl RelaxationSolver {
 
     /// A better guess from a guess on the finest grid, coarse to fine. A coarse grid that does not resolve the film is
     /// left out, and one that does not converge soon only fails to help.
-    fn refine(&self, workspace: &Workspace, beta: f64, mut guess: State, work: &mut Work) -> Result<State, Halt> {
+    fn refine(
+        &self,
+        workspace: &Workspace,
+        beta: f64,
+        mut guess: State,
+        context: &mut SolveContext,
+    ) -> Result<State, SolveError> {
         let finest = workspace.finest();
         let rough = Target { tolerance: self.settings.tolerance.max(1e-4), most_passes: ROUGH_PASSES };
         for level in workspace.levels.iter().skip(1).rev() {
@@ -115,10 +122,10 @@ impl RelaxationSolver {
                 continue;
             }
             let coarse = guess.on(&finest.grid, level);
-            match self.solve_on(level, workspace.stiffness, beta, &coarse, rough, work) {
+            match self.solve_on(level, workspace.stiffness, beta, &coarse, rough, context) {
                 Ok(state) => guess = state.on(&level.grid, finest),
-                Err(Halt::Failed(_)) => {}
-                Err(halt) => return Err(halt),
+                Err(SolveError::Failed(_)) => {}
+                Err(error) => return Err(error),
             }
         }
         Ok(guess)
@@ -131,11 +138,11 @@ impl RelaxationSolver {
         beta: f64,
         guess: &State,
         target: Target,
-        work: &mut Work,
-    ) -> Result<State, Halt> {
+        context: &mut SolveContext,
+    ) -> Result<State, SolveError> {
         let mut iteration = Iteration::new(level, beta, guess);
-        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, work);
-        work.effort.iterations += iteration.passes;
+        let result = converge(&mut iteration, self.settings.acceleration, target, stiffness, context);
+        context.effort.iterations += iteration.passes;
         result.map(|()| iteration.state())
     }
 
@@ -148,17 +155,16 @@ impl RelaxationSolver {
         state: &State,
         fine: &Quantities,
         output: &Output,
-        work: &mut Work,
-    ) -> Result<RelativeErrors, Halt> {
+        context: &mut SolveContext,
+    ) -> Result<RelativeErrors, SolveError> {
         let Some(level) = workspace.levels.get(1) else { return Ok(RelativeErrors::UNKNOWN) };
         let guess = state.on(&workspace.finest().grid, level);
-        let coarse = match self.solve_on(level, workspace.stiffness, parameters.beta, &guess, self.target(), work) {
+        let coarse = match self.solve_on(level, workspace.stiffness, parameters.beta, &guess, self.target(), context) {
             Ok(coarse) => quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear),
-            Err(Halt::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
-            Err(halt) => return Err(halt),
+            Err(SolveError::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
+            Err(error) => return Err(error),
         };
-        // μ_v vanishes on an elastic substrate: below a thousandth of μ_tot its error is relative to that
-        let scale = fine.friction.viscoelastic.abs().max(1e-3 * fine.friction.total());
+        let scale = fine.friction.viscoelastic_error_scale();
         Ok(RelativeErrors {
             mu_v: richardson(fine.friction.viscoelastic, coarse.friction.viscoelastic, scale),
             mu_h: richardson(
@@ -171,7 +177,7 @@ impl RelaxationSolver {
     }
 
     /// The elastic solution at β, from Hertz pressure; solved by the first thread that asks.
-    fn elastic(&self, beta: f64, work: &mut Work) -> Result<ElasticSeed, Halt> {
+    fn elastic(&self, beta: f64, context: &mut SolveContext) -> Result<ElasticSeed, SolveError> {
         let seed = {
             // what a thread that panicked left behind is either whole or not there
             let mut seeds = self.elastic.lock().unwrap_or_else(PoisonError::into_inner);
@@ -179,27 +185,27 @@ impl RelaxationSolver {
         };
         let mut seed = seed.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = &*seed {
-            return known.clone().map_err(Halt::Failed);
+            return known.clone().map_err(SolveError::Failed);
         }
-        let result = match self.solve_elastic(beta, work) {
+        let result = match self.solve_elastic(beta, context) {
             Ok(solved) => Ok(Arc::new(solved)),
-            Err(Halt::Failed(failure)) => Err(failure),
-            Err(halt) => return Err(halt),
+            Err(SolveError::Failed(failure)) => Err(failure),
+            Err(error) => return Err(error),
         };
-        seed.insert(result).clone().map_err(Halt::Failed)
+        seed.insert(result).clone().map_err(SolveError::Failed)
     }
 
-    fn solve_elastic(&self, beta: f64, work: &mut Work) -> Result<(Grid, State), Halt> {
+    fn solve_elastic(&self, beta: f64, context: &mut SolveContext) -> Result<(Grid, State), SolveError> {
         let parameters = Parameters::elastic(beta);
         // a fixed domain for narrow contacts need not hold the elastic one
         let grid = self.grid(&parameters).unwrap_or_else(|_| self.automatic_grid(&parameters));
         let no_fields = Output { fields: FieldSelection::default(), ..Output::default() };
         let workspace = self.workspace(&parameters, grid, &no_fields);
-        workspace.foresee(&parameters)?;
+        workspace.check_resolvable(&parameters)?;
         let pressure = (0..grid.points).map(|i| hertz(grid.x(i))).collect();
         let guess = State::resting(workspace.finest(), pressure, elastic_film(beta));
-        let guess = self.refine(&workspace, beta, guess, work)?;
-        let state = self.solve_on(workspace.finest(), workspace.stiffness, beta, &guess, self.target(), work)?;
+        let guess = self.refine(&workspace, beta, guess, context)?;
+        let state = self.solve_on(workspace.finest(), workspace.stiffness, beta, &guess, self.target(), context)?;
         Ok((grid, state))
     }
 }
@@ -226,6 +232,11 @@ impl CaseSolver for RelaxationSolver {
 
     fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Workspace, Failure> {
         Ok(self.workspace(parameters, self.grid(parameters)?, output))
+    }
+
+    /// The workspace holds the kernel of one α and f.
+    fn can_continue(&self, from: &Parameters, to: &Parameters) -> bool {
+        (from.alpha, from.f, &from.substrate) == (to.alpha, to.f, &to.substrate)
     }
 
     /// The case itself, then thicker films.
@@ -255,11 +266,11 @@ impl CaseSolver for RelaxationSolver {
         &self,
         workspace: &mut Workspace,
         parameters: &Parameters,
-        work: &mut Work,
-    ) -> Result<(State, Seed), Halt> {
-        workspace.foresee(parameters)?;
+        context: &mut SolveContext,
+    ) -> Result<(State, Seed), SolveError> {
+        workspace.check_resolvable(parameters)?;
         if parameters.is_relaxed_elastic() {
-            let seed = self.elastic(parameters.beta, work)?;
+            let seed = self.elastic(parameters.beta, context)?;
             return Ok((seed.1.on(&seed.0, workspace.finest()), Seed::Hertz));
         }
         let (trailing, leading, half_width) = exact::contact_bounds(parameters);
@@ -272,7 +283,7 @@ impl CaseSolver for RelaxationSolver {
         let dry = exact::DryContact::of(parameters)
             .map_or_else(|| places.iter().map(|&x| ellipse(x)).collect(), |contact| contact.pressure_on(&places));
         let own_film = film_on_contact(parameters);
-        let (pressure, film, seed) = match self.elastic(seed_beta, work) {
+        let (pressure, film, seed) = match self.elastic(seed_beta, context) {
             Ok(elastic) => {
                 let (grid, state) = (&elastic.0, &elastic.1);
                 let film_part =
@@ -281,11 +292,11 @@ impl CaseSolver for RelaxationSolver {
                 let seed = if rescaled { Seed::RescaledElastic } else { Seed::Elastic };
                 (pressure, own_film * state.c / elastic_film(seed_beta), seed)
             }
-            Err(Halt::Failed(_)) => (dry, own_film, Seed::Hertz),
-            Err(halt) => return Err(halt),
+            Err(SolveError::Failed(_)) => (dry, own_film, Seed::Hertz),
+            Err(error) => return Err(error),
         };
         let guess = State::resting(target, pressure, film);
-        Ok((self.refine(workspace, parameters.beta, guess, work)?, seed))
+        Ok((self.refine(workspace, parameters.beta, guess, context)?, seed))
     }
 
     /// c and p extrapolated in ln β; from one case c β^{3/5} is taken to stay the same, and the pressure too.
@@ -308,10 +319,10 @@ impl CaseSolver for RelaxationSolver {
         workspace: &mut Workspace,
         parameters: &Parameters,
         guess: State,
-        work: &mut Work,
-    ) -> Result<State, Halt> {
-        workspace.foresee(parameters)?;
-        self.solve_on(workspace.finest(), workspace.stiffness, parameters.beta, &guess, self.target(), work)
+        context: &mut SolveContext,
+    ) -> Result<State, SolveError> {
+        workspace.check_resolvable(parameters)?;
+        self.solve_on(workspace.finest(), workspace.stiffness, parameters.beta, &guess, self.target(), context)
     }
 
     fn evaluate(
@@ -320,13 +331,13 @@ impl CaseSolver for RelaxationSolver {
         parameters: &Parameters,
         state: &mut State,
         output: &Output,
-        work: &mut Work,
-    ) -> Result<Solution, Halt> {
-        work.effort.unknowns = self.settings.points;
+        context: &mut SolveContext,
+    ) -> Result<Solution, SolveError> {
+        context.effort.unknowns = self.settings.points;
         let fine = Iteration::new(workspace.finest(), parameters.beta, state);
         let quantities = quantities(&fine, output.cavity_shear);
         let errors = match self.settings.estimate {
-            true => self.estimate(workspace, parameters, state, &quantities, output, work)?,
+            true => self.estimate(workspace, parameters, state, &quantities, output, context)?,
             false => RelativeErrors::UNKNOWN,
         };
         let fields = fields(&fine, &workspace.beyond, output);

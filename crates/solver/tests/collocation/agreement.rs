@@ -41,7 +41,7 @@ fn relaxed(points: usize, case: &Parameters) -> Quantities {
     let solver = RelaxationSolver::new(Settings { points, ..Settings::default() });
     let solved = solve_chain(&solver, std::slice::from_ref(case), &numbers(), &Interrupt::new());
     let outcome = solved.expect("nobody interrupts").remove(0).outcome;
-    outcome.unwrap_or_else(|why| panic!("{case:?}, {points} points: {}", why.reason)).quantities
+    outcome.unwrap_or_else(|why| panic!("{case:?}, {points} points: {why}")).quantities
 }
 
 /// Three grids, Richardson's extrapolation from the two finest: the two solvers differ by less than the error which the grids

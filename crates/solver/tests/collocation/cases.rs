@@ -32,9 +32,7 @@ pub fn outcomes(settings: Settings, cases: &[Parameters], output: &Output) -> Ve
 /// The solutions of a chain in which no case may fail.
 pub fn solutions(settings: Settings, cases: &[Parameters], output: &Output) -> Vec<Solution> {
     let solved = outcomes(settings, cases, output).into_iter().zip(cases);
-    solved
-        .map(|(case, parameters)| case.outcome.unwrap_or_else(|why| panic!("{parameters:?}: {}", why.reason)))
-        .collect()
+    solved.map(|(case, parameters)| case.outcome.unwrap_or_else(|why| panic!("{parameters:?}: {why}"))).collect()
 }
 
 /// The solution of one case.

@@ -32,7 +32,7 @@ fn any_straight_line_leads_to_the_numbers_of_each_case() {
         let solved = outcomes(settings(TOLERANCE), cases, &numbers());
         let from_start = solved.iter().filter(|case| matches!(case.seed, Seed::ThickFilm | Seed::March(_))).count();
         for (case, parameters) in solved.iter().zip(cases) {
-            let found = case.outcome.as_ref().unwrap_or_else(|why| panic!("{name}, {parameters:?}: {}", why.reason));
+            let found = case.outcome.as_ref().unwrap_or_else(|why| panic!("{name}, {parameters:?}: {why}"));
             let exact = solution(EXACT, parameters, &numbers()).quantities;
             let error = true_error(&found.quantities, &exact);
             assert!(error <= 3.0 * TOLERANCE, "{name}, {parameters:?}: off by {error:.1e}");

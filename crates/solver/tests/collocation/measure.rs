@@ -29,7 +29,7 @@ pub fn reference() -> Vec<(Parameters, Columns)> {
 /// is below that.
 pub fn true_error(found: &Quantities, exact: &Quantities) -> f64 {
     let (friction, exactly) = (&found.friction, &exact.friction);
-    let scale = exactly.viscoelastic.max(1e-3 * exactly.total());
+    let scale = exactly.viscoelastic_error_scale();
     worst(&RelativeErrors {
         mu_v: (friction.viscoelastic - exactly.viscoelastic).abs() / scale,
         mu_h: (friction.hydrodynamic() / exactly.hydrodynamic() - 1.0).abs(),

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use stribeck_solver::collocation::Settings;
 use stribeck_solver::continuation::Solution;
-use stribeck_solver::{CavityShear, Output, Parameters, Sensitivities};
+use stribeck_solver::{CavityShear, Output, Parameters, Sensitivities, viscoelastic_error_scale};
 
 use crate::collocation::cases::{numbers, relative, solution, solutions, with_modes};
 
@@ -43,7 +43,7 @@ fn error(case: &Parameters, cavity_shear: CavityShear) -> f64 {
         let solved: Vec<Solution> = solved.collect();
         let found = of(&solved[2]);
         let [a, b, here, c, d] = [0, 1, 2, 3, 4].map(|place| forces(&solved[place]));
-        let scales = [here[0].max(1e-3 * (here[0] + here[1])), here[1]];
+        let scales = [viscoelastic_error_scale(here[0], here[0] + here[1]), here[1]];
         for (force, derivatives) in [found.viscoelastic, found.hydrodynamic].into_iter().enumerate() {
             let difference = (8.0 * (c[force] - b[force]) - (d[force] - a[force])) / (12.0 * STEP);
             worst = worst.max((derivatives[theta] - difference).abs() / scales[force]);

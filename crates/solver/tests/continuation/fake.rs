@@ -4,7 +4,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use stribeck_solver::continuation::{
-    CaseSolver, Halt, Interrupt, Interrupted, Seed, Solution, SolvedCase, StepControl, Work, solve_chain,
+    CaseSolver, FailureKind, Interrupt, Interrupted, Seed, Solution, SolveContext, SolveError, SolvedCase, StepControl,
+    solve_chain,
 };
 use stribeck_solver::{Failure, Fields, Friction, Output, Parameters, Quantities, RelativeErrors};
 
@@ -81,8 +82,8 @@ impl Fake {
     }
 }
 
-fn fail(reason: &str) -> Halt {
-    Halt::Failed(Failure::new(reason.to_owned()))
+fn fail(reason: &str) -> SolveError {
+    FailureKind::Other(reason.to_owned()).into()
 }
 
 impl CaseSolver for Fake {
@@ -106,7 +107,7 @@ impl CaseSolver for Fake {
         self.control
     }
 
-    fn start(&self, (): &mut (), parameters: &Parameters, _: &mut Work) -> Result<(f64, Seed), Halt> {
+    fn start(&self, (): &mut (), parameters: &Parameters, _: &mut SolveContext) -> Result<(f64, Seed), SolveError> {
         if !self.starts {
             return Err(fail("nowhere to start"));
         }
@@ -123,24 +124,30 @@ impl CaseSolver for Fake {
         }
     }
 
-    fn solve(&self, (): &mut (), parameters: &Parameters, guess: f64, work: &mut Work) -> Result<f64, Halt> {
+    fn solve(
+        &self,
+        (): &mut (),
+        parameters: &Parameters,
+        guess: f64,
+        context: &mut SolveContext,
+    ) -> Result<f64, SolveError> {
         let solution = parameters.beta.ln();
         self.attempts.lock().unwrap().push(solution);
-        work.effort.iterations += self.iterations;
+        context.effort.iterations += self.iterations;
         if self.stops_at == Some(parameters.beta) {
-            work.interrupt.request();
+            context.interrupt.request();
             if self.heeds {
-                return Err(Halt::Interrupted);
+                return Err(SolveError::Interrupted);
             }
         }
         assert!(self.panics_at != Some(parameters.beta), "a panic\n\tat {}", parameters.beta);
         while self.stuck_at == Some(parameters.beta) {
-            work.go_on()?;
-            work.effort.iterations += 1;
-            work.note_residual(work.effort.iterations, 1.0);
+            context.check_abort()?;
+            context.effort.iterations += 1;
+            context.note_residual(context.effort.iterations, 1.0);
         }
         if self.refused == Some(parameters.beta) {
-            return Err(Halt::Failed(Failure { reason: "refused".to_owned(), conclusive: true }));
+            return Err(FailureKind::FilmThinnerThanGrid.into());
         }
         if self.impossible == Some(parameters.beta) || (guess - solution).abs() > self.reach {
             return Err(fail("too far"));
@@ -154,8 +161,8 @@ impl CaseSolver for Fake {
         parameters: &Parameters,
         state: &mut f64,
         _: &Output,
-        _: &mut Work,
-    ) -> Result<Solution, Halt> {
+        _: &mut SolveContext,
+    ) -> Result<Solution, SolveError> {
         if self.unknowable == Some(parameters.beta) {
             return Err(fail("not to be known"));
         }
@@ -185,5 +192,5 @@ pub fn solve_cases(fake: &Fake, cases: &[Parameters]) -> Result<Vec<SolvedCase>,
 }
 
 pub fn seeds(cases: &[SolvedCase]) -> Vec<Seed> {
-    cases.iter().map(|case| case.seed.clone()).collect()
+    cases.iter().map(|case| case.seed).collect()
 }

@@ -3,7 +3,7 @@
 
 mod fake;
 mod isolation;
-mod ladder;
 mod line;
+mod seeds;
 mod trace;
 mod walk;

@@ -1,7 +1,7 @@
 //! The record of the way to a case: there if it is wanted, as it was, and nothing else changes.
 
 use stribeck_solver::collocation::{CollocationSolver, Settings};
-use stribeck_solver::continuation::{CaseSolver, Chain, Event, Interrupt, SolvedCase, Trace};
+use stribeck_solver::continuation::{CaseSolver, Chain, Event, FailureKind, Interrupt, SolvedCase, Trace};
 use stribeck_solver::relaxation::{self, RelaxationSolver};
 use stribeck_solver::{FieldSelection, Output, Parameters};
 
@@ -68,6 +68,6 @@ fn a_failed_attempt_is_recorded_with_its_reason() {
     let case = solved(&fake, &[1.0, 2.0], true).remove(1);
     let at_the_case = Event::Attempt { alpha: 1.0, beta: 2.0, f: 10.0 };
     let place = case.trace.events.iter().position(|event| *event == at_the_case).expect("it was tried");
-    assert_eq!(case.trace.events[place + 1], Event::Failed("too far".to_owned()));
+    assert_eq!(case.trace.events[place + 1], Event::Failed(FailureKind::Other("too far".to_owned()).into()));
     assert!(!case.trace.events.contains(&Event::Evaluation));
 }

@@ -118,7 +118,7 @@ fn where_no_line_leads_a_case_is_started_anew() {
     assert_eq!(seeds(&solved), [Seed::ThickFilm, Seed::ThickFilm, Seed::Predictor]);
     let stuck = Fake { start_below: None, decades: vec![0], ..Fake::reaching(1.0) };
     let solved = solve_cases(&stuck, &cases).unwrap();
-    let reason = &solved[1].outcome.as_ref().unwrap_err().reason;
+    let reason = &solved[1].outcome.as_ref().unwrap_err().to_string();
     assert!(reason.starts_with("from neighbour: no line leads from alpha = 0 to alpha = 1"), "{reason}");
 }
 
@@ -127,7 +127,7 @@ fn a_walk_that_gives_up_says_where() {
     // beyond the origin no step down to the smallest, 0.1, succeeds
     let fake = walker(0.05, 1, informed());
     let case = solve(&fake, &[10.0]).unwrap().remove(0);
-    let reason = case.outcome.unwrap_err().reason;
+    let reason = case.outcome.unwrap_err().to_string();
     assert_eq!(reason, "from march-1: at beta = 1.2214e0: too far", "0.5, then 0.2, and 0.08 is too short");
     assert_eq!(case.seed, Seed::March(1));
     assert_eq!(betas(&case.path, false).len(), 2);

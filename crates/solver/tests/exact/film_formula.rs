@@ -130,7 +130,7 @@ fn solved(case: &Parameters) -> f64 {
     let output = Output { fields, limits: false, cavity_shear, ..Output::default() };
     let chain = solve_chain(&solver, std::slice::from_ref(case), &output, &Interrupt::new());
     let outcome = chain.expect("no one interrupts").remove(0).outcome;
-    outcome.unwrap_or_else(|failure| panic!("{case:?}: {}", failure.reason)).quantities.c
+    outcome.unwrap_or_else(|failure| panic!("{case:?}: {failure}")).quantities.c
 }
 
 proptest! {

@@ -210,7 +210,7 @@ pub fn solve_reference(points: usize, wanted: impl Fn(&Parameters) -> bool) -> O
         let solved = outcomes(settings(points), &cases, &fields_at(wanted));
         let outcome = |(reference, case): (&Reference, SolvedCase)| match case.outcome {
             Ok(solution) => Ok(Solved { reference: reference.clone(), x: x.clone(), solution }),
-            Err(failure) => Err((reference.parameters.clone(), failure.reason)),
+            Err(failure) => Err((reference.parameters.clone(), failure.to_string())),
         };
         chain.iter().zip(solved).map(outcome).collect::<Vec<_>>()
     };

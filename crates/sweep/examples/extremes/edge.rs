@@ -17,7 +17,7 @@ fn edge(settings: Settings, alpha: f64, f: f64) -> (f64, f64, String) {
         match outcome(settings, &case).outcome {
             Ok(solution) => (last.0, last.1) = (case.beta, solution.quantities.c),
             Err(failure) => {
-                last.2 = failure.reason;
+                last.2 = failure.to_string();
                 break;
             }
         }

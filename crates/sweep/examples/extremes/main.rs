@@ -83,7 +83,7 @@ fn print(name: &str, set: &Set, remarks: &mut Vec<String>) {
             modes.join(", ")
         );
         match (&solved.outcome, error) {
-            (Err(failure), _) => remarks.push(format!("{place}: {}", failure.reason)),
+            (Err(failure), _) => remarks.push(format!("{place}: {failure}")),
             (Ok(_), Some(error)) if *error > 1.0 => remarks.push(format!("{place}: {error:.2} times the tolerance")),
             (Ok(_), None) => remarks.push(format!("{place}: not solved again")),
             _ => {}

@@ -1,6 +1,7 @@
 //! Which numbers of a case a shard holds, in a form that is cheap to compare.
 
-use stribeck_solver::{COLUMNS, FieldSelection, Fields, Output};
+use crate::{Column, Field};
+use stribeck_solver::{FieldSelection, Output};
 
 /// What a shard holds beside the columns: fields, the x they are on, and whether limits and sensitivities were computed.
 ///
@@ -41,9 +42,8 @@ impl Contents {
         if !wanted.fields.is_empty() && !self.fields.is_empty() && self.x != wanted.x {
             lacks.push("fields on this x");
         } else {
-            lacks.extend(
-                places(wanted.fields).filter(|&place| !selected(&self.fields, place)).map(|place| FIELDS[place].name),
-            );
+            let held: Vec<Field> = Field::selected(self.fields).collect();
+            lacks.extend(Field::selected(wanted.fields).filter(|field| !held.contains(field)).map(Field::name));
         }
         if wanted.limits && !self.limits {
             lacks.push("limits");
@@ -55,9 +55,14 @@ impl Contents {
     }
 }
 
-/// The names of [`COLUMNS`], as a shard lists them.
+/// The names of all columns, as a shard lists them.
 pub(super) fn column_names() -> String {
-    COLUMNS.map(|column| column.name).join(" ")
+    Column::ALL.map(Column::name).join(" ")
+}
+
+/// The names of the selected fields, separated by spaces.
+pub(super) fn field_names(selection: FieldSelection) -> String {
+    Field::selected(selection).map(Field::name).collect::<Vec<_>>().join(" ")
 }
 
 /// Hash of the names of the columns of this version.
@@ -76,44 +81,6 @@ pub(super) fn x_key(x: &[f64]) -> u64 {
         hasher.update(&value.to_bits().to_le_bytes());
     }
     first_eight(&hasher.finalize()).max(1)
-}
-
-/// A field as the files name it.
-pub(super) struct FieldName {
-    pub name: &'static str,
-    pub units: &'static str,
-    pub long_name: &'static str,
-}
-
-/// The fields in the order of [`FieldSelection::names`].
-pub(super) const FIELDS: [FieldName; 3] = [
-    FieldName { name: "pressure", units: "2N/(pi a0)", long_name: "pressure in the film" },
-    FieldName { name: "film_thickness", units: "a0^2/R", long_name: "film thickness" },
-    FieldName { name: "displacement", units: "a0^2/R", long_name: "normal displacement of the surface" },
-];
-
-/// The field at a place in [`FIELDS`].
-pub(super) fn field(fields: &Fields, place: usize) -> Option<&Vec<f64>> {
-    [&fields.pressure, &fields.film_thickness, &fields.displacement][place].as_ref()
-}
-
-/// The same, to be filled.
-pub(super) fn field_mut(fields: &mut Fields, place: usize) -> &mut Option<Vec<f64>> {
-    match place {
-        0 => &mut fields.pressure,
-        1 => &mut fields.film_thickness,
-        _ => &mut fields.displacement,
-    }
-}
-
-/// Whether the field at a place in [`FIELDS`] is selected.
-pub(super) fn selected(selection: &FieldSelection, place: usize) -> bool {
-    [selection.pressure, selection.film_thickness, selection.displacement][place]
-}
-
-/// The places in [`FIELDS`] that are selected.
-pub(super) fn places(selection: FieldSelection) -> impl Iterator<Item = usize> {
-    (0..FIELDS.len()).filter(move |&place| selected(&selection, place))
 }
 
 #[cfg(test)]
@@ -147,15 +114,5 @@ mod tests {
         let moved = Contents::of(&Output { x: [0.0, 1.0].into(), ..Output::default() });
         assert_eq!(moved.lacks(&all), ["fields on this x"]);
         assert_eq!(all.lacks(&all), [""; 0]);
-    }
-
-    #[test]
-    fn the_places_of_fields_agree_with_their_names() {
-        for bits in 0..8 {
-            let selection =
-                FieldSelection { pressure: bits & 1 != 0, film_thickness: bits & 2 != 0, displacement: bits & 4 != 0 };
-            let names: Vec<_> = places(selection).map(|place| FIELDS[place].name).collect();
-            assert_eq!(names, selection.names());
-        }
     }
 }

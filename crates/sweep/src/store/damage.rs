@@ -7,8 +7,8 @@
 use std::collections::HashMap;
 
 use super::StoreError;
+use super::claims::{Claim, shard_record};
 use super::directory::Directory;
-use super::holdings::{Claim, shard_record};
 use crate::CaseId;
 
 /// A shard that is not what its record says.

@@ -6,20 +6,18 @@ use std::path::{Path, PathBuf};
 use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Hyperslab, SliceOrIndex};
 
-use super::contents::FIELDS;
+use super::claims::{Inspection, LogContent, fault, read_claims};
 use super::directory::{Directory, PUBLISHED};
 use super::hdf5_file::{get_text, open};
-use super::holdings::{Inspection, LogContent, fault, read_claims};
 use super::results::DIMENSIONS;
 use super::{Status, StoreError};
-use crate::Dimension;
+use crate::grid_index::indices;
+use crate::{Column, Dimension, Field, GridIndex, GridShape};
 use stribeck_lab::LaboratoryQuantity;
 
 /// A published data set. Numbers are read when they are asked for, so that memory does not depend on the size of the fields.
 ///
-/// A *place* is a point of the grid. Its indices are that of f, that of a row with this f, and that along the row: α and β in a
-/// dimensionless data set; over quantities of the laboratory those between f and the speed, taken together, and the speed.
-/// Places are counted in the order of the plan, the last index fastest.
+/// A *place* is a point of the grid ([`GridIndex`]). Places are counted in the order of the plan, as [`GridShape`] does.
 #[derive(Debug)]
 pub struct DataSet {
     path: PathBuf,
@@ -41,8 +39,8 @@ pub struct DataSet {
     pub fixed: Vec<(String, f64)>,
     /// Where the fields are given, ascending, over a₀; empty if there are none.
     pub x: Vec<f64>,
-    /// Names of the fields that are there.
-    pub fields: Vec<&'static str>,
+    /// The fields that are there, in their order.
+    pub fields: Vec<Field>,
 }
 
 /// What a place of the grid cost, from `timings.csv`.
@@ -114,8 +112,7 @@ impl DataSet {
                 fixed.push((name.to_owned(), file.dataset(name)?.read_scalar::<f64>()?));
             }
         }
-        let fields: Vec<&'static str> =
-            FIELDS.iter().map(|field| field.name).filter(|name| file.link_exists(name)).collect();
+        let fields: Vec<Field> = Field::ALL.into_iter().filter(|field| file.link_exists(field.name())).collect();
         Ok(Self {
             title: get_text(&file, "title")?,
             sweep_text: get_text(&file, "sweep")?,
@@ -137,30 +134,21 @@ impl DataSet {
         self.directory.root()
     }
 
-    /// Values of f, rows with each f, places along a row.
-    pub fn shape(&self) -> [usize; 3] {
-        let (last, before) = self.dimensions.split_last().expect("there are at least two dimensions");
-        [before[0].values.len(), before[1..].iter().map(|it| it.values.len()).product(), last.values.len()]
+    /// The lengths of the grid.
+    pub fn shape(&self) -> GridShape {
+        let mut lengths = self.dimensions.iter().map(|dimension| dimension.values.len());
+        let (strengths, length) = lengths.next().zip(lengths.next_back()).expect("there are at least two dimensions");
+        GridShape { strengths, rows: lengths.product(), length }
     }
 
-    /// The place with these indices.
-    pub fn place(&self, [i_f, i_row, along]: [usize; 3]) -> usize {
-        let [_, rows, length] = self.shape();
-        (i_f * rows + i_row) * length + along
+    /// The number of the place with these indices.
+    pub fn place(&self, index: impl Into<GridIndex>) -> usize {
+        self.shape().place(index.into())
     }
 
     /// The indices of a place on all dimensions.
-    pub fn indices(&self, [i_f, i_row, along]: [usize; 3]) -> Vec<usize> {
-        let between = &self.dimensions[1..self.dimensions.len() - 1];
-        let mut rest = i_row;
-        let mut indices = vec![along];
-        for dimension in between.iter().rev() {
-            indices.push(rest % dimension.values.len());
-            rest /= dimension.values.len();
-        }
-        indices.push(i_f);
-        indices.reverse();
-        indices
+    pub fn indices(&self, index: impl Into<GridIndex>) -> Vec<usize> {
+        indices(self.dimensions.iter().map(|dimension| dimension.values.len()), self.place(index))
     }
 
     /// f, α and β of every place, in SI data sets as they follow from the quantities there.
@@ -168,14 +156,14 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file cannot be read.
     pub fn numbers(&self) -> Result<Vec<[f64; 3]>, StoreError> {
-        let [strengths, rows, length] = self.shape();
+        let shape = self.shape();
         let f = &self.dimensions[0].values;
         if self.laboratory {
-            let (alpha, beta) = (self.column("alpha")?, self.column("beta")?);
-            return Ok((0..alpha.len()).map(|place| [f[place / (rows * length)], alpha[place], beta[place]]).collect());
+            let (alpha, beta) = (self.variable("alpha")?, self.variable("beta")?);
+            return Ok((0..alpha.len()).map(|place| [f[shape.index(place).f], alpha[place], beta[place]]).collect());
         }
         let (alpha, beta) = (&self.dimensions[1].values, &self.dimensions[2].values);
-        let mut numbers = Vec::with_capacity(strengths * rows * length);
+        let mut numbers = Vec::with_capacity(shape.places());
         for f in f {
             for alpha in alpha {
                 numbers.extend(beta.iter().map(|beta| [*f, *alpha, *beta]));
@@ -187,8 +175,17 @@ impl DataSet {
     /// The values of a column, one for each place; NaN where there is none.
     ///
     /// # Errors
-    /// [`StoreError`] if the file has no such column or cannot be read.
-    pub fn column(&self, name: &str) -> Result<Vec<f64>, StoreError> {
+    /// [`StoreError`] if the file cannot be read.
+    pub fn column(&self, column: Column) -> Result<Vec<f64>, StoreError> {
+        self.variable(column.name())
+    }
+
+    /// The values of a variable of numbers that is no column, one for each place: of the laboratory's `alpha`, `beta` and
+    /// scales, or a sensitivity.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file has no such variable or cannot be read.
+    pub fn variable(&self, name: &str) -> Result<Vec<f64>, StoreError> {
         self.on_grid(name, |variable| variable.read_raw())
     }
 
@@ -230,13 +227,13 @@ impl DataSet {
     ///
     /// # Errors
     /// [`StoreError`] if the file has no such field or cannot be read.
-    pub fn field(&self, name: &str, indices: [usize; 3]) -> Result<Vec<f64>, StoreError> {
+    pub fn field(&self, field: Field, index: impl Into<GridIndex>) -> Result<Vec<f64>, StoreError> {
         let all = SliceOrIndex::SliceCount { start: 0, step: 1, count: self.x.len(), block: 1 };
-        let indices = self.indices(indices).into_iter().map(SliceOrIndex::Index);
+        let indices = self.indices(index).into_iter().map(SliceOrIndex::Index);
         let selection: Vec<SliceOrIndex> = indices.chain([all]).collect();
-        let values: Vec<f64> =
-            self.variable(name, |variable| Ok(variable.read_slice_1d(Hyperslab::from(selection))?.to_vec()))?;
-        self.expect_length(name, values.len(), self.x.len())?;
+        let values: Vec<f64> = self
+            .read_variable(field.name(), |variable| Ok(variable.read_slice_1d(Hyperslab::from(selection))?.to_vec()))?;
+        self.expect_length(field.name(), values.len(), self.x.len())?;
         Ok(values)
     }
 
@@ -266,8 +263,8 @@ impl DataSet {
         name: &str,
         read: impl FnOnce(&Dataset) -> hdf5::Result<Vec<T>>,
     ) -> Result<Vec<T>, StoreError> {
-        let values = self.variable(name, read)?;
-        self.expect_length(name, values.len(), self.shape().iter().product())?;
+        let values = self.read_variable(name, read)?;
+        self.expect_length(name, values.len(), self.shape().places())?;
         Ok(values)
     }
 
@@ -279,7 +276,7 @@ impl DataSet {
         Err(StoreError::Altered { path: self.path.clone(), what, sweep: self.directory.sweep() })
     }
 
-    fn variable<T>(&self, name: &str, read: impl FnOnce(&Dataset) -> hdf5::Result<T>) -> Result<T, StoreError> {
+    fn read_variable<T>(&self, name: &str, read: impl FnOnce(&Dataset) -> hdf5::Result<T>) -> Result<T, StoreError> {
         self.file.dataset(name).and_then(|variable| read(&variable)).map_err(StoreError::hdf5(&self.path, "read"))
     }
 }

@@ -1,4 +1,4 @@
-//! The layout of a results directory, its lock, and writing a file whole or not at all.
+//! The layout of a results directory, and its lock.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read, Seek, Write};
@@ -6,11 +6,9 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::StoreError;
+use super::files::{files_in, is_temporary, synchronise_directory};
 use super::log::log_numbers;
 use stribeck_input::printable;
-
-/// Ends the name of a file that is being written. What a killed run leaves under such a name is removed by the next.
-const TEMPORARY: &str = ".stribeck-part";
 
 /// The file whose lock its owner holds.
 const LOCK: &str = "lock";
@@ -154,114 +152,4 @@ fn owner_in(file: &mut File) -> String {
     let mut owner = String::new();
     let known = file.take(LONGEST_OWNER).read_to_string(&mut owner).is_ok() && !owner.trim().is_empty();
     if known { printable(owner.trim()).into_owned() } else { "process unknown".to_owned() }
-}
-
-/// True if a file has this text. One of another size is not read, nor what is no file.
-pub fn holds_text(path: &Path, text: &str) -> bool {
-    let alike = path.metadata().is_ok_and(|found| found.is_file() && found.len() == text.len() as u64);
-    alike && fs::read(path).is_ok_and(|found| found == text.as_bytes())
-}
-
-/// True for a file that a run is writing, or left half written.
-pub(super) fn is_temporary(path: &Path) -> bool {
-    path.file_name().is_some_and(|name| name.to_string_lossy().ends_with(TEMPORARY))
-}
-
-/// The files in a directory, sorted by name.
-pub(super) fn files_in(directory: &Path) -> Result<Vec<PathBuf>, StoreError> {
-    let entries = fs::read_dir(directory).map_err(StoreError::file(directory, "list"))?;
-    let mut files = Vec::new();
-    for entry in entries {
-        let path = entry.map_err(StoreError::file(directory, "list"))?.path();
-        if path.is_file() {
-            files.push(path);
-        }
-    }
-    files.sort();
-    Ok(files)
-}
-
-/// A file under a temporary name beside its final one; dropped before [`Staged::put_in_place`] it is removed.
-pub(super) struct Staged {
-    temporary: PathBuf,
-    target: PathBuf,
-}
-
-impl Staged {
-    pub(super) fn new(target: PathBuf) -> Self {
-        let name = target.file_name().expect("a staged file has a name").to_string_lossy();
-        let temporary = target.with_file_name(format!(".{name}{TEMPORARY}"));
-        Self { temporary, target }
-    }
-
-    /// Where to write.
-    pub(super) fn path(&self) -> &Path {
-        &self.temporary
-    }
-
-    /// Waits until the content is on the disk; returns its size and hash, read back from the file.
-    pub(super) fn synchronise(&self) -> Result<(u64, blake3::Hash), StoreError> {
-        let open = OpenOptions::new().read(true).write(true).open(&self.temporary);
-        let file = open.map_err(StoreError::file(&self.temporary, "open"))?;
-        file.sync_all().map_err(StoreError::file(&self.temporary, "write"))?;
-        hash_file(&self.temporary)
-    }
-
-    /// Gives the file its name, in one step. It is for the caller to wait until the directory is on the disk.
-    pub(super) fn rename(self) -> Result<(), StoreError> {
-        fs::rename(&self.temporary, &self.target).map_err(StoreError::file(&self.target, "replace"))
-    }
-
-    /// Gives the file its name and waits until the directory is on the disk.
-    pub(super) fn put_in_place(self) -> Result<(), StoreError> {
-        let directory = match self.target.parent().expect("a file has a directory") {
-            // A name alone is one in the working directory.
-            parent if parent.as_os_str().is_empty() => Path::new(".").to_owned(),
-            parent => parent.to_owned(),
-        };
-        self.rename()?;
-        synchronise_directory(&directory)
-    }
-}
-
-impl Drop for Staged {
-    fn drop(&mut self) {
-        // Nothing is left there after a rename; if removing fails otherwise, the next start removes it.
-        let _ = fs::remove_file(&self.temporary);
-    }
-}
-
-/// Writes a file whole or not at all: to a temporary name, then to the disk, then in place of what was there.
-///
-/// # Errors
-/// [`StoreError::File`] if the disk does not take it.
-pub fn write_whole(target: PathBuf, content: &[u8]) -> Result<(), StoreError> {
-    let staged = Staged::new(target);
-    fs::write(staged.path(), content).map_err(StoreError::file(staged.path(), "write"))?;
-    staged.synchronise()?;
-    staged.put_in_place()
-}
-
-/// Waits until the names in a directory are on the disk.
-pub(super) fn synchronise_directory(path: &Path) -> Result<(), StoreError> {
-    // Only Unix can open a directory to synchronise it; elsewhere a rename is as durable as the system makes it.
-    if cfg!(unix) {
-        let synchronised = File::open(path).and_then(|directory| directory.sync_all());
-        synchronised.map_err(StoreError::file(path, "write"))?;
-    }
-    Ok(())
-}
-
-/// Size and hash of a file; memory does not depend on its size.
-pub(super) fn hash_file(path: &Path) -> Result<(u64, blake3::Hash), StoreError> {
-    let mut hasher = blake3::Hasher::new();
-    let mut file = File::open(path).map_err(StoreError::file(path, "open"))?;
-    let mut buffer = vec![0; 1 << 16];
-    loop {
-        let read = file.read(&mut buffer).map_err(StoreError::file(path, "read"))?;
-        if read == 0 {
-            return Ok((hasher.count(), hasher.finalize()));
-        }
-        hasher.update(&buffer[..read]);
-    }
 }

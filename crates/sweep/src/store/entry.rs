@@ -1,7 +1,8 @@
 //! One case of a finished chain, as the store keeps it.
 
-use crate::CaseId;
-use stribeck_solver::{COLUMNS, Fields, Sensitivities};
+use crate::{CaseId, Values};
+use stribeck_solver::continuation::Seed;
+use stribeck_solver::{Fields, Sensitivities};
 
 /// What became of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -40,7 +41,7 @@ impl Status {
 }
 
 /// What a case cost; differs from run to run, so it is kept in the log and never in a shard.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Timing {
     /// Wall-clock seconds; finite, not negative.
     pub seconds: f64,
@@ -48,8 +49,8 @@ pub struct Timing {
     pub iterations: u64,
     /// Matrix factorisations.
     pub factorisations: u64,
-    /// Name of the seed that led to the outcome.
-    pub seed: String,
+    /// The seed that led to the outcome; `None` if another version of the program recorded a seed that this one has not.
+    pub seed: Option<Seed>,
     /// The time limit in seconds at which the case was given up, if that is why it failed; above 0.
     pub time_limit: Option<f64>,
 }
@@ -63,8 +64,8 @@ pub struct CaseEntry {
     pub outcome: Status,
     /// Why it failed, one line; empty if it converged.
     pub reason: String,
-    /// The values of [`COLUMNS`], in their order; NaN where there is none.
-    pub values: [f64; COLUMNS.len()],
+    /// Its numbers; NaN where there is none.
+    pub values: Values,
     /// The fields of the store's output; all `None` for a failed case.
     pub fields: Fields,
     /// How friction changes with the parameters, if the store's output asks for it; `None` for a failed case.

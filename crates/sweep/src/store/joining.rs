@@ -7,13 +7,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::directory::{Staged, synchronise_directory};
-use super::holdings::{open_checked, shard_record};
+use super::claims::{open_checked, shard_record};
+use super::files::{Staged, synchronise_directory};
 use super::index::{Shard, Slot};
 use super::open_shards::OpenShards;
 use super::record::{Record, ShardRecord};
 use super::{Contents, Holdings, Status, Store, StoreError};
-use stribeck_solver::COLUMNS;
+use crate::Values;
 
 /// Shards that are taken over with one wait for the disk.
 const AT_ONCE: usize = 256;
@@ -29,8 +29,8 @@ pub struct Joined {
     pub twice: u64,
 }
 
-/// Whether two rows of [`COLUMNS`] of one case are the same, as far as its solver promises.
-pub type Agreement<'a> = dyn Fn(&[f64; COLUMNS.len()], &[f64; COLUMNS.len()]) -> bool + 'a;
+/// Whether two solutions of one case are the same, as far as its solver promises.
+pub type Agreement<'a> = dyn Fn(&Values, &Values) -> bool + 'a;
 
 impl Store {
     /// Takes over all shards of another directory that are as they were written.

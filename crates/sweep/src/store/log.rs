@@ -4,7 +4,7 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::directory::{files_in, synchronise_directory};
+use super::files::{files_in, synchronise_directory};
 use super::record::Record;
 use super::{StoreError, Warning};
 

@@ -15,9 +15,10 @@
 //! then a record is appended to the log and brought to the disk. Whatever the moment at which a run is killed, all
 //! chains with a record are whole, and all others are solved again.
 //!
-//! The store knows no equations: it gets plain numbers in the order of [`stribeck_solver::COLUMNS`]. Every file, data set
+//! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file, data set
 //! and column is described in `docs/output.md`.
 
+mod claims;
 mod contents;
 mod damage;
 mod data_set;
@@ -25,6 +26,7 @@ mod dimension_scales;
 mod directory;
 mod entry;
 mod error;
+mod files;
 mod hdf5_file;
 mod history;
 mod holdings;
@@ -33,6 +35,7 @@ mod joining;
 mod log;
 mod open_shards;
 mod publication;
+mod publish;
 mod reason;
 mod record;
 mod results;
@@ -43,16 +46,17 @@ mod verify;
 mod warning;
 mod writing;
 
+pub use claims::Inspection;
 pub use contents::Contents;
 pub use data_set::{Cost, DataSet};
-pub use directory::holds_text;
-pub use directory::write_whole;
 pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
+pub use files::{holds_text, write_whole};
 pub use history::{Beginning, History, Start};
-pub use holdings::{Counts, Holdings, Inspection, Origin};
+pub use holdings::{Counts, Holdings, Origin};
 pub use joining::{Agreement, Joined};
-pub use publication::{Point, Publication, Published};
+pub use publication::{Point, Publication};
+pub use publish::Published;
 pub use reason::kind_of_reason;
 pub use record::Ending;
 pub use verify::{Problem, VerifyReport, verify};

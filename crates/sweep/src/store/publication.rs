@@ -1,24 +1,8 @@
-//! From shards to the files of the user.
+//! What is published.
 
-use std::ops::Range;
-use std::path::{Path, PathBuf};
-
-use super::contents::{FIELDS, places};
-use super::directory::{PUBLISHED, Staged};
-use super::holdings::{Inspection, LastPublished, fault};
-use super::open_shards::OpenShards;
-use super::record::{FileRecord, Record};
-use super::results::Results;
-use super::sensitivity_columns::{self, SensitivityColumn};
-use super::tables::{Summary, Timings};
-use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
-use crate::CaseId;
-use crate::Dimension;
+use super::{Status, StoreError};
+use crate::{CaseId, Dimension, Values};
 use stribeck_lab::Experiment;
-use stribeck_solver::{COLUMNS, Limits};
-
-/// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
-const PLACES_AT_ONCE: usize = 4096;
 
 /// What is published: a grid, and which case stands at each place of it.
 pub struct Publication<'a> {
@@ -51,13 +35,13 @@ impl Publication<'_> {
     }
 
     /// Number of rows.
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         let shape = self.shape();
         shape[..shape.len() - 1].iter().product()
     }
 
     /// The places of a row, which must be as many as the last dimension has values.
-    fn places(&self, row: usize) -> Result<Vec<Point>, StoreError> {
+    pub(super) fn places(&self, row: usize) -> Result<Vec<Point>, StoreError> {
         let points = (self.row)(row);
         match self.dimensions.last() {
             Some(last) if points.len() != last.values.len() => {
@@ -70,240 +54,12 @@ impl Publication<'_> {
     }
 }
 
-/// What was published.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Published {
-    /// The files: results.h5, summary.csv, timings.csv.
-    pub files: [PathBuf; 3],
-    /// False if they were there already, made of the same cases.
-    pub rewritten: bool,
-    /// Places of the grid that converged.
-    pub converged: u64,
-    /// Places of the grid that failed.
-    pub failed: u64,
-}
-
 /// What stands at a place of the grid.
 pub(super) struct Place {
     pub point: Point,
     pub status: Status,
     pub reason: String,
-    pub values: [f64; COLUMNS.len()],
+    pub values: Values,
     /// Of the columns of sensitivities; empty if they are not asked for.
     pub sensitivities: Vec<f64>,
-}
-
-impl Store {
-    /// Publishes the sweep: writes `results.h5`, `summary.csv` and `timings.csv` under temporary names and puts them in
-    /// place together, unless they are there already, made of the same cases and as they were written.
-    ///
-    /// The bytes of the first two depend on nothing but the publication, the cases and the version of the program. Goes
-    /// through the grid row by row; memory does not depend on its size.
-    ///
-    /// # Errors
-    /// [`StoreError::Unfinished`] if places of the grid have no case (nothing is written then),
-    /// [`StoreError::Publication`] if a row does not have a case for each β, others if the disk fails.
-    pub fn publish(&mut self, publication: &Publication<'_>) -> Result<Published, StoreError> {
-        let Survey { key, converged, failed } = survey(self, publication)?;
-        let files = PUBLISHED.map(|name| self.directory.published(name));
-        if is_in_place(self, &key)? {
-            if self.history.unpublished {
-                // Shards were lost and came back as they were. The record stands behind theirs again.
-                let files = self.published.as_ref().map_or_else(Vec::new, |last| last.files.clone());
-                self.append(&Record::Published { key, files, time: clock() })?;
-            }
-            return Ok(Published { files, rewritten: false, converged, failed });
-        }
-        let staged = files.clone().map(Staged::new);
-        write(self, publication, &staged)?;
-        let mut records = Vec::new();
-        for (name, file) in PUBLISHED.iter().zip(&staged) {
-            let (bytes, hash) = file.synchronise()?;
-            records.push(FileRecord { file: (*name).to_owned(), bytes, blake3: hash.to_hex().to_string() });
-        }
-        for file in staged {
-            file.put_in_place()?;
-        }
-        self.append(&Record::Published { key: key.clone(), files: records.clone(), time: clock() })?;
-        self.holdings_mut().published = Some(LastPublished { key, files: records });
-        Ok(Published { files, rewritten: true, converged, failed })
-    }
-}
-
-/// True if the files of a publication with this key are there, byte for byte.
-fn is_in_place(store: &Holdings, key: &str) -> Result<bool, StoreError> {
-    let Some(last) = store.published.as_ref().filter(|last| last.key == key) else { return Ok(false) };
-    for file in &last.files {
-        if fault(&store.directory.published(&file.file), file, Inspection::Bytes)?.is_some() {
-            return Ok(false);
-        }
-    }
-    Ok(true)
-}
-
-struct Survey {
-    /// Hash of all that the published bytes depend on.
-    key: String,
-    converged: u64,
-    failed: u64,
-}
-
-/// Looks up every place of the grid before anything is written.
-fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, StoreError> {
-    let mut hasher = blake3::Hasher::new();
-    for text in [PROGRAM, publication.title, publication.sweep_text] {
-        hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
-    }
-    let contents = Contents::of(&store.output);
-    hasher.update(contents.fields.names().join(" ").as_bytes()).update(&contents.x.to_le_bytes());
-    hasher.update(&[u8::from(contents.limits), u8::from(contents.sensitivities)]);
-    for dimension in publication.dimensions {
-        hasher.update(&(dimension.name.len() as u64).to_le_bytes()).update(dimension.name.as_bytes());
-        hasher.update(&(dimension.values.len() as u64).to_le_bytes());
-        for value in &dimension.values {
-            hasher.update(&value.to_bits().to_le_bytes());
-        }
-    }
-    let (mut converged, mut failed, mut missing) = (0, 0, 0);
-    for row in 0..publication.rows() {
-        for Point { case: id, .. } in publication.places(row)? {
-            let Some(slot) = store.index.complete(id) else {
-                missing += 1;
-                continue;
-            };
-            hasher.update(&id.0.to_le_bytes()).update(store.index.shard(slot.shard).hash.as_bytes());
-            match slot.status {
-                Status::Converged => converged += 1,
-                Status::Failed => failed += 1,
-            }
-        }
-    }
-    if missing > 0 {
-        return Err(StoreError::Unfinished { missing, places: missing + converged + failed });
-    }
-    Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed })
-}
-
-fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
-    let mut files = Files::create(store, publication, staged)?;
-    let shape = publication.shape();
-    let &[.., neighbours, length] = &shape[..] else {
-        return Err(StoreError::Publication { what: "results have at least two dimensions".to_owned() });
-    };
-    let rows_at_once = (PLACES_AT_ONCE / length).max(1);
-    for block in 0..publication.rows() / neighbours {
-        for first in (0..neighbours).step_by(rows_at_once) {
-            files.rows(block, first..neighbours.min(first + rows_at_once))?;
-        }
-    }
-    files.finish()
-}
-
-/// The published files while they are written.
-struct Files<'a> {
-    store: &'a Holdings,
-    publication: &'a Publication<'a>,
-    open: OpenShards<'a>,
-    results: Results,
-    results_path: &'a Path,
-    summary: Summary,
-    timings: Timings,
-}
-
-impl<'a> Files<'a> {
-    fn create(
-        store: &'a Holdings,
-        publication: &'a Publication<'a>,
-        [results, summary, timings]: &'a [Staged; 3],
-    ) -> Result<Self, StoreError> {
-        let results_path = results.path();
-        let first = publication.places(0)?[0].experiment;
-        let more: Vec<SensitivityColumn> = match store.output.sensitivities {
-            true => sensitivity_columns::columns(first.as_ref()),
-            false => Vec::new(),
-        };
-        Ok(Self {
-            store,
-            publication,
-            open: OpenShards::new(store),
-            results: Results::create(results_path, publication, first.as_ref(), &more, &store.output)
-                .map_err(StoreError::hdf5(results_path, "write"))?,
-            results_path,
-            summary: Summary::create(summary.path(), first.as_ref(), &more)?,
-            timings: Timings::create(timings.path())?,
-        })
-    }
-
-    /// Writes neighbouring rows: those of a range of the last dimension but one.
-    fn rows(&mut self, block: usize, range: Range<usize>) -> Result<(), StoreError> {
-        let shape = self.publication.shape();
-        let (neighbours, length) = (shape[shape.len() - 2], shape[shape.len() - 1]);
-        let mut places = Vec::with_capacity(range.len() * length);
-        for row in range.clone() {
-            let row = block * neighbours + row;
-            for (column, point) in self.publication.places(row)?.into_iter().enumerate() {
-                places.push(self.place(row * length + column, point)?);
-            }
-        }
-        self.results.rows(block, range, &places).map_err(StoreError::hdf5(self.results_path, "write"))
-    }
-
-    /// Writes what is written place by place: tables and fields. Returns the rest.
-    fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
-        let scales = point.experiment.map(|experiment| experiment.scales());
-        let output = &self.store.output;
-        let slot = self.store.index.complete(point.case).expect("the survey found every case");
-        let (shard, case) = self.open.case(point.case, slot)?;
-        let reader = &shard.reader;
-        let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let mut values = asked(reader.values(case), output.limits);
-        let sensitivities = match output.sensitivities {
-            true => sensitivity_columns::values(
-                reader.sensitivities(case).as_ref(),
-                ["mu_v", "mu_h"].map(|name| values[place_of(name)]),
-                point.experiment.as_ref(),
-            ),
-            false => Vec::new(),
-        };
-        if let Some(scales) = &scales {
-            for (value, column) in values.iter_mut().zip(&COLUMNS) {
-                *value *= scales.factor(column.units);
-            }
-        }
-        let place = Place { point, status, reason, values, sensitivities };
-        self.summary.row(&place)?;
-        self.timings.row(&place, &shard.cases[case])?;
-        for field in places(output.fields) {
-            if let Some(mut values) = reader.field(field, case)? {
-                if let Some(scales) = &scales {
-                    let factor = scales.factor(FIELDS[field].units);
-                    values.iter_mut().for_each(|value| *value *= factor);
-                }
-                let written = self.results.field(field, at, &values);
-                written.map_err(StoreError::hdf5(self.results_path, "write"))?;
-            }
-        }
-        Ok(place)
-    }
-
-    fn finish(self) -> Result<(), StoreError> {
-        self.results.finish().map_err(StoreError::hdf5(self.results_path, "write"))?;
-        self.summary.finish()?;
-        self.timings.finish()
-    }
-}
-
-/// The place of a column.
-fn place_of(name: &str) -> usize {
-    COLUMNS.iter().position(|column| column.name == name).expect("a column")
-}
-
-/// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.
-fn asked(mut values: [f64; COLUMNS.len()], limits: bool) -> [f64; COLUMNS.len()] {
-    for (value, column) in values.iter_mut().zip(&COLUMNS) {
-        if !limits && Limits::COLUMNS.contains(&column.name) {
-            *value = f64::NAN;
-        }
-    }
-    values
 }

@@ -9,9 +9,8 @@ use serde_json::Value;
 
 use super::contents::columns_key;
 use super::{CaseEntry, Contents, Status, Timing};
-use crate::CaseId;
+use crate::{CaseId, Field};
 use stribeck_input::printable;
-use stribeck_solver::FieldSelection;
 
 /// What a log line says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -106,39 +105,38 @@ pub(super) struct CaseRecord {
 
 impl CaseRecord {
     pub(super) fn of(entry: &CaseEntry) -> Self {
-        let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing.clone();
+        let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing;
+        let seed = seed.map_or_else(String::new, |seed| seed.to_string());
         let (case, status, reason) = (entry.id, entry.outcome, entry.reason.clone());
         Self { case, status, reason, seconds, iterations, factorisations, seed, time_limit }
     }
 
     pub(super) fn timing(&self) -> Timing {
-        let Self { seconds, iterations, factorisations, seed, time_limit, .. } = self.clone();
-        Timing { seconds, iterations, factorisations, seed, time_limit }
+        let Self { seconds, iterations, factorisations, time_limit, .. } = *self;
+        Timing { seconds, iterations, factorisations, seed: self.seed.parse().ok(), time_limit }
     }
 }
 
 impl ShardRecord {
     pub(super) fn new(file: FileRecord, contents: &Contents, recipe: Value, time: u64, cases: Vec<CaseRecord>) -> Self {
         let &Contents { fields, x, limits, sensitivities, columns } = contents;
-        let fields = fields.names().into_iter().map(str::to_owned).collect();
+        let fields = Field::selected(fields).map(|field| field.name().to_owned()).collect();
         let (x, columns) = (hexadecimal(x), hexadecimal(columns));
         Self { file, fields, x, limits, sensitivities, columns, recipe, time, cases }
     }
 
     /// What the shard holds; `None` if the record names a field unknown to this version.
     pub(super) fn contents(&self) -> Option<Contents> {
-        let mut fields = FieldSelection::default();
-        for name in &self.fields {
-            match name.as_str() {
-                "pressure" => fields.pressure = true,
-                "film_thickness" => fields.film_thickness = true,
-                "displacement" => fields.displacement = true,
-                _ => return None,
-            }
-        }
+        let fields = self.fields.iter().map(|name| Field::named(name)).collect::<Option<Vec<_>>>()?;
         let x = u64::from_str_radix(&self.x, 16).ok()?;
         let columns = u64::from_str_radix(&self.columns, 16).ok()?;
-        Some(Contents { fields, x, limits: self.limits, sensitivities: self.sensitivities, columns })
+        Some(Contents {
+            fields: Field::selection(fields),
+            x,
+            limits: self.limits,
+            sensitivities: self.sensitivities,
+            columns,
+        })
     }
 }
 

@@ -7,16 +7,16 @@ use hdf5::types::VarLenUnicode;
 use hdf5::{Dataset, H5Type, Hyperslab, Result, SliceOrIndex};
 use ndarray::{Array2, arr0, aview1};
 
-use super::contents::{FIELDS, places};
 use super::dimension_scales::{attach, make_scale};
 use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
 use super::sensitivity_columns::SensitivityColumn;
 use super::shard::{CaseText, case_text};
 use super::{PROGRAM, Status};
-use crate::Dimension;
+use crate::grid_index::indices;
+use crate::{Column, Dimension, Field};
 use stribeck_lab::{Experiment, Scales, si_units};
-use stribeck_solver::{COLUMNS, Output};
+use stribeck_solver::Output;
 
 /// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f, alpha, beta.
 pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
@@ -24,13 +24,15 @@ pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
 /// `results.h5` while it is written.
 pub(super) struct Results {
     shape: Vec<usize>,
+    /// In the order of [`Column::ALL`].
     columns: Vec<Dataset>,
     sensitivities: Vec<Dataset>,
     laboratory: Option<LaboratoryVariables>,
     case: Dataset,
     status: Dataset,
     reason: Dataset,
-    fields: [Option<Dataset>; FIELDS.len()],
+    /// In the order of [`Field::ALL`].
+    fields: [Option<Dataset>; Field::ALL.len()],
     file: NewFile,
 }
 
@@ -80,24 +82,24 @@ impl Results {
         set_text(&status, "flag_meanings", &Status::ALL.map(Status::name).join(" "))?;
         let why = "why the case failed; empty if it converged";
         let reason = layout.variable::<VarLenUnicode>(&mut file, "reason", None, why)?;
-        let mut columns = Vec::with_capacity(COLUMNS.len());
-        for column in &COLUMNS {
-            columns.push(layout.number(&mut file, column.name, units(column.units), column.long_name)?);
+        let mut columns = Vec::with_capacity(Column::ALL.len());
+        for column in Column::ALL {
+            columns.push(layout.number(&mut file, column.name(), units(column.units()), column.long_name())?);
         }
         let sensitivities = more
             .iter()
             .map(|column| layout.number(&mut file, &column.name, "1", &column.long_name))
             .collect::<Result<Vec<_>>>()?;
 
-        let mut fields = [const { None }; FIELDS.len()];
+        let mut fields = [const { None }; Field::ALL.len()];
         if !output.fields.is_empty() {
             let place = "position along the surface; the inlet is at x > 0";
             layout.grid.push(coordinate(&mut file, "x", "a0", place, &output.x)?);
         }
         let shape: Vec<usize> = layout.shape.iter().copied().chain([output.x.len()]).collect();
         let chunk: Vec<usize> = layout.shape.iter().map(|_| 1).chain([output.x.len()]).collect();
-        for place in places(output.fields) {
-            let field = file
+        for field in Field::selected(output.fields) {
+            let variable = file
                 .dataset()
                 .chunk(chunk.as_slice())
                 .shuffle()
@@ -105,11 +107,11 @@ impl Results {
                 .fill_value(f64::NAN)
                 .empty::<f64>()
                 .shape(shape.as_slice())
-                .create(FIELDS[place].name)?;
-            let field = file.keep(field);
-            layout.describe(&field, Some(units(FIELDS[place].units)), FIELDS[place].long_name)?;
-            set_fill(&field)?;
-            fields[place] = Some(field);
+                .create(field.name())?;
+            let variable = file.keep(variable);
+            layout.describe(&variable, Some(units(field.units())), field.long_name())?;
+            set_fill(&variable)?;
+            fields[field as usize] = Some(variable);
         }
         Ok(Self { shape: layout.shape, columns, sensitivities, laboratory, case, status, reason, fields, file })
     }
@@ -118,8 +120,8 @@ impl Results {
     /// dimensions before it.
     pub(super) fn rows(&mut self, block: usize, range: Range<usize>, places: &[Place]) -> Result<()> {
         let write = Write { shape: &self.shape, block, range };
-        for (i, variable) in self.columns.iter().enumerate() {
-            write.to(variable, places.iter().map(|place| place.values[i]))?;
+        for (column, variable) in Column::ALL.into_iter().zip(&self.columns) {
+            write.to(variable, places.iter().map(|place| place.values[column]))?;
         }
         for (i, variable) in self.sensitivities.iter().enumerate() {
             write.to(variable, places.iter().map(|place| place.sensitivities[i]))?;
@@ -139,11 +141,11 @@ impl Results {
     }
 
     /// Writes a field of one place, counted with the last dimension fastest. Where this is not called the field is NaN.
-    pub(super) fn field(&mut self, field: usize, place: usize, values: &[f64]) -> Result<()> {
-        let Some(variable) = &self.fields[field] else {
-            return Err(format!("{} is not part of this publication", FIELDS[field].name).into());
+    pub(super) fn field(&mut self, field: Field, place: usize, values: &[f64]) -> Result<()> {
+        let Some(variable) = &self.fields[field as usize] else {
+            return Err(format!("{} is not part of this publication", field.name()).into());
         };
-        let indices = indices(&self.shape, place);
+        let indices = indices(self.shape.iter().copied(), place);
         let selection: Vec<SliceOrIndex> =
             indices.into_iter().map(SliceOrIndex::Index).chain([all(values.len())]).collect();
         variable.write_slice(aview1(values), Hyperslab::from(selection))
@@ -241,7 +243,8 @@ impl Write<'_> {
         let Self { shape, block, range } = self;
         let (outer, inner) = shape.split_at(shape.len() - 2);
         let rows = SliceOrIndex::SliceCount { start: range.start, step: 1, count: range.len(), block: 1 };
-        let selection = indices(outer, *block).into_iter().map(SliceOrIndex::Index).chain([rows, all(inner[1])]);
+        let selection =
+            indices(outer.iter().copied(), *block).into_iter().map(SliceOrIndex::Index).chain([rows, all(inner[1])]);
         let values = Array2::from_shape_vec((range.len(), inner[1]), values.collect())?;
         variable.write_slice(&values, Hyperslab::from(selection.collect::<Vec<_>>()))
     }
@@ -250,22 +253,6 @@ impl Write<'_> {
 /// All of a dimension with so many values.
 fn all(length: usize) -> SliceOrIndex {
     SliceOrIndex::SliceCount { start: 0, step: 1, count: length, block: 1 }
-}
-
-/// The indices of a place, counted with the last dimension fastest.
-fn indices(shape: &[usize], place: usize) -> Vec<usize> {
-    let mut rest = place;
-    let mut indices: Vec<usize> = shape
-        .iter()
-        .rev()
-        .map(|length| {
-            let index = rest % length;
-            rest /= length;
-            index
-        })
-        .collect();
-    indices.reverse();
-    indices
 }
 
 /// A coordinate: a one-dimensional variable that is the scale of the dimension of its name.

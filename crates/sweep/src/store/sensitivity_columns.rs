@@ -1,10 +1,11 @@
 //! The columns of published sensitivities: d ln μ/d ln q for each input q of a case.
 
+use crate::Column;
 use stribeck_lab::{Experiment, LaboratoryQuantity, Powers};
 use stribeck_solver::Sensitivities;
 
 /// The friction coefficients that have sensitivities.
-const FRICTION: [&str; 3] = ["mu_v", "mu_h", "mu_tot"];
+const FRICTION: [Column; 3] = [Column::MuV, Column::MuH, Column::MuTot];
 
 /// An input of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,9 +57,10 @@ pub(super) struct SensitivityColumn {
 /// The columns of a sweep, those of one friction coefficient together.
 pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<SensitivityColumn> {
     let inputs = Input::all(experiment);
-    let column = |mu: &str, input: &Input| SensitivityColumn {
-        name: format!("dln_{mu}_dln_{}", input.name()),
-        long_name: format!("relative change of {mu} over that of {}", input.name()),
+    let column = |mu: &Column, input: &Input| {
+        let (mu, input) = (mu.name(), input.name());
+        let name = format!("dln_{mu}_dln_{input}");
+        SensitivityColumn { name, long_name: format!("relative change of {mu} over that of {input}") }
     };
     FRICTION.iter().flat_map(|mu| inputs.iter().map(|input| column(mu, input)).collect::<Vec<_>>()).collect()
 }
@@ -105,11 +107,11 @@ mod tests {
         let of = |mu: &str, input: &str| {
             values[names.iter().position(|name| *name == format!("dln_{mu}_dln_{input}")).expect(input)]
         };
-        for mu in FRICTION {
+        for mu in FRICTION.map(Column::name) {
             assert!((of(mu, "speed") - of(mu, "viscosity") - of(mu, "retardation_time")).abs() < 1e-15);
         }
         // dimensional analysis: nothing changes where all units of length change, or of mass, or of time
-        for mu in FRICTION {
+        for mu in FRICTION.map(Column::name) {
             let length = of(mu, "radius") - of(mu, "instantaneous_modulus") - of(mu, "viscosity") + of(mu, "speed");
             let mass = of(mu, "load") + of(mu, "instantaneous_modulus") + of(mu, "viscosity");
             let time = -2.0 * of(mu, "load") - 2.0 * of(mu, "instantaneous_modulus") - of(mu, "viscosity")

@@ -6,17 +6,17 @@ use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Result};
 use ndarray::{Array2, ArrayView2, s};
 
-use super::contents::{FIELDS, column_names, field, field_mut, places, x_key};
+use super::contents::{column_names, field_names, x_key};
 use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
 use super::{CaseEntry, Contents, Status, StoreError};
-use crate::CaseId;
-use stribeck_solver::{COLUMNS, Fields, Sensitivities};
+use crate::{CaseId, Column, Field, Values};
+use stribeck_solver::{Fields, Sensitivities};
 
 /// A case id in an HDF5 file: 16 characters.
 pub(super) type CaseText = FixedAscii<16>;
 
 /// Numbers of the sensitivities of a case.
-const SENSITIVITIES: usize = Sensitivities::COLUMNS.len();
+const SENSITIVITIES: usize = Sensitivities::NAMES.len();
 
 /// The characters of a case id.
 pub(super) fn case_text(id: CaseId) -> CaseText {
@@ -30,7 +30,7 @@ pub(super) const SHARD_DIGITS: usize = 32;
 pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents) -> String {
     let mut hasher = blake3::Hasher::new();
     hasher.update(b"stribeck shard 1");
-    hasher.update(contents.fields.names().join(" ").as_bytes());
+    hasher.update(field_names(contents.fields).as_bytes());
     hasher.update(&contents.x.to_le_bytes());
     hasher.update(&[u8::from(contents.limits)]);
     if contents.sensitivities {
@@ -57,8 +57,8 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
     file.write("status", &statuses)?;
     let reasons = cases.iter().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
     file.write("reason", &reasons)?;
-    let values: Vec<f64> = cases.iter().flat_map(|entry| entry.values).collect();
-    file.write("values", ArrayView2::from_shape((cases.len(), COLUMNS.len()), &values)?)?;
+    let values: Vec<f64> = cases.iter().flat_map(|entry| entry.values.0).collect();
+    file.write("values", ArrayView2::from_shape((cases.len(), Column::ALL.len()), &values)?)?;
     if contents.sensitivities {
         let unknown = [f64::NAN; SENSITIVITIES];
         let row = |entry: &CaseEntry| entry.sensitivities.map_or(unknown, |known| known.row());
@@ -69,7 +69,7 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
     if !contents.fields.is_empty() {
         file.write("x", x)?;
     }
-    for place in places(contents.fields) {
+    for field in Field::selected(contents.fields) {
         let matrix = file
             .dataset()
             .chunk((1, x.len()))
@@ -78,11 +78,11 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
             .fill_value(f64::NAN)
             .empty::<f64>()
             .shape((cases.len(), x.len()))
-            .create(FIELDS[place].name)?;
+            .create(field.name())?;
         let matrix = file.keep(matrix);
         for (row, entry) in cases.iter().enumerate() {
-            if let Some(field) = field(&entry.fields, place) {
-                matrix.write_slice(field, s![row, ..])?;
+            if let Some(values) = field.of(&entry.fields) {
+                matrix.write_slice(values, s![row, ..])?;
             }
         }
     }
@@ -96,9 +96,10 @@ pub(super) struct ShardReader {
     statuses: Vec<Status>,
     reasons: Vec<VarLenUnicode>,
     values: Array2<f64>,
-    /// Of [`Sensitivities::COLUMNS`], if the shard has them.
+    /// Of [`Sensitivities::NAMES`], if the shard has them.
     sensitivities: Option<Array2<f64>>,
-    fields: [Option<Dataset>; FIELDS.len()],
+    /// In the order of [`Field::ALL`].
+    fields: [Option<Dataset>; Field::ALL.len()],
 }
 
 impl ShardReader {
@@ -112,7 +113,7 @@ impl ShardReader {
             let statuses: Vec<Status> = codes.iter().filter_map(|&code| Status::from_code(code)).collect();
             let reasons = file.dataset("reason")?.read_raw::<VarLenUnicode>()?;
             let values = file.dataset("values")?.read_2d::<f64>()?;
-            let mut fields = [const { None }; FIELDS.len()];
+            let mut fields = [const { None }; Field::ALL.len()];
             let (cases, mut width) = (case_texts.len(), 0);
             let mut fault = None;
             let mut sensitivities = None;
@@ -130,12 +131,12 @@ impl ShardReader {
                     fault = Some("its x is not the one of its record".to_owned());
                 }
             }
-            for place in places(contents.fields) {
-                let matrix = file.dataset(FIELDS[place].name)?;
+            for field in Field::selected(contents.fields) {
+                let matrix = file.dataset(field.name())?;
                 if matrix.shape() != [cases, width] {
-                    fault = Some(format!("{} has the shape {:?}", FIELDS[place].name, matrix.shape()));
+                    fault = Some(format!("{} has the shape {:?}", field.name(), matrix.shape()));
                 }
-                fields[place] = Some(matrix);
+                fields[field as usize] = Some(matrix);
             }
             if get_text(&file, "columns")? != column_names() {
                 fault = Some("its columns are those of another version of the program".to_owned());
@@ -164,8 +165,8 @@ impl ShardReader {
         self.reasons[row].as_str()
     }
 
-    pub(super) fn values(&self, row: usize) -> [f64; COLUMNS.len()] {
-        std::array::from_fn(|column| self.values[(row, column)])
+    pub(super) fn values(&self, row: usize) -> Values {
+        Values(std::array::from_fn(|column| self.values[(row, column)]))
     }
 
     /// How friction of a case changes with the parameters; `None` if the shard has it not, or the case failed.
@@ -174,9 +175,9 @@ impl ShardReader {
         Sensitivities::from_row(std::array::from_fn(|column| values[(row, column)]))
     }
 
-    /// The field at a place in [`FIELDS`]; `None` if the shard has it not, or the case failed.
-    pub(super) fn field(&self, place: usize, row: usize) -> Result<Option<Vec<f64>>, StoreError> {
-        match &self.fields[place] {
+    /// A field of a case; `None` if the shard has it not, or the case failed.
+    pub(super) fn field(&self, field: Field, row: usize) -> Result<Option<Vec<f64>>, StoreError> {
+        match &self.fields[field as usize] {
             Some(matrix) if self.status(row) == Status::Converged => {
                 let values = matrix.read_slice_1d::<f64, _>(s![row, ..]);
                 Ok(Some(values.map_err(StoreError::hdf5(&self.path, "read"))?.to_vec()))
@@ -187,10 +188,10 @@ impl ShardReader {
 
     /// All fields of a case.
     pub(super) fn all_fields(&self, row: usize) -> Result<Fields, StoreError> {
-        let mut fields = Fields::default();
-        for place in 0..FIELDS.len() {
-            *field_mut(&mut fields, place) = self.field(place, row)?;
-        }
-        Ok(fields)
+        Ok(Fields {
+            pressure: self.field(Field::Pressure, row)?,
+            film_thickness: self.field(Field::FilmThickness, row)?,
+            displacement: self.field(Field::Displacement, row)?,
+        })
     }
 }

@@ -9,8 +9,8 @@ use super::StoreError;
 use super::publication::{Place, Point};
 use super::record::CaseRecord;
 use super::sensitivity_columns::SensitivityColumn;
+use crate::Column;
 use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
-use stribeck_solver::COLUMNS;
 
 /// A table under a temporary name.
 struct Table {
@@ -76,7 +76,7 @@ impl Summary {
         more: &[SensitivityColumn],
     ) -> Result<Self, StoreError> {
         let quantities = experiment.into_iter().flat_map(Experiment::given).map(LaboratoryQuantity::name);
-        let columns = COLUMNS.iter().filter(|column| column.in_summary).map(|column| column.name);
+        let columns = Column::summary().map(Column::name);
         let scales = experiment.into_iter().flat_map(|_| Scales::VARIABLES).map(|(name, ..)| name);
         let header = ["case", "f", "alpha", "beta"].into_iter().chain(quantities).chain(["status", "reason"]);
         let header = header.chain(columns).chain(scales).map(str::to_owned);
@@ -91,8 +91,7 @@ impl Summary {
         }
         table.field(place.status.name())?;
         table.field(&place.reason)?;
-        let values = COLUMNS.iter().zip(place.values).filter(|(column, _)| column.in_summary);
-        table.numbers(values.map(|(_, value)| value))?;
+        table.numbers(Column::summary().map(|column| place.values[column]))?;
         if let Some(experiment) = experiment {
             table.numbers(experiment.scales().values())?;
         }

@@ -3,9 +3,10 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use super::claims::{Claim, Inspection, LogContent, fault, open_checked, read_claims, shard_record};
 use super::damage::{Damage, inspect};
-use super::directory::{Directory, files_in, is_temporary};
-use super::holdings::{Claim, Inspection, LogContent, fault, open_checked, read_claims, shard_record};
+use super::directory::Directory;
+use super::files::{files_in, is_temporary};
 use super::{StoreError, Warning};
 use stribeck_input::{printable, shown};
 

@@ -7,14 +7,15 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::contents::{field, places};
-use super::directory::{Directory, Staged, holds_text, write_whole};
-use super::holdings::Inspection;
+use super::claims::Inspection;
+use super::directory::Directory;
+use super::files::{Staged, holds_text, write_whole};
 use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
 use super::shard::{shard_name, write_shard};
 use super::{CaseEntry, Contents, Ending, Holdings, PROGRAM, Status, StoreError, clock};
+use crate::Field;
 use stribeck_solver::Output;
 
 /// A results directory opened for writing. All that [`Holdings`] tells is here as well.
@@ -176,12 +177,12 @@ fn check(cases: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), Stor
             (Some(_), Status::Failed) => return refuse("it failed and has sensitivities".to_owned()),
             _ => {}
         }
-        for place in places(contents.fields) {
-            let name = super::contents::FIELDS[place].name;
-            match (field(&entry.fields, place), entry.outcome) {
-                (Some(field), Status::Converged) if field.len() == x.len() => {}
-                (Some(field), Status::Converged) => {
-                    return refuse(format!("{name} has {} values on {} points", field.len(), x.len()));
+        for field in Field::selected(contents.fields) {
+            let name = field.name();
+            match (field.of(&entry.fields), entry.outcome) {
+                (Some(values), Status::Converged) if values.len() == x.len() => {}
+                (Some(values), Status::Converged) => {
+                    return refuse(format!("{name} has {} values on {} points", values.len(), x.len()));
                 }
                 (None, Status::Converged) => return refuse(format!("it converged and has no {name}")),
                 (Some(_), Status::Failed) => return refuse(format!("it failed and has a {name}")),

@@ -107,6 +107,6 @@ fn same(held: &Holdings, case: &CaseEntry) -> bool {
     let Ok(Some(found)) = held.entry(case.id) else { return false };
     let pressure = |case: &CaseEntry| case.fields.pressure.as_deref().map(bits);
     (found.id, found.outcome, &found.reason) == (case.id, case.outcome, &case.reason)
-        && bits(&found.values) == bits(&case.values)
+        && bits(&found.values.0) == bits(&case.values.0)
         && pressure(&found) == pressure(case)
 }

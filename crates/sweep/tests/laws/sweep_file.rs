@@ -4,8 +4,7 @@ use std::collections::HashSet;
 
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use stribeck_input::InputError;
-use stribeck_sweep::CaseId;
-use stribeck_sweep::{Axes, MAX_CHAIN, Plan, Sweep};
+use stribeck_sweep::{Axes, CaseId, MAX_CHAIN, Plan, Sweep};
 
 /// Up to this many cases a plan is gone through case by case.
 const FEW: usize = 2000;
@@ -67,9 +66,8 @@ fn planned(sweep: &Sweep, plan: &Plan) {
         assert!(plan.ids(&chain).into_iter().all(|id| solved.insert(id)), "a case is solved twice");
     }
     assert_eq!(solved.len(), plan.problems());
-    let case_at = |i_f, i_alpha, i_beta| plan.case_at(i_f, i_alpha, i_beta);
-    let rows = (0..f.len()).flat_map(|i_f| (0..alpha.len()).map(move |i_alpha| (i_f, i_alpha)));
-    let wanted: HashSet<CaseId> =
-        rows.flat_map(|(i_f, i_alpha)| (0..beta.len()).map(move |i_beta| case_at(i_f, i_alpha, i_beta))).collect();
+    let shape = sweep.grid.shape();
+    assert_eq!(shape.lengths(), [f.len(), alpha.len(), beta.len()]);
+    let wanted: HashSet<CaseId> = (0..shape.places()).map(|place| plan.case_at(shape.index(place))).collect();
     assert_eq!(solved, wanted, "what is solved is what the sweep asks for");
 }

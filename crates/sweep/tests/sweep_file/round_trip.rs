@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
 use stribeck_solver::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
-use stribeck_sweep::{Axes, Method, SolverSettings, Sweep};
+use stribeck_sweep::{Axes, Field, Method, SolverSettings, Sweep};
 
 use crate::sweep_file::with_beta;
 
@@ -113,7 +113,7 @@ fn written(sweep: &Sweep) -> String {
         axes.f,
         axes.alpha,
         modes.join(", "),
-        output.fields.names(),
+        Field::selected(output.fields).map(Field::name).collect::<Vec<_>>(),
         output.x,
         output.limits,
         output.cavity_shear,

@@ -6,9 +6,10 @@ pub use crate::grids::publish as publish_as;
 
 use std::path::Path;
 
-use stribeck_solver::{COLUMNS, FieldSelection, Fields, Output, Sensitivities};
-use stribeck_sweep::CaseId;
+use stribeck_solver::continuation::Seed;
+use stribeck_solver::{FieldSelection, Fields, Output, Sensitivities};
 use stribeck_sweep::store::{CaseEntry, Published, Status, Store, StoreError, Timing};
+use stribeck_sweep::{CaseId, Column, Values};
 
 pub const F: [f64; 2] = [0.0, 100.0];
 pub const ALPHA: [f64; 4] = [0.1, 1.0, 10.0, f64::INFINITY];
@@ -33,11 +34,11 @@ pub fn fails(f: f64, alpha: f64, beta: f64) -> bool {
 
 pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
     let failed = fails(f, alpha, beta);
-    let mut values = [f64::NAN; COLUMNS.len()];
-    for (i, value) in values.iter_mut().enumerate().filter(|_| !failed) {
+    let mut values = Values::UNKNOWN;
+    for (i, value) in values.0.iter_mut().enumerate().filter(|_| !failed) {
         *value = (1.0 + i as f64) * f.ln_1p() / (1.0 + alpha) - beta.powf(-0.6) / 3.0;
     }
-    values[9] = f64::NAN; // no estimate
+    values[Column::ErrorMuV] = f64::NAN; // no estimate
     let shape = |scale: f64| -> Vec<f64> { output.x.iter().map(|x| scale * (-x * x * beta.ln()).exp()).collect() };
     let wanted = |selected: bool, scale: f64| (selected && !failed).then(|| shape(scale));
     let FieldSelection { pressure, film_thickness, displacement } = output.fields;
@@ -61,7 +62,7 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
             seconds: 0.125 + beta / 3.0,
             iterations: 300,
             factorisations: 0,
-            seed: "neighbour".into(),
+            seed: Some(Seed::Neighbour),
             time_limit: None,
         },
     }

@@ -1,0 +1,57 @@
+// Measured points of the quantity, as diamonds with their standard errors.
+
+import { contents } from "./contents.js";
+import { axes, axisWords, indicesOf } from "./grid.js";
+import { digits } from "./numbers.js";
+import { colour } from "./theme.js";
+
+// What is known of the experiment at a place: quantities that are one number, and quantities of the axes by name.
+function quantitiesAt(place) {
+  const known = { ...contents.fixed };
+  indicesOf(place).forEach((index, axis) => {
+    const { name, members } = axisWords[axis];
+    if (members.length) Object.assign(known, Object.fromEntries(members[index]));
+    else if (name) known[name] = axes[axis][index];
+  });
+  return known;
+}
+
+// Measured points that belong to the curve along this axis through the place: where the file says so, points that were
+// measured elsewhere belong to other curves.
+function rowsOnCurve(place, axis) {
+  const { coordinates } = contents.measured;
+  const { name: along } = axisWords[axis];
+  const same = (one, other) => one === other || Math.abs(Math.log(one / other)) < 0.01;
+  const own = Object.entries(quantitiesAt(place)).filter(([name]) => name !== along && coordinates[name]);
+  const belongs = (i) => own.every(([name, value]) => same(coordinates[name][i], value));
+  return coordinates[along].map((_, i) => i).filter(belongs);
+}
+
+// Traces of the measured points on the curve along an axis; none where the points do not say how they lie along it.
+export function measuredPoints({ quantity, place }, axis, scale) {
+  const { measured } = contents;
+  const along = measured?.coordinates[axisWords[axis].name];
+  if (!along || measured.column !== quantity) return [];
+  const rows = rowsOnCurve(place, axis);
+  const friction = rows.map((i) => measured.friction[i]);
+  const errors = measured.errors && rows.map((i) => measured.errors[i]);
+  const y = friction.map(scale.to);
+  const text = friction.map((value, i) => `measured ${digits(value)}${errors ? ` ± ${digits(errors[i], 2)}` : ""}`);
+  return [
+    {
+      ...{ type: "scatter", mode: "markers", x: rows.map((i) => Math.log10(along[i])), y, text },
+      hovertemplate: "%{text}<extra></extra>",
+      marker: { symbol: "diamond-open", size: 8, color: colour("--text"), line: { width: 1.5 } },
+      ...(errors ? { error_y: errorBars(friction, errors, scale) } : {}),
+    },
+  ];
+}
+
+// Bars of one standard error. On a logarithmic scale a bar that would reach zero ends at a thousandth of its value.
+function errorBars(friction, errors, scale) {
+  const lowest = (i) => (scale.logarithmic ? friction[i] / 1e3 : -Infinity);
+  const above = errors.map((error, i) => scale.to(friction[i] + error) - scale.to(friction[i]));
+  const below = errors.map((error, i) => scale.to(friction[i]) - scale.to(Math.max(friction[i] - error, lowest(i))));
+  const look = { color: colour("--text"), thickness: 1, width: 3 };
+  return { type: "data", symmetric: false, array: above, arrayminus: below, ...look };
+}

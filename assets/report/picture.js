@@ -1,0 +1,66 @@
+// What all pictures have in common: how they look, how they are drawn, and that a click on a point selects its case.
+
+import { element } from "./elements.js";
+import { selectPoint } from "./selection.js";
+import { colour } from "./theme.js";
+
+// Starts the drawing library, which the page holds as a text.
+export function startPlotly() {
+  const library = document.createElement("script");
+  library.textContent = element("plotly").textContent;
+  document.head.append(library);
+}
+
+export const canDraw = () => "Plotly" in window;
+
+// The wheel scrolls the page, and on a touch screen a finger does: pictures leave both alone.
+const touch = matchMedia("(pointer: coarse)").matches;
+const config = {
+  displaylogo: false,
+  responsive: true,
+  scrollZoom: false,
+  displayModeBar: touch ? false : "hover",
+  modeBarButtonsToRemove: ["lasso2d", "select2d"],
+};
+
+// What goes round the selected case.
+export const selectedMarker = { symbol: "circle-open", size: 15, color: "#D55E00", line: { width: 3 } };
+
+function axisLook(axis) {
+  return {
+    gridcolor: colour("--line"),
+    zerolinecolor: colour("--line"),
+    linecolor: colour("--quiet"),
+    automargin: true,
+    exponentformat: "power",
+    ...axis,
+  };
+}
+
+function layout(more) {
+  const text = { color: colour("--text") };
+  const base = {
+    paper_bgcolor: "rgba(0,0,0,0)",
+    plot_bgcolor: "rgba(0,0,0,0)",
+    font: { ...text, family: "system-ui, sans-serif", size: 13 },
+    margin: { l: 60, r: 15, t: 10, b: 50 },
+    hoverlabel: { align: "left", bgcolor: colour("--raised"), bordercolor: colour("--quiet"), font: text },
+    modebar: { bgcolor: "rgba(0,0,0,0)", color: colour("--quiet"), activecolor: colour("--accent") },
+    showlegend: false,
+    dragmode: touch ? false : "zoom",
+    uirevision: "kept",
+  };
+  const made = { ...base, ...more };
+  for (const name of ["xaxis", "yaxis"]) if (made[name]) made[name] = axisLook(made[name]);
+  return made;
+}
+
+// Draws traces into the picture of this id, with what its layout has beside the common one. True if it is new.
+export function draw(id, traces, more) {
+  const picture = element(id);
+  const isNew = !picture.on;
+  Plotly.react(picture, traces, layout(more), config);
+  // Later, for a picture in space tells of a click while it is being drawn.
+  if (isNew) picture.on("plotly_click", (event) => setTimeout(selectPoint, 0, id, event.points[0]));
+  return isNew;
+}

@@ -1,0 +1,40 @@
+// Light and dark: the colours of the page and its pictures.
+
+import { element } from "./elements.js";
+
+const root = document.documentElement;
+
+// A colour of page.css by its name, such as "--quiet".
+export const colour = (name) => getComputedStyle(root).getPropertyValue(name).trim();
+
+export const theme = () => root.dataset.theme;
+
+function storedTheme() {
+  // A page from a file may be refused a storage; it then follows the system.
+  try {
+    return sessionStorage.getItem("stribeck-theme");
+  } catch {
+    return null;
+  }
+}
+
+function setTheme(name) {
+  root.dataset.theme = name;
+  const other = name === "dark" ? "light" : "dark";
+  element("theme").textContent = other;
+  element("theme").setAttribute("aria-label", `change to ${other} colours`);
+  try {
+    sessionStorage.setItem("stribeck-theme", name);
+  } catch {
+    // It is forgotten at the next load.
+  }
+}
+
+setTheme(storedTheme() ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+
+export const changeTheme = () => setTheme(theme() === "dark" ? "light" : "dark");
+
+// Okabe and Ito's colours, lighter on dark.
+const onDark = ["#56B4E9", "#E69F00", "#2FD0A0", "#E7A3CB"];
+const onLight = ["#0072B2", "#D55E00", "#009E73", "#AA4499"];
+export const lineColours = () => (theme() === "dark" ? onDark : onLight);

@@ -1,0 +1,136 @@
+//! Whether a solution is accepted: its estimated errors, how well its mesh resolves it, and whether the film is under tension.
+
+use super::adaptation::indicators;
+use super::estimate::{Estimate, estimate};
+use super::fields::fields;
+use super::log_moments::MOST_MOMENTS;
+use super::reference::{ReferencePanel, evaluate};
+use super::state::State;
+use super::system::unknowns;
+use super::workspace::Workspace;
+use crate::continuation::{ErrorMeasure, FailureKind, Solution, SolveContext, SolveError};
+use crate::model::Output;
+
+/// The largest estimated error over the tolerance that is accepted.
+pub(super) const ACCEPTED: f64 = 0.9;
+/// Largest indicator over the root of the tolerance.
+const RESOLVED: f64 = 0.3;
+/// Least pressure over the largest; below it the film would carry tension.
+pub(super) const TENSION: f64 = -1e-6;
+/// The same for a solution that is only good enough to go on from.
+const ROUGH_TENSION: f64 = -1e-2;
+
+/// The smallest pressure over the largest, and the panel it is on; between the nodes too: where the pressure is low, a
+/// polynomial may dip below zero between positive values.
+pub(super) fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize) {
+    const LOW: f64 = 1e-2;
+    const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
+    let most = state.pressure.iter().fold(0.0, |a: f64, &p| a.max(p));
+    let size = reference.degree + 1;
+    let mut coefficients = [0.0; MOST_MOMENTS];
+    let (mut least, mut place) = (0.0, 0);
+    for (panel, nodes) in state.pressure.windows(size).step_by(reference.degree).enumerate() {
+        if nodes.iter().all(|&p| p > LOW * most) {
+            continue;
+        }
+        reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
+        let between = |gap: &[f64]| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]));
+        let values = reference.nodes.windows(2).flat_map(between).map(|t| evaluate(&coefficients[..size], t));
+        for value in values.chain(nodes.iter().copied()) {
+            if value < least {
+                (least, place) = (value, panel);
+            }
+        }
+    }
+    (least / most, place)
+}
+
+/// The solution with its fields and sensitivities.
+pub(super) fn complete(
+    workspace: &mut Workspace,
+    beta: f64,
+    state: &State,
+    estimate: Estimate,
+    output: &Output,
+    context: &mut SolveContext,
+) -> Solution {
+    context.effort.unknowns = unknowns(workspace.coarse.displacement());
+    let (corrector, displacement) = workspace.coarse.parts();
+    let fields = fields(displacement, beta, state, output);
+    let mut derivatives =
+        || corrector.sensitivities(displacement, beta, state, output.cavity_shear, &mut context.effort);
+    let sensitivities = output.sensitivities.then(&mut derivatives);
+    let Estimate { quantities, errors, .. } = estimate;
+    Solution { quantities, errors, fields, sensitivities }
+}
+
+/// Refuses a film under so much tension that it is not even good enough to go on from.
+///
+/// # Errors
+/// [`FailureKind::Tension`].
+pub(super) fn check_tension(tension: f64) -> Result<(), SolveError> {
+    if tension < ROUGH_TENSION { Err(FailureKind::Tension { ratio: tension }.into()) } else { Ok(()) }
+}
+
+/// What decides whether a solution is accepted.
+pub(super) struct Acceptance {
+    /// Over the tolerance: the largest of the estimated errors, the extremes and the coarseness.
+    pub(super) error: f64,
+    /// Which of them is the largest.
+    measure: ErrorMeasure,
+    /// The smallest pressure over the largest.
+    pub(super) tension: f64,
+    /// The panel where the pressure is smallest.
+    pub(super) place: usize,
+}
+
+impl Acceptance {
+    /// Estimates the errors of a solution and looks for tension.
+    pub(super) fn of(
+        workspace: &mut Workspace,
+        case: (f64, &State),
+        output: &Output,
+        tolerance: f64,
+        context: &mut SolveContext,
+    ) -> (Self, Estimate) {
+        let (beta, state) = case;
+        workspace.prepare_fine(&state.mesh, &mut context.effort);
+        let Workspace { coarse, fine, .. } = workspace;
+        let reference = &coarse.displacement().discretisation.reference;
+        let effort = &mut context.effort;
+        let estimate = estimate(coarse.displacement(), fine, beta, state, output.cavity_shear, tolerance, effort);
+        let measures = [
+            (estimate.worst() / tolerance, ErrorMeasure::Estimate),
+            (estimate.extremes / tolerance, ErrorMeasure::Extremes),
+            (coarseness(reference, state, tolerance), ErrorMeasure::Coarseness),
+        ];
+        let larger = |a: (f64, ErrorMeasure), b: (f64, ErrorMeasure)| if b.0 > a.0 { b } else { a };
+        let (error, measure) = measures.into_iter().fold((0.0, ErrorMeasure::Estimate), larger);
+        let (tension, place) = tension(reference, state);
+        (Self { error, measure, tension, place }, estimate)
+    }
+
+    pub(super) fn is_accepted(&self) -> bool {
+        self.error <= ACCEPTED && self.tension >= TENSION
+    }
+
+    /// How far the solution is from acceptance; at most 1 if it is accepted.
+    pub(super) fn excess(&self) -> f64 {
+        f64::max(self.error / ACCEPTED, self.tension / TENSION)
+    }
+
+    /// Why the solution is not accepted, on the last mesh.
+    pub(super) fn failure(&self, tolerance: f64, panels: usize) -> FailureKind {
+        if self.error <= ACCEPTED {
+            return FailureKind::Tension { ratio: self.tension };
+        }
+        FailureKind::ErrorTooLarge { measure: self.measure, times: self.error, tolerance, panels }
+    }
+}
+
+/// The square of the largest indicator, which is about the error of friction and flow, over the largest square that is accepted.
+/// So a small estimate is never an accident of a coarse mesh, on which two errors happen to be alike.
+fn coarseness(reference: &ReferencePanel, state: &State, tolerance: f64) -> f64 {
+    let roughest = indicators(reference, state).into_iter().fold(0.0, f64::max);
+    ACCEPTED * roughest * roughest / (RESOLVED * RESOLVED * tolerance)
+}

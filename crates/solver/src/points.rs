@@ -1,0 +1,151 @@
+//! Lists of points in any order: cut into chains of neighbours, and solved chain by chain.
+
+use std::cmp::Ordering;
+
+#[cfg(feature = "rayon")]
+use rayon::prelude::*;
+
+use crate::continuation::{Interrupt, Interrupted, SolvedCase, distance};
+use crate::model::Parameters;
+use crate::solve::{Settings, Solver};
+
+/// Most points of a chain: many, so that the first one's cost is shared; few, so that there is work for many threads.
+const LONGEST_CHAIN: usize = 16;
+/// A neighbour is of use up to this factor in α, β or 1 + f; from farther away a case is solved as quickly from its own start.
+const FARTHEST_FACTOR: f64 = 1000.0;
+
+/// Solves points in any order: any mixture of substrates and parameters, equal points among them. The results are in the order
+/// of the points.
+///
+/// The points are cut into chains, in which β ascends and each point is the nearest one to the point before it. The chains
+/// depend on the set of points alone: neither their order nor the number of threads changes a number. With the feature
+/// `rayon` the chains are solved in parallel, by the current pool of threads.
+///
+/// # Errors
+/// [`Interrupted`] if the user asks to stop before the last point is done. A point that fails is a result.
+///
+/// # Panics
+/// See [`Solver::new`].
+pub fn solve_points(
+    points: &[Parameters],
+    settings: &Settings,
+    interrupt: &Interrupt,
+) -> Result<Vec<SolvedCase>, Interrupted> {
+    let solver = Solver::new(settings);
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| compare(&points[a], &points[b]));
+    // Equal points are one case.
+    let groups: Vec<&[usize]> = order.chunk_by(|&a, &b| compare(&points[a], &points[b]).is_eq()).collect();
+    let cases: Vec<&Parameters> = groups.iter().map(|group| &points[group[0]]).collect();
+    let chains = chains_of_neighbours(&cases, |from, to| solver.can_continue(from, to));
+    let solve = |chain: &Vec<usize>| {
+        let chain: Vec<Parameters> = chain.iter().map(|&case| cases[case].clone()).collect();
+        solver.solve_chain(&chain, interrupt)
+    };
+    #[cfg(feature = "rayon")]
+    let solved: Result<Vec<_>, Interrupted> = chains.par_iter().map(solve).collect();
+    #[cfg(not(feature = "rayon"))]
+    let solved: Result<Vec<_>, Interrupted> = chains.iter().map(solve).collect();
+
+    let mut results = vec![None; points.len()];
+    for (&case, solved) in chains.iter().flatten().zip(solved?.into_iter().flatten()) {
+        for &point in groups[case] {
+            results[point] = Some(solved.clone());
+        }
+    }
+    Ok(results.into_iter().map(|result| result.expect("each point is in a chain")).collect())
+}
+
+/// A total order of cases, by β first.
+fn compare(a: &Parameters, b: &Parameters) -> Ordering {
+    let numbers = |of: &Parameters| {
+        let modes = of.substrate.modes().iter().flat_map(|mode| [mode.share, mode.time]);
+        [of.beta, of.alpha, of.f].into_iter().chain(modes).collect::<Vec<_>>()
+    };
+    let (a, b) = (numbers(a), numbers(b));
+    let differing = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+    differing.unwrap_or(a.len().cmp(&b.len()))
+}
+
+/// Cuts cases, which ascend in β, into chains: each case is followed by the nearest one left that has no smaller β.
+fn chains_of_neighbours(
+    cases: &[&Parameters],
+    can_continue: impl Fn(&Parameters, &Parameters) -> bool,
+) -> Vec<Vec<usize>> {
+    let mut taken = vec![false; cases.len()];
+    let mut chains = Vec::new();
+    for first in 0..cases.len() {
+        let (mut chain, mut next) = (Vec::new(), (!taken[first]).then_some(first));
+        while let Some(case) = next {
+            taken[case] = true;
+            chain.push(case);
+            next = nearest_after(case, cases, &taken, &can_continue);
+        }
+        chains.extend(chain.chunks(LONGEST_CHAIN).map(<[usize]>::to_vec));
+    }
+    chains
+}
+
+/// The nearest case after one of them that is not taken; `None` if none is near, or those that are cannot continue its chain.
+fn nearest_after(
+    case: usize,
+    cases: &[&Parameters],
+    taken: &[bool],
+    can_continue: impl Fn(&Parameters, &Parameters) -> bool,
+) -> Option<usize> {
+    let here = cases[case];
+    if here.computable().is_err() {
+        return None;
+    }
+    let (mut nearest, mut least) = (None, FARTHEST_FACTOR.ln());
+    for (other, &there) in cases.iter().enumerate().skip(case + 1) {
+        // β ascends: all others are farther away
+        if (there.beta / here.beta).ln() >= least {
+            break;
+        }
+        if taken[other] || there.computable().is_err() {
+            continue;
+        }
+        let away = distance(here, there);
+        if away < least && can_continue(here, there) {
+            (nearest, least) = (Some(other), away);
+        }
+    }
+    nearest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::continuation::Line;
+
+    fn chains(points: &[Parameters]) -> Vec<Vec<usize>> {
+        chains_of_neighbours(&points.iter().collect::<Vec<_>>(), |from, to| Line::new(from, to).is_ok())
+    }
+
+    #[test]
+    fn cases_with_the_same_alpha_are_chains_along_beta() {
+        let points: Vec<Parameters> =
+            (0..6).flat_map(|i| [0.1, 1.0, 10.0].map(|alpha| Parameters::new(alpha, 1.5_f64.powi(i), 5.0))).collect();
+        let expected: Vec<Vec<usize>> = (0..3).map(|alpha| (0..6).map(|i| 3 * i + alpha).collect()).collect();
+        assert_eq!(chains(&points), expected);
+    }
+
+    #[test]
+    fn a_curve_over_speed_is_one_line_cut_into_chains() {
+        let points: Vec<Parameters> =
+            (0..40).map(|i| 1.2_f64.powi(i)).map(|inverse| Parameters::new(inverse, 10.0 * inverse, 5.0)).collect();
+        let lengths: Vec<usize> = chains(&points).iter().map(Vec::len).collect();
+        assert_eq!(lengths, [16, 16, 8]);
+        assert!(chains(&points).concat().into_iter().eq(0..40));
+    }
+
+    #[test]
+    fn cases_that_no_line_leads_to_are_chains_of_their_own() {
+        let far = Parameters::new(1.0, 1e9, 5.0);
+        let points = [Parameters::new(0.0, 1.0, 5.0), Parameters::new(1.0, 1.0, 5.0), Parameters::elastic(1.0), far];
+        assert_eq!(chains(&points), [[0], [1], [2], [3]]);
+        let impossible = [Parameters::new(1.0, 1.0, f64::NAN), Parameters::new(1.0, 1.0, 5.0)];
+        assert_eq!(chains(&impossible), [[0], [1]]);
+    }
+}

@@ -1,0 +1,96 @@
+//! The fields of a case: what is stored along x.
+
+use stribeck_solver::{FieldSelection, Fields};
+
+/// A field of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Field {
+    /// p(x).
+    Pressure,
+    /// u(x).
+    FilmThickness,
+    /// w(x).
+    Displacement,
+}
+
+impl Field {
+    /// Every field in the order in which results have them.
+    pub const ALL: [Self; 3] = [Self::Pressure, Self::FilmThickness, Self::Displacement];
+
+    /// The name of the field in sweep files and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pressure => "pressure",
+            Self::FilmThickness => "film_thickness",
+            Self::Displacement => "displacement",
+        }
+    }
+
+    /// The unit of dimensionless results.
+    pub const fn units(self) -> &'static str {
+        match self {
+            Self::Pressure => "2N/(pi a0)",
+            Self::FilmThickness | Self::Displacement => "a0^2/R",
+        }
+    }
+
+    /// What the field is, in words.
+    pub const fn long_name(self) -> &'static str {
+        match self {
+            Self::Pressure => "pressure in the film",
+            Self::FilmThickness => "film thickness",
+            Self::Displacement => "normal displacement of the surface",
+        }
+    }
+
+    /// The field of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|field| field.name() == name)
+    }
+
+    /// The selected fields, in their order.
+    pub fn selected(selection: FieldSelection) -> impl Iterator<Item = Self> + Clone {
+        let FieldSelection { pressure, film_thickness, displacement } = selection;
+        Self::ALL
+            .into_iter()
+            .zip([pressure, film_thickness, displacement])
+            .filter_map(|(it, chosen)| chosen.then_some(it))
+    }
+
+    /// The selection of some fields.
+    pub fn selection(fields: impl IntoIterator<Item = Self>) -> FieldSelection {
+        let mut selection = FieldSelection::default();
+        for field in fields {
+            match field {
+                Self::Pressure => selection.pressure = true,
+                Self::FilmThickness => selection.film_thickness = true,
+                Self::Displacement => selection.displacement = true,
+            }
+        }
+        selection
+    }
+
+    /// The values of this field of a case; `None` if it has none.
+    pub fn of(self, fields: &Fields) -> Option<&[f64]> {
+        match self {
+            Self::Pressure => fields.pressure.as_deref(),
+            Self::FilmThickness => fields.film_thickness.as_deref(),
+            Self::Displacement => fields.displacement.as_deref(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_selection_comes_back() {
+        for bits in 0..8 {
+            let selection =
+                FieldSelection { pressure: bits & 1 != 0, film_thickness: bits & 2 != 0, displacement: bits & 4 != 0 };
+            assert_eq!(Field::selection(Field::selected(selection)), selection);
+        }
+        assert!(Field::ALL.into_iter().all(|field| Field::named(field.name()) == Some(field)));
+    }
+}

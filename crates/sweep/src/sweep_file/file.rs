@@ -1,0 +1,122 @@
+//! A sweep file as a whole: reading it, its keys, and the sections that say which cases there are.
+
+use std::path::Path;
+
+use super::sections::{home, keys, section};
+use super::specification::Sweep;
+use super::substrate::{self, MaterialDefaults, ReadSubstrate};
+use super::{laboratory, output, solver};
+use crate::{Axes, Grid};
+use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
+use stribeck_input::{is_printable, printable};
+
+/// What the file is called in messages.
+const KIND: stribeck_input::Kind = "sweep file";
+
+/// Most grid points of a sweep.
+const MOST_CASES: u128 = 1_000_000_000;
+
+const AXES_EXAMPLE: &str = "add the three axes, for instance\n[axes]\nf = [100.0]\nalpha = [1.0, 10.0]\n\
+     beta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";
+
+impl Sweep {
+    /// Reads a sweep file.
+    ///
+    /// # Errors
+    /// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8 or not a valid sweep.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
+        stribeck_input::read(KIND, path.as_ref(), interpret)
+    }
+
+    /// Takes the text of a sweep file called `name`.toml.
+    ///
+    /// # Errors
+    /// [`InputError::Invalid`] if the text is not a valid sweep.
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        stribeck_input::parse(name, text, interpret)
+    }
+}
+
+fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
+    let document = stribeck_input::document(text)?;
+    let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
+    let read_substrate = root.get("substrate").map(|entry| substrate::read(&entry)).transpose()?;
+    let ReadSubstrate { substrate, material } = read_substrate.unwrap_or_default();
+    let grid = read_grid(&root, &material)?;
+    let title = root.get("title").map(|title| read_title(&title)).transpose()?;
+    let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
+    // what can be asked for depends on the method
+    let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
+    Ok(Sweep {
+        title: title.unwrap_or_else(|| printable(name).into_owned()),
+        grid,
+        substrate,
+        solver,
+        output,
+        text: text.to_owned(),
+        name: name.to_owned(),
+    })
+}
+
+/// Reads a title.
+pub fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
+    let title = entry.text()?;
+    let visible = !title.trim().is_empty() && is_printable(title);
+    if visible && title.chars().count() <= 500 {
+        Ok(title.to_owned())
+    } else {
+        let what = "`title` must be one line of 1 to 500 characters";
+        Err(entry.fault(what, "not one such line", "shorten the title, or leave it out: the file's name is used then"))
+    }
+}
+
+/// Reads `[axes]`, or `[laboratory]` with f in either.
+fn read_grid(root: &Section<'_>, material: &MaterialDefaults) -> Result<Grid, Fault> {
+    let Some(laboratory) = root.get("laboratory") else {
+        return read_axes(&root.require("axes", AXES_EXAMPLE)?, material.f).map(Grid::Dimensionless);
+    };
+    let axis_of_f = match root.get("axes") {
+        None => None,
+        Some(entry) => {
+            let axes = section(&entry)?;
+            if let Some(other) = ["alpha", "beta"].into_iter().find_map(|key| axes.get(key)) {
+                let what = format!("`{}` may not stand beside [laboratory], which it follows from", other.path());
+                let help = "remove it; an axis of [laboratory], the speed for instance, takes its place";
+                return Err(other.fault(what, "follows from [laboratory]", help));
+            }
+            axes.get("f").map(|entry| read_axis(&entry, Quantity::Strength)).transpose()?
+        }
+    };
+    laboratory::read(&laboratory, axis_of_f, material).map(Grid::Laboratory)
+}
+
+/// Reads `[axes]`; f may be left out where a material has its own.
+pub fn read_axes(entry: &Entry<'_>, own_f: Option<f64>) -> Result<Axes, Fault> {
+    let section = section(entry)?;
+    let axis = |key, quantity| {
+        let help = format!(
+            "add {key} = [10.0, 100.0], say, or {key} = {{ from = 1.0, to = 1000.0, points = 4, scale = \"log\" }}"
+        );
+        read_axis(&section.require(key, &help)?, quantity)
+    };
+    let axes = Axes {
+        f: match own_f.filter(|_| section.get("f").is_none()) {
+            Some(f) => vec![f],
+            None => axis("f", Quantity::Strength)?,
+        },
+        alpha: axis("alpha", Quantity::SlideTime)?,
+        beta: axis("beta", Quantity::InverseHersey)?,
+    };
+    let [f, alpha, beta] = [axes.f.len(), axes.alpha.len(), axes.beta.len()];
+    let cases = f as u128 * alpha as u128 * beta as u128;
+    if cases > MOST_CASES {
+        let what =
+            format!("a sweep may have at most {MOST_CASES} cases, this one has {f} f x {alpha} alpha x {beta} beta");
+        return Err(section.fault(
+            what,
+            format!("{cases} cases"),
+            "take fewer points, or split the sweep into several",
+        ));
+    }
+    Ok(axes)
+}

@@ -1,0 +1,25 @@
+//! Sweep files.
+//!
+//! [`Sweep::read`] turns a sweep file (TOML, `docs/sweep-file.md`) into a validated [`Sweep`]. Every key is known, and every
+//! value has the right type and range. Otherwise an [`InputError`](stribeck_input::InputError) shows the place in the file
+//! and the remedy.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `specification` | [`Sweep`] and its parts |
+//! | `sections` | the sections of a sweep file and their keys |
+//! | `laboratory`, `substrate`, `solver`, `output` | a reader for each section of these names |
+//! | `file` | the reader of the whole file, and of `[axes]` |
+
+mod file;
+mod laboratory;
+mod output;
+mod sections;
+mod solver;
+mod specification;
+mod substrate;
+
+pub use file::{read_axes, read_title};
+pub use solver::{read_error, read_points};
+pub use specification::{Method, SolverSettings, Sweep};
+pub use substrate::read as read_substrate;

@@ -1,0 +1,42 @@
+//! The sections of a sweep file, and the keys of each.
+
+use stribeck_input::{Entry, Fault, Section};
+
+/// The tables of a sweep file and their keys; the first one is the top level.
+const SECTIONS: [(&str, &[&str]); 7] = [
+    ("", &["title", "axes", "laboratory", "substrate", "solver", "output"]),
+    ("axes", &["f", "alpha", "beta"]),
+    (
+        "laboratory",
+        &[
+            "radius",
+            "load",
+            "relaxed_modulus",
+            "instantaneous_modulus",
+            "poisson_ratio",
+            "viscosity",
+            "retardation_time",
+            "speed",
+            "f",
+        ],
+    ),
+    ("substrate", &["modes", "relaxation", "relaxed_modulus", "instantaneous_modulus"]),
+    ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
+    ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
+    ("output", &["fields", "x", "limits", "cavity_shear", "sensitivities"]),
+];
+
+/// The keys of a section.
+pub(super) fn keys(section: &str) -> &'static [&'static str] {
+    SECTIONS.iter().find(|(name, _)| *name == section).map_or(&[], |(_, keys)| keys)
+}
+
+/// The first section below the top level that knows a key.
+pub(super) fn home(key: &str) -> Option<&'static str> {
+    SECTIONS[1..].iter().find(|(_, keys)| keys.contains(&key)).map(|(name, _)| *name)
+}
+
+/// The table behind an entry, with the keys its path says.
+pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
+    entry.section(keys(entry.path()), home)
+}

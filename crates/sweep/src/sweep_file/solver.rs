@@ -1,0 +1,128 @@
+//! The section `[solver]` of a sweep file.
+
+use super::sections::section;
+use super::specification::{Method, SolverSettings};
+use stribeck_input::{Entry, Fault};
+use stribeck_solver::collocation;
+use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
+
+/// Reads `[solver]`.
+pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
+    let section = section(entry)?;
+    let defaults = SolverSettings::default();
+    let methods = [("collocation", Method::Collocation), ("relaxation", Method::Relaxation)];
+    Ok(SolverSettings {
+        method: section.get("method").map(|entry| entry.choice(&methods)).transpose()?.unwrap_or_default(),
+        tolerance: section.get("tolerance").map(|entry| read_error(&entry)).transpose()?.unwrap_or(defaults.tolerance),
+        relaxation: section
+            .get("relaxation")
+            .map(|entry| read_relaxation(&entry))
+            .transpose()?
+            .unwrap_or(defaults.relaxation),
+        time_limit: section
+            .get("time_limit")
+            .map(|entry| read_time_limit(&entry))
+            .transpose()?
+            .unwrap_or(defaults.time_limit),
+    })
+}
+
+fn read_time_limit(entry: &Entry<'_>) -> Result<f64, Fault> {
+    let seconds = entry.number()?;
+    if seconds > 0.0 {
+        return Ok(seconds);
+    }
+    let help = "it is the time in seconds after which a case is given up, as in 600.0; inf is no limit";
+    Err(entry.fault(format!("`{}` must be above 0", entry.path()), "not a time", help))
+}
+
+/// Reads the relative error wanted by the collocation method.
+pub fn read_error(entry: &Entry<'_>) -> Result<f64, Fault> {
+    let (allowed, error) = (collocation::Settings::TOLERANCE, entry.number()?);
+    if allowed.contains(&error) {
+        return Ok(error);
+    }
+    let what = format!("`{}` must be from {:e} to {:e}", entry.path(), allowed.start(), allowed.end());
+    let help = "it is the relative error wanted by the collocation method, as in 1e-5; the relaxation method has a \
+                tolerance of its own in [solver.relaxation]";
+    Err(entry.fault(what, "out of range", help))
+}
+
+const ESTIMATE_POINTS: usize = Settings::ESTIMATE_POINTS;
+
+fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
+    let section = section(entry)?;
+    let defaults = Settings::default();
+    let accelerations = [("anderson", Acceleration::Anderson), ("none", Acceleration::None)];
+    let settings = Settings {
+        domain: section.get("domain").map(|entry| read_domain(&entry)).transpose()?.unwrap_or(defaults.domain),
+        points: section.get("points").map(|entry| read_points(&entry)).transpose()?.unwrap_or(defaults.points),
+        tolerance: match section.get("tolerance") {
+            Some(entry) => {
+                let tolerance = entry.number()?;
+                if !Settings::TOLERANCE.contains(&tolerance) {
+                    let what = "`solver.relaxation.tolerance` must be from 1e-12 to 1e-2";
+                    let help = "it is the residual at which a case counts as converged; 1e-8 is a good value";
+                    return Err(entry.fault(what, "out of range", help));
+                }
+                tolerance
+            }
+            None => defaults.tolerance,
+        },
+        acceleration: match section.get("acceleration") {
+            Some(entry) => entry.choice(&accelerations)?,
+            None => defaults.acceleration,
+        },
+        estimate: section.get("estimate").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.estimate),
+    };
+    match section.get("estimate") {
+        Some(entry) if settings.estimate && settings.points < ESTIMATE_POINTS => {
+            let what = format!("`solver.relaxation.estimate` needs at least {ESTIMATE_POINTS} points");
+            let label = format!("not with {} points", settings.points);
+            let help = "errors are estimated from a second grid of half as many intervals: write points = 201 or more, or \
+                        estimate = false";
+            Err(entry.fault(what, label, help))
+        }
+        _ => Ok(settings),
+    }
+}
+
+/// Reads the number of points of a grid.
+pub fn read_points(entry: &Entry<'_>) -> Result<usize, Fault> {
+    let points = entry.whole(Settings::POINTS)?;
+    if points % 2 == 1 {
+        return Ok(points);
+    }
+    let help = format!(
+        "coarse-to-fine solving halves the grid, which takes an even number of intervals: write {}; 401, 801 and 1601 \
+         can be halved several times and are good",
+        points + 1
+    );
+    Err(entry.fault(format!("`{}` must be an odd number from 51 to 20001", entry.path()), "even", help))
+}
+
+fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
+    let help = "write domain = \"auto\" (on the dry contact of each case), or both ends as in [-3.0, 4.0]";
+    let what = "`solver.relaxation.domain` must be \"auto\" or [x_min, x_max]";
+    let Some(ends) = entry.list() else {
+        return match entry.text() {
+            Ok("auto") => Ok(Domain::Auto),
+            _ => Err(entry.fault(what, "neither", help)),
+        };
+    };
+    let ends: Vec<Entry<'_>> = ends.take(3).collect();
+    let [left, right] = ends.as_slice() else { return Err(entry.fault(what, "not two numbers", help)) };
+    let (x_min, x_max) = (left.number()?, right.number()?);
+    let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on both \
+                sides of it, as in [-3.0, 4.0]";
+    let (leftmost, rightmost) = Domain::ENDS.into_inner();
+    if !(leftmost..0.0).contains(&x_min) {
+        let what = format!("x_min of the domain must be below 0 and at least {leftmost:?}");
+        return Err(left.fault(what, "not left of the contact", help));
+    }
+    if !(x_max > 0.0 && x_max <= rightmost) {
+        let what = format!("x_max of the domain must be above 0 and at most {rightmost:?}");
+        return Err(right.fault(what, "not right of the contact", help));
+    }
+    Ok(Domain::Fixed { x_min, x_max })
+}

@@ -1,0 +1,62 @@
+//! The numbers of each place shown: the columns of `summary.csv`, and what the cases cost.
+
+use serde::Serialize;
+
+use super::encoding::{floats, integers};
+use super::texts::Texts;
+use stribeck_lab::si_units;
+use stribeck_sweep::Column;
+use stribeck_sweep::store::{Cost, DataSet, StoreError};
+
+/// One number for each place.
+#[derive(Debug, Serialize)]
+pub(super) struct ColumnPart {
+    name: &'static str,
+    long_name: &'static str,
+    units: &'static str,
+    values: String,
+}
+
+/// What each place cost.
+#[derive(Debug, Serialize)]
+pub(super) struct CostPart {
+    seconds: String,
+    iterations: String,
+    seeds: Vec<String>,
+    /// For each place the index of its seed.
+    seed: String,
+}
+
+/// Reads the columns of `summary.csv` in their order, for a laboratory with α and β behind them.
+pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart>, StoreError> {
+    let part = |name, long_name, units: &'static str| {
+        let values = data.variable(name)?;
+        let units = if data.laboratory { si_units(units) } else { units };
+        Ok(ColumnPart { name, long_name, units, values: floats(places.iter().map(|place| values[*place])) })
+    };
+    let mut columns = Column::summary()
+        .map(|column| part(column.name(), column.long_name(), column.units()))
+        .collect::<Result<Vec<_>, StoreError>>()?;
+    if data.laboratory {
+        columns.push(part("alpha", "slide time over a contact length / retardation time", "1")?);
+        columns.push(part("beta", "inverse Hersey number", "1")?);
+    }
+    Ok(columns)
+}
+
+impl CostPart {
+    /// The costs of these places, given the costs of all.
+    pub(super) fn of(costs: &[Cost], places: &[usize]) -> Self {
+        let mut seeds = Texts::default();
+        let seed: Vec<i32> = places
+            .iter()
+            .map(|place| i32::try_from(seeds.index(&costs[*place].seed)).expect("fewer seeds than 2³¹"))
+            .collect();
+        Self {
+            seconds: floats(places.iter().map(|place| costs[*place].seconds)),
+            iterations: floats(places.iter().map(|place| costs[*place].iterations as f64)),
+            seeds: seeds.texts,
+            seed: integers(seed),
+        }
+    }
+}
