@@ -3,9 +3,9 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use stribeck_sweep::Sweep;
 use stribeck_sweep::campaign::{Event, RunOptions, run};
 use stribeck_sweep::store::DataSet;
+use stribeck_sweep::{Column, Sweep};
 
 const SWEEP: &str =
     "[axes]\nf = [100.0]\nalpha = [1.0]\nbeta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     })?;
     let data = DataSet::open(&directory)?;
-    for (beta, friction) in data.dimensions[2].values.iter().zip(data.column("mu_tot")?) {
+    for (beta, friction) in data.dimensions[2].values.iter().zip(data.column(Column::MuTot)?) {
         println!("beta = {beta:6.1}: friction {friction:.5} a0/R");
     }
     Ok(())

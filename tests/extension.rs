@@ -217,6 +217,7 @@ fn stored_by_an_earlier_version(directory: &Path, sweep: &Sweep) -> usize {
         id,
         outcome: Status::Failed,
         reason: "an earlier version".to_owned(),
+        failure_kind: None,
         values: stribeck_sweep::Values::UNKNOWN,
         fields: stribeck_solver::Fields::default(),
         sensitivities: None,

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
-use stribeck_lab::material::{Fit, Measurements, Relaxation, RelaxationTerm};
+use stribeck_lab::{Measurements, Relaxation, RelaxationFit, RelaxationTerm};
 use tempfile::{TempDir, tempdir};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -27,8 +27,8 @@ fn with_table() -> TempDir {
 }
 
 /// The fit that the library makes of the same table.
-fn fit(directory: &Path, terms: usize) -> Fit {
-    Fit::new(&Measurements::read(&directory.join("rubber.csv")).expect("a table"), terms).expect("a fit")
+fn fit(directory: &Path, terms: usize) -> RelaxationFit {
+    RelaxationFit::new(&Measurements::read(&directory.join("rubber.csv")).expect("a table"), terms).expect("a fit")
 }
 
 #[test]

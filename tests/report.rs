@@ -74,6 +74,7 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
             id: id(place),
             outcome: if failed { Status::Failed } else { Status::Converged },
             reason: if failed { format!("stalled after {place} passes, residual 1e-3") } else { String::new() },
+            failure_kind: failed.then(|| "stalled".to_owned()),
             values: match failed {
                 true => Values::UNKNOWN,
                 false => Values(std::array::from_fn(|i| size * 10_f64.powi(i as i32 - 12) / 3.0)),
@@ -265,6 +266,7 @@ fn a_page_of_outdated_results_says_so() {
         id: CaseId(7),
         outcome: Status::Failed,
         reason: "late".into(),
+        failure_kind: None,
         values: Values::UNKNOWN,
         fields: Fields::default(),
         sensitivities: None,

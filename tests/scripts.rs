@@ -8,8 +8,8 @@ use std::process::{Command, Output};
 use crate::in_python::{check, file_of_python, run_python};
 use crate::synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
 use stribeck_solver::FieldSelection;
-use stribeck_sweep::Column;
 use stribeck_sweep::store::{CaseEntry, Status, Store};
+use stribeck_sweep::{Column, Values};
 use tempfile::{TempDir, tempdir};
 
 /// The synthetic results.
@@ -194,7 +194,7 @@ fn a_changed_number_and_a_changed_status_are_found() {
         } else if entry.id == case_id(100.0, 1.0, BETA[0]) {
             entry.outcome = Status::Failed;
             entry.reason = "made to fail".into();
-            entry.values.fill(f64::NAN);
+            entry.values = Values::UNKNOWN;
             entry.fields = Default::default();
         }
     });

@@ -1,6 +1,5 @@
 //! `stribeck curve`: friction against speed, in the terminal and as CSV.
 
-use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -8,18 +7,15 @@ use clap::Args;
 
 use super::plot::at;
 use super::terminal_plot::{TextAxis, plot};
-use super::wording::count;
 use super::{CliError, Exit, console, threads};
+use crate::format::{Align, count, table_line};
 use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
-use stribeck_lab::Measured;
-use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Measured, Scales};
 use stribeck_solver::{FieldSelection, Output, shortest};
 use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
 use stribeck_sweep::{Column, Grid, LaboratoryAxes, Plan, Sweep};
-
-const IN_MEMORY: &str = "writing to memory does not fail";
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -59,15 +55,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Some(file) = &arguments.csv {
         write_whole(file.clone(), &table(&cases).csv())?;
     }
-    let mut text = format!("{}\n{}\n", sweep.title, in_words(&cases[0].experiment));
+    let mut text = format!("{}\n{}\n", sweep.title, describe(&cases[0].experiment));
     text += &drawing(&cases, measured.as_ref());
     text += &rows(&cases);
     let failed: Vec<&Solved> = cases.iter().filter(|case| case.entry.outcome == Status::Failed).collect();
     for case in &failed {
-        writeln!(text, "failed at {} m/s: {}", shortest(case.experiment.speed), case.entry.reason).expect(IN_MEMORY);
+        text += &format!("failed at {} m/s: {}\n", shortest(case.experiment.speed), case.entry.reason);
     }
     if let Some(file) = &arguments.csv {
-        writeln!(text, "{}: {}", shown(file), count(cases.len() as u64, "row")).expect(IN_MEMORY);
+        text += &format!("{}: {}\n", shown(file), count(cases.len() as u64, "row"));
     }
     console::print(&text)?;
     Ok(if failed.is_empty() { Exit::Success } else { Exit::CasesFailed })
@@ -139,8 +135,8 @@ fn five_digits(value: f64) -> String {
     shortest(format!("{value:.4e}").parse().expect("{:e} writes a number"))
 }
 
-/// What all cases of a curve have in common.
-fn in_words(experiment: &Experiment) -> String {
+/// The quantities that all cases of a curve have in common.
+fn describe(experiment: &Experiment) -> String {
     let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Speed).map(|quantity| {
         let value = five_digits(experiment.value(quantity));
         format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
@@ -173,12 +169,8 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
 /// One line for each speed.
 fn rows(cases: &[Solved]) -> String {
     let names = ["speed (m/s)", "alpha", "beta", "mu_v", "mu_h", "mu_tot", "film_min (m)", "error"];
-    let mut text = String::new();
-    let line = |text: &mut String, cells: &[String]| {
-        let cells: Vec<String> = cells.iter().map(|cell| format!("{cell:>12}")).collect();
-        writeln!(text, "{}", cells.join(" ").trim_end()).expect(IN_MEMORY);
-    };
-    line(&mut text, &names.map(str::to_owned));
+    let columns = [Align::Right(12); 8];
+    let mut text = table_line(&columns, &names);
     let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
     for case in cases {
         let [_, alpha, beta] = case.numbers;
@@ -193,7 +185,7 @@ fn rows(cases: &[Solved]) -> String {
             Status::Converged if error.is_nan() => "-".to_owned(),
             Status::Converged => format!("{error:.0e}"),
         });
-        line(&mut text, &cells);
+        text += &table_line(&columns, &cells);
     }
     text + "\nerror: the largest estimated relative error of mu_v, mu_h and the film c\n"
 }

@@ -10,8 +10,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::FigureError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
-use stribeck_lab::MeasuredError;
-use stribeck_lab::material::FitError;
+use stribeck_lab::{MeasuredError, RelaxationFitError};
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::ThreadsError;
@@ -135,14 +134,15 @@ pub enum CliError {
         /// The path.
         path: PathBuf,
     },
-    /// A script would replace a file that is not of this program.
-    #[error(
-        "{} is there, which `stribeck slurm` has not written; move it away, or choose another directory with -o",
-        shown(file)
-    )]
+    /// A command would replace a file that it has not written.
+    #[error("{} is there, which `stribeck {command}` has not written; move it away, or {remedy} with -o", shown(file))]
     Foreign {
         /// The file.
         file: PathBuf,
+        /// The command.
+        command: &'static str,
+        /// What else to do.
+        remedy: &'static str,
     },
     /// Slurm did not do what it was asked to.
     #[error("`{program}` did not work: {said}; the scripts are written, submit them by hand where Slurm runs")]
@@ -162,21 +162,6 @@ pub enum CliError {
         source: StoreError,
         /// How far the run was, and how to resume it.
         progress: String,
-    },
-    /// A study would replace files that no study has written.
-    #[error("{} is there, which no study has written; choose another directory with -o", shown(file))]
-    Occupied {
-        /// The file.
-        file: PathBuf,
-    },
-    /// A page would replace a file that no report has written.
-    #[error(
-        "{} is there, which `stribeck report` has not written; move it away, or name another file with -o",
-        shown(file)
-    )]
-    NoReport {
-        /// The file.
-        file: PathBuf,
     },
     /// A directory cannot be made or read.
     #[error("cannot {action} the directory {}: {source}; choose another place with -o", shown(path))]
@@ -213,7 +198,7 @@ pub enum CliError {
         /// The table of measurements.
         data: PathBuf,
         /// Why there is none.
-        source: FitError,
+        source: RelaxationFitError,
     },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
@@ -274,8 +259,6 @@ impl CliError {
             | CliError::Incomplete { .. }
             | CliError::Foreign { .. }
             | CliError::Slurm { .. }
-            | CliError::Occupied { .. }
-            | CliError::NoReport { .. }
             | CliError::Directory { .. }
             | CliError::Unwritten { .. }
             | CliError::Figure(_)

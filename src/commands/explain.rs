@@ -8,8 +8,8 @@ use clap::Args;
 use super::shell::quoted;
 use super::solution::numbers;
 use super::trace_report::{describe_seed, describe_trace};
-use super::wording::{count, duration, moment};
 use super::{CliError, Exit, console};
+use crate::format::{count, duration, utc_timestamp};
 use stribeck_input::shown;
 use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::Method;
@@ -126,7 +126,7 @@ fn describe_stored(entry: &CaseEntry, origin: &Origin) -> String {
         line("reason", &entry.reason);
     }
     line("stored", &format!("{}, row {}, as its record says", shown(&origin.shard), origin.row));
-    line("solved", &format!("in start {}, before {}", origin.start, moment(origin.time)));
+    line("solved", &format!("in start {}, before {}", origin.start, utc_timestamp(origin.time)));
     if !origin.recipe.is_null() {
         line("with", &describe_recipe(&origin.recipe));
     }

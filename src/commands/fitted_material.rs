@@ -1,27 +1,24 @@
-//! A material that was fitted, as a table, as JSON, as lines for a sweep file and as a chart.
-
-use std::fmt::Write;
+//! A fitted material as a table, as JSON, as lines for a sweep file and as a chart.
 
 use serde_json::json;
 
-use super::wording::count;
+use crate::format::{Align, count, table_line};
 use crate::pictures::Chart;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::printable;
-use stribeck_lab::material::{Fit, Measurement, Measurements, RelaxationTerm};
+use stribeck_lab::{Measurement, Measurements, RelaxationFit, RelaxationTerm};
 use stribeck_solver::shortest;
 
-const IN_MEMORY: &str = "writing to memory does not fail";
 /// Points of a curve of the fit.
 const POINTS: u32 = 300;
 
-/// A fit and what it was made from.
+/// A fit and the measurements that it was made from.
 pub struct FittedMaterial<'a> {
     /// Name of the table.
     pub name: &'a str,
     pub measurements: &'a Measurements,
-    pub fit: &'a Fit,
-    /// Terms that were offered to the fit.
+    pub fit: &'a RelaxationFit,
+    /// The number of terms offered to the fit.
     pub offered: usize,
 }
 
@@ -47,14 +44,13 @@ impl FittedMaterial<'_> {
             ("retardation time", material.retardation_time, "s, mean weighted by shares"),
         ];
         for (name, value, meaning) in rows {
-            writeln!(text, "{name:<18} {:>12}  {meaning}", digits(value)).expect(IN_MEMORY);
+            text += &table_line(&[Align::Left(18), Align::Right(11), Align::Left(0)], &[name, &digits(value), meaning]);
         }
         text += "\nrelaxation   modulus/Pa       time/s      retardation        share       time/s\n";
+        let columns = [23, 11, 28, 11].map(Align::Right);
         // One line for each term: the retardation time above a relaxation time and below the next.
         for (term, (strength, time)) in self.terms().iter().zip(material.retardation()) {
-            let numbers = [term.modulus, term.time, strength / material.f, time].map(digits);
-            let [modulus, relaxation_time, share, retardation_time] = numbers;
-            writeln!(text, "{modulus:>23} {relaxation_time:>12} {share:>29} {retardation_time:>12}").expect(IN_MEMORY);
+            text += &table_line(&columns, &[term.modulus, term.time, strength / material.f, time].map(digits));
         }
         text + "\nFor a sweep file:\n\n" + &self.toml()
     }
@@ -66,12 +62,12 @@ impl FittedMaterial<'_> {
         terms
     }
 
-    /// The section of a sweep file that says the same.
+    /// The section `[substrate]` of a sweep file with this material.
     fn toml(&self) -> String {
         let modulus = format!("{:?}", self.fit.relaxation.relaxed_modulus());
         let mut text = format!("[substrate]\nrelaxed_modulus = {modulus:<16}  # Pa\nrelaxation = [\n");
         for RelaxationTerm { modulus, time } in self.terms() {
-            writeln!(text, "    {{ modulus = {modulus:?}, time = {time:?} }},").expect(IN_MEMORY);
+            text += &format!("    {{ modulus = {modulus:?}, time = {time:?} }},\n");
         }
         text + "]\n"
     }

@@ -8,7 +8,7 @@ use super::fitted_material::FittedMaterial;
 use super::{CliError, Exit, console};
 use crate::pictures::Format;
 use stribeck_input::shown;
-use stribeck_lab::material::{Fit, Measurements};
+use stribeck_lab::{Measurements, RelaxationFit};
 use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
@@ -45,7 +45,7 @@ fn picture(text: &str) -> Result<(PathBuf, Format), String> {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let measurements = Measurements::read(&arguments.data)?;
-    let fit = Fit::new(&measurements, arguments.terms)
+    let fit = RelaxationFit::new(&measurements, arguments.terms)
         .map_err(|source| CliError::Fit { data: arguments.data.clone(), source })?;
     let name = arguments.data.file_stem().unwrap_or_default().to_string_lossy();
     let fitted = FittedMaterial { name: &name, measurements: &measurements, fit: &fit, offered: arguments.terms };

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::shell::quoted;
-use super::wording::count;
 use super::{CliError, Exit, console};
+use crate::format::count;
 use stribeck_input::shown;
 use stribeck_sweep::Part;
 use stribeck_sweep::campaign::{Event, IncompletePart, MergeOutcome, Missing, PartState, merge, sweep_file};

@@ -9,8 +9,9 @@
 //! | `slurm_script` | the job scripts of `slurm` |
 //! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
-//! | `fitted_material` | a fitted material as a table, as JSON and as a chart |
-//! | `error`, `console`, `shell`, `threads`, `wording` | errors with their exit codes; output; quoted commands; number of threads; times and sizes in words |
+//! | `fitted_material`, `fitted_friction` | a fit as a table, as JSON and as charts |
+//! | `error`, `console`, `shell`, `threads` | errors with their exit codes; output; quoted commands; number of threads |
+//! | `replaceable` | files that a command replaces only if it wrote them |
 
 mod console;
 mod curve;
@@ -18,12 +19,14 @@ mod destination;
 mod error;
 mod explain;
 mod fit;
+mod fitted_friction;
 mod fitted_material;
 mod material;
 mod merge;
 mod plan;
 mod plot;
 mod published;
+mod replaceable;
 mod report;
 mod run;
 mod run_report;
@@ -39,7 +42,6 @@ mod terminal_plot;
 mod threads;
 mod trace_report;
 mod verify;
-mod wording;
 
 use std::process::ExitCode;
 

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::destination::destination;
-use super::wording::{bytes, count, duration};
 use super::{CliError, Exit, console, threads};
+use crate::format::{bytes, count, duration};
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{CaseSeconds, Cost, DirectoryState, PlanOptions, PlanReport, plan, read_sweep};
 use stribeck_sweep::store::Inspection;

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::wording::count;
 use super::{CliError, Exit, console, published};
+use crate::format::count;
 use crate::pictures::{AxisScale, Format, Kind, Picture, Request, Source, pictures};
 use stribeck_input::{printable, shown};
 use stribeck_lab::Measured;

@@ -1,17 +1,17 @@
 //! `stribeck report`: one page of HTML that shows a published data set.
 
 use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::wording::bytes;
-use super::{CliError, Exit, console, published};
+use super::{CliError, Exit, console, published, replaceable};
+use crate::format::bytes;
 use crate::report::{BEGINNING, page};
 use stribeck_input::shown;
 use stribeck_lab::Measured;
-use stribeck_sweep::store::{StoreError, write_whole};
+use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -38,7 +38,7 @@ pub struct Arguments {
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let data = published::open(&arguments.directory)?;
     let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
-    must_be_ours_or_free(&file)?;
+    replaceable::check(&file, "report", "name another file", || is_report(&file))?;
     let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
     let page = page(&data, measured.as_ref())?;
     write_whole(file.clone(), page.html.as_bytes())?;
@@ -50,18 +50,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// An error if a file is there that no report has written.
-fn must_be_ours_or_free(path: &Path) -> Result<(), CliError> {
-    let unreadable = |source| StoreError::File { path: path.to_owned(), action: "open", source }.into();
+/// True if a report wrote the file.
+fn is_report(path: &Path) -> io::Result<bool> {
     if path.file_name().is_none() {
-        return Err(unreadable(ErrorKind::IsADirectory.into()));
+        return Err(ErrorKind::IsADirectory.into());
     }
     let mut beginning = vec![0; BEGINNING.len()];
-    match File::open(path).and_then(|mut file| file.read_exact(&mut beginning)) {
-        Ok(()) if beginning == BEGINNING.as_bytes() => Ok(()),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
-        Ok(()) => Err(CliError::NoReport { file: path.to_owned() }),
-        Err(error) if error.kind() == ErrorKind::UnexpectedEof => Err(CliError::NoReport { file: path.to_owned() }),
-        Err(source) => Err(unreadable(source)),
-    }
+    File::open(path)?.read_exact(&mut beginning)?;
+    Ok(beginning == BEGINNING.as_bytes())
 }

@@ -8,8 +8,8 @@ use clap::Args;
 
 use super::destination::destination;
 use super::run_report::{about_other_sweep, about_part, about_whole, how_to_resume};
-use super::wording::count;
 use super::{CliError, Exit, console, threads};
+use crate::format::count;
 use stribeck_sweep::Part;
 use stribeck_sweep::campaign::{CampaignError, Event, RunOptions, RunOutcome, read_sweep, run};
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::shell;
-use super::wording::{count, duration};
+use crate::format::{count, duration};
 use stribeck_input::shown;
 use stribeck_sweep::Part;
 use stribeck_sweep::campaign::{FailedCase, Pending, RunReport};

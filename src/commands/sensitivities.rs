@@ -1,15 +1,14 @@
 //! How the friction of a case changes with its parameters, for people to read.
 
-use std::fmt::Write;
-
+use crate::format::{Align, table_line};
 use stribeck_solver::Sensitivities;
 
 /// A table of dμ/d ln θ and d ln μ/d ln θ for θ = α, β and f; a dash where μ = 0.
 pub fn table(sensitivities: &Sensitivities, mu_v: f64, mu_h: f64) -> String {
     let mut text = String::new();
-    let mut row = |symbol: &str, values: [String; 3], unit: &str| {
-        let [alpha, beta, f] = values;
-        writeln!(text, "{symbol:<13} {alpha:>14} {beta:>14} {f:>14}  {unit}").expect("writing to memory does not fail");
+    let columns = [Align::Left(13), Align::Right(13), Align::Right(13), Align::Right(13), Align::Left(0)];
+    let mut row = |symbol: &str, [alpha, beta, f]: [String; 3], unit: &str| {
+        text += &table_line(&columns, &[symbol, &alpha, &beta, &f, unit]);
     };
     row("derivative of", ["ln(alpha)", "ln(beta)", "ln(f)"].map(|over| format!("by {over}")), "unit");
     let Sensitivities { viscoelastic, hydrodynamic } = *sensitivities;

@@ -10,8 +10,8 @@ use clap::Args;
 
 use super::destination::destination;
 use super::slurm_script::{Job, MARK, merge_script, part_script};
-use super::wording::count;
-use super::{CliError, Exit, console, shell};
+use super::{CliError, Exit, console, replaceable, shell};
+use crate::format::count;
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{check_available, read_sweep};
 use stribeck_sweep::store::write_whole;
@@ -178,7 +178,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let home = directory.join("slurm");
     let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
     let kept = home.join(format!("{}.toml", sweep.name));
-    must_be_ours_or_free(&part, &merge, &kept)?;
+    check_replaceable(&part, &merge, &kept)?;
     create(&home.join("log"))?;
     // The sweep as it is now: whoever edits the file while jobs wait in the queue does not change half of them.
     write_whole(kept.clone(), sweep.text.as_bytes())?;
@@ -207,14 +207,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// The scripts that are replaced have to be earlier ones; a sweep file beside them is an earlier one too.
-fn must_be_ours_or_free(part: &Path, merge: &Path, kept: &Path) -> Result<(), CliError> {
-    let ours = |script: &Path| {
-        fs::read(script).is_ok_and(|text| text.split(|byte| *byte == b'\n').nth(1) == Some(MARK.as_bytes()))
+/// Checks that the files are free, or written by an earlier `stribeck slurm`; a sweep file beside its scripts is so too.
+fn check_replaceable(part: &Path, merge: &Path, kept: &Path) -> Result<(), CliError> {
+    let check = |file: &Path, is_ours: &dyn Fn() -> io::Result<bool>| {
+        replaceable::check(file, "slurm", "choose another directory", is_ours)
     };
-    let foreign = [part, merge].into_iter().find(|script| script.exists() && !ours(script));
-    let foreign = foreign.or_else(|| Some(kept).filter(|kept| kept.exists() && !part.exists()));
-    foreign.map_or(Ok(()), |file| Err(CliError::Foreign { file: file.to_owned() }))
+    for script in [part, merge] {
+        check(script, &|| Ok(fs::read(script)?.split(|byte| *byte == b'\n').nth(1) == Some(MARK.as_bytes())))?;
+    }
+    check(kept, &|| fs::metadata(kept).map(|_| part.exists()))
 }
 
 /// The options of sbatch for both jobs.

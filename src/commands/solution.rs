@@ -1,12 +1,10 @@
 //! One solved case for people, as a table, and for programs, as JSON.
 
-use std::fmt::Write;
-
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::sensitivities;
-use super::wording::{count, duration};
+use crate::format::{Align, count, duration, table_line};
 use stribeck_solver::continuation::{Path, PathPoint};
 use stribeck_solver::{Parameters, Sensitivities};
 use stribeck_sweep::store::{CaseEntry, Status};
@@ -26,9 +24,7 @@ pub struct SolvedProblem<'a> {
     pub unknowns: usize,
 }
 
-const IN_MEMORY: &str = "writing to memory does not fail";
-
-/// One row for each quantity of a case, with its error and what large β has in its place; of a failed case what is known.
+/// One row for each quantity of a case, with its error and its limit for large β; of a failed case the limits.
 pub fn numbers(entry: &CaseEntry) -> String {
     match entry.outcome {
         Status::Converged => quantities(entry),
@@ -38,17 +34,16 @@ pub fn numbers(entry: &CaseEntry) -> String {
 
 fn quantities(entry: &CaseEntry) -> String {
     let mut text = String::new();
-    let mut row = |symbol: &str, value: &str, error: &str, limit: &str, unit: &str, name: &str| {
-        writeln!(text, "{symbol:<13} {value:>14} {error:>9} {limit:>14}  {unit:<10}  {name}").expect(IN_MEMORY);
-    };
-    row("symbol", "value", "error", "large beta", "unit", "name");
+    let widths =
+        [Align::Left(13), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10), Align::Left(0)];
+    text += &table_line(&widths, &["symbol", "value", "error", "large beta", "unit", "name"]);
     for column in Column::ALL.into_iter().filter(|column| !column.is_error() && !column.is_limit()) {
         let known = |column: Option<Column>| column.and_then(|column| entry.values.known(column));
         let six = |value: f64| format!("{value:.6e}");
         let error = known(column.error()).map_or_else(String::new, |error| format!("{error:.0e}"));
         let limit = known(column.limit()).map_or_else(String::new, six);
         let value = known(Some(column)).map_or_else(|| "-".to_owned(), six);
-        row(column.name(), &value, &error, &limit, column.units(), column.long_name());
+        text += &table_line(&widths, &[column.name(), &value, &error, &limit, column.units(), column.long_name()]);
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
@@ -63,8 +58,8 @@ fn limits(entry: &CaseEntry) -> String {
     let mut text = String::new();
     for column in Column::ALL.into_iter().filter(|column| column.is_limit()) {
         let limit = entry.values.known(column).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-        let (name, units, long_name) = (column.name(), column.units(), column.long_name());
-        writeln!(text, "{name:<13} {limit:>14}  {units:<10}  {long_name}").expect(IN_MEMORY);
+        let widths = [Align::Left(13), Align::Right(13), Align::Left(10), Align::Left(0)];
+        text += &table_line(&widths, &[column.name(), &limit, column.units(), column.long_name()]);
     }
     text
 }
@@ -80,7 +75,7 @@ impl SolvedProblem<'_> {
             text += &format!("  {}\n", entry.reason);
         }
         text += &self.cost();
-        text += &self.way();
+        text += &self.path();
         text += "\n";
         text + &numbers(entry)
     }
@@ -113,16 +108,17 @@ impl SolvedProblem<'_> {
     }
 
     /// The path, a line for each point; nothing if the first guess led to the solution.
-    fn way(&self) -> String {
+    fn path(&self) -> String {
         let points = &self.path.points;
         let mut text = String::new();
         if !points.is_empty() {
             text += "\nby way of     alpha          beta             f    iterations\n";
         }
         for PathPoint { alpha, beta, f, iterations, accepted } in points {
-            let (alpha, beta, f) = (short(*alpha), short(*beta), short(*f));
-            let failed = if *accepted { "" } else { "  not solved" };
-            writeln!(text, "{alpha:>19} {beta:>13} {f:>13} {iterations:>13}{failed}").expect(IN_MEMORY);
+            let failed = if *accepted { "" } else { "not solved" };
+            let columns = [Align::Right(19), Align::Right(12), Align::Right(12), Align::Right(12), Align::Left(0)];
+            let [alpha, beta, f] = [alpha, beta, f].map(|value| short(*value));
+            text += &table_line(&columns, &[&alpha, &beta, &f, &iterations.to_string(), failed]);
         }
         text
     }

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::wording::{count, duration, moment, whole_seconds};
 use super::{CliError, Exit, console};
+use crate::format::{count, duration, utc_timestamp, whole_seconds};
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{FailureRegion, PartActivity, PartState, PlannedStatus, StatusReport, status};
 use stribeck_sweep::engine::rate;
@@ -148,7 +148,7 @@ fn describe_starts(report: &StatusReport) -> String {
             None => "killed",
         };
         let (done, asked) = (start.converged + start.failed, beginning.cases);
-        let (when, took) = (moment(beginning.time), whole_seconds(start.last.saturating_sub(beginning.time)));
+        let (when, took) = (utc_timestamp(beginning.time), whole_seconds(start.last.saturating_sub(beginning.time)));
         // A merge solves nothing.
         let work = match beginning.threads {
             0 => format!("joined {}", count(done, "case")),

@@ -9,8 +9,8 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::wording::{count, duration};
-use super::{CliError, Exit, console, shell, threads};
+use super::{CliError, Exit, console, replaceable, shell, threads};
+use crate::format::{count, duration};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 use stribeck_input::shown;
 use stribeck_solver::continuation::Interrupt;
@@ -98,7 +98,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
 /// Where a study goes: the directory asked for, or `results/<file stem>`.
 ///
 /// # Errors
-/// [`CliError::NotADirectory`] if a file is there, [`CliError::Occupied`] if files are there that no study has written.
+/// [`CliError::NotADirectory`] if a file is there, [`CliError::Foreign`] if files are there that no study has written.
 fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError> {
     let path = asked.map_or_else(|| Path::new("results").join(&study.name), Path::to_owned);
     if path.exists() && !path.is_dir() {
@@ -110,7 +110,7 @@ fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError>
             ["sweep.toml"].into_iter().chain(TABLES).any(|table| name == table) || is_picture(file)
         };
         if let Some(file) = files(&path)?.into_iter().find(ours) {
-            return Err(CliError::Occupied { file });
+            replaceable::check(&file, "study", "choose another directory", || Ok(false))?;
         }
     }
     Ok(path)

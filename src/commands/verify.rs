@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::wording::{bytes, count};
 use super::{CliError, Exit, console};
+use crate::format::{bytes, count};
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{VerifyReport, verify};
 

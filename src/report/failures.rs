@@ -6,8 +6,9 @@ use super::axis::AxisValue;
 use super::encoding::integers;
 use super::texts::Texts;
 use crate::pictures::AxisWords;
+use stribeck_solver::continuation::kind_name_of_text;
 use stribeck_sweep::GridIndex;
-use stribeck_sweep::store::{DataSet, Status, kind_of_reason};
+use stribeck_sweep::store::{DataSet, Status};
 
 /// Most failed places that are listed.
 const MOST_LISTED: usize = 1000;
@@ -33,7 +34,7 @@ struct FailureList {
     listed: Vec<([AxisValue; 3], usize)>,
 }
 
-/// Places that failed for reasons that differ in numbers alone.
+/// Places that failed for reasons of one kind.
 #[derive(Debug, Serialize)]
 struct Kind {
     count: usize,
@@ -76,7 +77,7 @@ impl FailureList {
         let (shape, axes) = (data.shape(), AxisWords::of(data));
         let (mut kinds, mut list) = (Texts::default(), Self::default());
         for (place, reason) in failed {
-            let index = kinds.index(&kind_of_reason(reason));
+            let index = kinds.index(kind_name_of_text(reason));
             match list.kinds.get_mut(index) {
                 Some(kind) => {
                     kind.count += 1;

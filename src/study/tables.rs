@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use super::reference::{Errors, settings};
 use super::{Reference, Row, Start, Study};
+use crate::format::count;
 use stribeck_charts::geometric_median;
 use stribeck_solver::shortest;
 
@@ -56,7 +57,7 @@ fn introduction(study: &Study, rows: &[Row]) -> String {
     let tightest = known.iter().map(|(tolerance, _)| *tolerance).fold(f64::INFINITY, f64::min);
     let looser = known.iter().filter(|(tolerance, _)| *tolerance > tightest).count();
     let worst = known.iter().map(|(_, error)| *error).fold(0.0, f64::max);
-    let (cases, variants) = (counted(references.len(), "case"), counted(study.variants.len(), "setting"));
+    let (cases, variants) = (count(references.len() as u64, "case"), count(study.variants.len() as u64, "setting"));
     let mut text = format!("{cases}, {variants}; {start}. ");
     let written = "writing to memory does not fail";
     if !known.is_empty() {
@@ -66,20 +67,15 @@ fn introduction(study: &Study, rows: &[Row]) -> String {
         )
         .expect(written);
         if looser > 0 {
-            write!(text, " (looser in {}, where that cannot be reached)", counted(looser, "case")).expect(written);
+            write!(text, " (looser in {}, where that cannot be reached)", count(looser as u64, "case")).expect(written);
         }
         write!(text, "; the largest of their own estimated errors is {worst:.0e}, and smaller errors than that of its reference are left out. ").expect(written);
     }
     if missing > 0 {
-        write!(text, "{} without a reference. ", counted(missing, "case")).expect(written);
+        write!(text, "{} without a reference. ", count(missing as u64, "case")).expect(written);
     }
     text.truncate(text.trim_end().len());
     text + "\n"
-}
-
-/// `1 case`, `2 cases`.
-fn counted(number: usize, noun: &str) -> String {
-    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
 /// A text that breaks no table.

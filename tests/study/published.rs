@@ -120,9 +120,9 @@ fn nothing_is_lost() {
         (vec!["study", "bad.toml"], 2, "`point` is not a key of"),
         (vec!["study", "missing.toml"], 2, "cannot read the study file"),
         (vec!["study", "two.toml", "-o", "file"], 4, "is a file"),
-        (vec!["study", "two.toml", "-o", "taken"], 4, "which no study has written"),
-        (vec!["study", "two.toml", "-o", "sweep"], 4, "which no study has written"),
-        (vec!["study", "two.toml", "-o", "drawn"], 4, "which no study has written"),
+        (vec!["study", "two.toml", "-o", "taken"], 4, "which `stribeck study` has not written"),
+        (vec!["study", "two.toml", "-o", "sweep"], 4, "which `stribeck study` has not written"),
+        (vec!["study", "two.toml", "-o", "drawn"], 4, "which `stribeck study` has not written"),
         (vec!["study", "two.toml", "-o", "file/below"], 4, "cannot create the directory"),
         (vec!["study", "two.toml", "--threads", "0"], 2, "from 1 to"),
     ] {

@@ -2,9 +2,22 @@
 
 use super::entry::{Entry, Section};
 use super::error::Fault;
-use super::units::Dimension;
 
-/// Which quantity an axis holds: decides what numbers it may take.
+/// A kind of numbers that a key may have: how one is read, and how many an axis may hold.
+pub trait Values {
+    /// Reads one value.
+    ///
+    /// # Errors
+    /// [`Fault`] if it is no number of this kind.
+    fn read(&self, entry: &Entry<'_>) -> Result<f64, Fault>;
+
+    /// The most values of an axis.
+    fn limit(&self) -> usize {
+        1_000_000
+    }
+}
+
+/// A dimensionless quantity: decides which numbers its key may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// f: finite, at least 0.
@@ -15,13 +28,9 @@ pub enum Quantity {
     InverseHersey,
     /// x of the fields: finite.
     Position,
-    /// A quantity with a unit: finite, above 0.
-    Measured(Dimension),
-    /// Poisson's ratio: from 0 to 0.5.
-    PoissonRatio,
 }
 
-/// A number, or an axis of them.
+/// A number, or an axis of numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Varying {
     /// One number.
@@ -45,9 +54,8 @@ impl Quantity {
         match self {
             Quantity::Strength => value.is_finite() && value >= 0.0,
             Quantity::SlideTime => value >= 0.0,
-            Quantity::InverseHersey | Quantity::Measured(_) => value.is_finite() && value > 0.0,
+            Quantity::InverseHersey => value.is_finite() && value > 0.0,
             Quantity::Position => value.is_finite(),
-            Quantity::PoissonRatio => (0.0..=0.5).contains(&value),
         }
     }
 
@@ -55,9 +63,8 @@ impl Quantity {
         match self {
             Quantity::Strength => "finite and at least 0",
             Quantity::SlideTime => "at least 0, or inf",
-            Quantity::InverseHersey | Quantity::Measured(_) => "finite and above 0",
+            Quantity::InverseHersey => "finite and above 0",
             Quantity::Position => "finite",
-            Quantity::PoissonRatio => "from 0 to 0.5",
         }
     }
 
@@ -69,41 +76,33 @@ impl Quantity {
             }
             Quantity::InverseHersey => "beta is positive; dry sliding is the limit of large beta: 1e4, say, is near it",
             Quantity::Position => "x is a place in units of a0, as in -3.0",
-            Quantity::Measured(_) => "write it in SI units as in 1e-3, or with its unit in quotes",
-            Quantity::PoissonRatio => "soft solids hardly change their volume: 0.5 is usual, 0.3 for a stiff polymer",
         }
     }
+}
 
-    /// Most values of such an axis.
-    fn limit(self) -> usize {
+impl Values for Quantity {
+    fn read(&self, entry: &Entry<'_>) -> Result<f64, Fault> {
+        let value = entry.number()?;
+        if self.admits(value) { Ok(value) } else { Err(entry.not_allowed(self.allowed(), self.remedy())) }
+    }
+
+    fn limit(&self) -> usize {
         match self {
             Quantity::Position => 10_001,
             _ => 1_000_000,
         }
     }
-
-    /// Reads one value.
-    pub fn read(self, entry: &Entry<'_>) -> Result<f64, Fault> {
-        let value = match self {
-            Quantity::Measured(dimension) => dimension.read(entry)?,
-            _ => entry.number()?,
-        };
-        match self.admits(value) {
-            true => Ok(value),
-            false => {
-                let what = format!("a value of `{}` must be {}", entry.path(), self.allowed());
-                Err(entry.fault(what, "not allowed", self.remedy()))
-            }
-        }
-    }
 }
 
 /// Reads an axis: a list or a range.
-pub fn read(entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
+///
+/// # Errors
+/// [`Fault`] if the entry is neither, its values do not ascend, or one of them is not allowed.
+pub fn read(entry: &Entry<'_>, quantity: impl Values) -> Result<Vec<f64>, Fault> {
     if let Some(items) = entry.list() {
-        read_list(entry, items, quantity)
+        read_list(entry, items, &quantity)
     } else if entry.is_section() {
-        read_range(&entry.section(&RANGE_KEYS, |_| None)?, entry, quantity)
+        read_range(&entry.section(&RANGE_KEYS, |_| None)?, entry, &quantity)
     } else {
         let help = match entry.number() {
             Ok(value) => format!("a single value is a list too: write [{value:?}]"),
@@ -116,7 +115,10 @@ pub fn read(entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
 }
 
 /// Reads a number, or an axis.
-pub fn read_varying(entry: &Entry<'_>, quantity: Quantity) -> Result<Varying, Fault> {
+///
+/// # Errors
+/// As [`read`] of an axis, and [`Fault`] if a single number is not allowed.
+pub fn read_varying(entry: &Entry<'_>, quantity: impl Values) -> Result<Varying, Fault> {
     if entry.list().is_some() || entry.is_section() {
         read(entry, quantity).map(Varying::Axis)
     } else {
@@ -127,7 +129,7 @@ pub fn read_varying(entry: &Entry<'_>, quantity: Quantity) -> Result<Varying, Fa
 fn read_list<'t>(
     entry: &Entry<'t>,
     items: impl ExactSizeIterator<Item = Entry<'t>>,
-    quantity: Quantity,
+    quantity: &impl Values,
 ) -> Result<Vec<f64>, Fault> {
     if items.len() == 0 {
         let what = format!("`{}` must have at least one value", entry.path());
@@ -159,7 +161,7 @@ fn read_list<'t>(
     Ok(values)
 }
 
-fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: Quantity) -> Result<Vec<f64>, Fault> {
+fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: &impl Values) -> Result<Vec<f64>, Fault> {
     let help = "a range is { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }";
     let [from_entry, to_entry] = [range.require("from", help)?, range.require("to", help)?];
     let points = range.require("points", help)?.whole(2..=quantity.limit())?;

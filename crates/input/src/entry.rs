@@ -80,6 +80,11 @@ impl<'t> Entry<'t> {
         Fault::new(self.span.clone(), what, label, help)
     }
 
+    /// A fault of a number that is none of those `allowed`, with a remedy.
+    pub fn not_allowed(&self, allowed: &str, remedy: &str) -> Fault {
+        self.fault(format!("a value of `{}` must be {allowed}", self.path), "not allowed", remedy)
+    }
+
     fn wrong_type(&self, wanted: &str, help: &str) -> Fault {
         let label = format!("{}, not {wanted}", kind(self.value));
         self.fault(format!("`{}` must be {wanted}", self.path), label, help)
@@ -224,23 +229,7 @@ fn nearest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
     if let Some(word) = known.iter().find(|word| written.len() > 1 && word.starts_with(&written)) {
         return Some(word);
     }
-    let distances = known.iter().map(|word| (edit_distance(&written, word), *word));
+    let distances = known.iter().map(|word| (strsim::levenshtein(&written, word), *word));
     let (distance, word) = distances.min_by_key(|(distance, _)| *distance)?;
     (2 * distance <= word.len()).then_some(word)
-}
-
-/// Letters to insert, delete or replace to get from one word to the other (Levenshtein).
-fn edit_distance(from: &str, to: &str) -> usize {
-    let to: Vec<char> = to.chars().collect();
-    let mut row: Vec<usize> = (0..=to.len()).collect();
-    for (i, letter) in from.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, other) in to.iter().enumerate() {
-            let replaced = diagonal + usize::from(letter != *other);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[to.len()]
 }

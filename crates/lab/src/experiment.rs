@@ -1,87 +1,9 @@
-//! Quantities of the laboratory: what an experiment has instead of α and β, and the scales that lead back.
+//! An experiment in SI units, and the dimensionless parameters that follow from it.
 
 use std::f64::consts::PI;
 
-/// A quantity of an experiment, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum LaboratoryQuantity {
-    /// R, radius of the cylinder.
-    Radius,
-    /// N, load per length of the cylinder.
-    Load,
-    /// E∞, modulus after a long time.
-    RelaxedModulus,
-    /// E₀ = (1 + f) E∞, modulus at once.
-    InstantaneousModulus,
-    /// ν, Poisson's ratio of the substrate.
-    PoissonRatio,
-    /// η, viscosity of the fluid.
-    Viscosity,
-    /// τ, retardation time of the substrate.
-    RetardationTime,
-    /// V, speed of the cylinder.
-    Speed,
-}
-
-impl LaboratoryQuantity {
-    /// All, in the order in which results have them: the speed, along which chains run, is the last.
-    pub const ALL: [Self; 8] = [
-        Self::Radius,
-        Self::Load,
-        Self::RelaxedModulus,
-        Self::InstantaneousModulus,
-        Self::PoissonRatio,
-        Self::Viscosity,
-        Self::RetardationTime,
-        Self::Speed,
-    ];
-
-    /// Name in sweep files and results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Radius => "radius",
-            Self::Load => "load",
-            Self::RelaxedModulus => "relaxed_modulus",
-            Self::InstantaneousModulus => "instantaneous_modulus",
-            Self::PoissonRatio => "poisson_ratio",
-            Self::Viscosity => "viscosity",
-            Self::RetardationTime => "retardation_time",
-            Self::Speed => "speed",
-        }
-    }
-
-    /// The quantity of this name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
-    }
-
-    /// SI unit.
-    pub fn units(self) -> &'static str {
-        match self {
-            Self::Radius => "m",
-            Self::Load => "N/m",
-            Self::RelaxedModulus | Self::InstantaneousModulus => "Pa",
-            Self::PoissonRatio => "1",
-            Self::Viscosity => "Pa s",
-            Self::RetardationTime => "s",
-            Self::Speed => "m/s",
-        }
-    }
-
-    /// What it is, in words.
-    pub fn long_name(self) -> &'static str {
-        match self {
-            Self::Radius => "radius of the cylinder",
-            Self::Load => "load per length of the cylinder",
-            Self::RelaxedModulus => "relaxed modulus of the substrate",
-            Self::InstantaneousModulus => "instantaneous modulus of the substrate",
-            Self::PoissonRatio => "Poisson's ratio of the substrate",
-            Self::Viscosity => "viscosity of the fluid",
-            Self::RetardationTime => "retardation time of the substrate",
-            Self::Speed => "speed of the cylinder",
-        }
-    }
-}
+use crate::{LaboratoryQuantity, Scales};
+use stribeck_solver::{Parameters, Substrate};
 
 /// Which of the two moduli of a substrate is given, in Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,63 +35,7 @@ pub struct Experiment {
     pub f: f64,
 }
 
-/// The units of a dimensionless solution, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scales {
-    /// a₀ (m), of x.
-    pub length: f64,
-    /// a₀²/R (m), of h, w and u.
-    pub height: f64,
-    /// 2N/(πa₀) (Pa), of p.
-    pub pressure: f64,
-    /// a₀/R, of friction coefficients.
-    pub friction: f64,
-}
-
-impl Scales {
-    /// Names of the data set's variables that hold the scales, with unit and description, in the order of [`Scales::values`].
-    pub const VARIABLES: [(&'static str, &'static str, &'static str); 4] = [
-        ("a0", "m", "half width of the relaxed dry contact, the unit of x"),
-        ("film_scale", "m", "a0^2/R, the scale of film thickness and displacement"),
-        ("pressure_scale", "Pa", "2N/(pi a0), the scale of the pressure"),
-        ("friction_scale", "1", "a0/R, the scale of friction coefficients"),
-    ];
-
-    /// The scales in the order of [`Scales::VARIABLES`].
-    pub fn values(&self) -> [f64; 4] {
-        [self.length, self.height, self.pressure, self.friction]
-    }
-
-    /// What a number in one of the units of dimensionless results is in SI units.
-    ///
-    /// # Panics
-    /// If there is no such unit.
-    pub fn factor(&self, units: &str) -> f64 {
-        match units {
-            "a0" => self.length,
-            "a0^2/R" => self.height,
-            "2N/(pi a0)" => self.pressure,
-            "a0/R" => self.friction,
-            "1" => 1.0,
-            other => panic!("{other} is no unit of results"),
-        }
-    }
-}
-
-/// The SI unit in place of a unit of dimensionless results.
-///
-/// # Panics
-/// If there is no such unit.
-pub fn si_units(units: &str) -> &'static str {
-    match units {
-        "a0" | "a0^2/R" => "m",
-        "2N/(pi a0)" => "Pa",
-        "a0/R" | "1" => "1",
-        other => panic!("{other} is no unit of results"),
-    }
-}
-
-/// By which power α, β and the friction scale a₀/R change with a quantity: d ln/d ln q.
+/// The powers by which α, β and the friction scale a₀/R change with a quantity q: d ln/d ln q.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Powers {
     /// Of α (Eq. 13).
@@ -206,6 +72,11 @@ impl Experiment {
         self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length() / (12.0 * self.viscosity * self.speed)
     }
 
+    /// The dimensionless case of this experiment on a substrate with the given retardation spectrum.
+    pub fn parameters(&self, substrate: &Substrate) -> Parameters {
+        Parameters { alpha: self.alpha(), beta: self.beta(), f: self.f, substrate: substrate.clone() }
+    }
+
     /// The units of its solution.
     pub fn scales(&self) -> Scales {
         let length = self.contact_length();
@@ -217,7 +88,7 @@ impl Experiment {
         }
     }
 
-    /// The value of a quantity; of the modulus that was not given, by way of f.
+    /// The value of a quantity; the modulus that was not given follows from f.
     pub fn value(&self, quantity: LaboratoryQuantity) -> f64 {
         match (quantity, self.modulus) {
             (LaboratoryQuantity::Radius, _) => self.radius,
@@ -242,7 +113,7 @@ impl Experiment {
         LaboratoryQuantity::ALL.into_iter().filter(move |quantity| *quantity != other)
     }
 
-    /// Gives a quantity another value; a modulus becomes the one that is given.
+    /// Sets a quantity; a modulus becomes the given one.
     pub fn set(&mut self, quantity: LaboratoryQuantity, value: f64) {
         match quantity {
             LaboratoryQuantity::Radius => self.radius = value,
@@ -256,7 +127,7 @@ impl Experiment {
         }
     }
 
-    /// By which powers α, β and a₀/R change with a quantity, all others given as they are.
+    /// The powers by which α, β and a₀/R change with a quantity while the others stay.
     ///
     /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η V R).
     pub fn powers(&self, quantity: LaboratoryQuantity) -> Powers {
@@ -277,7 +148,8 @@ impl Experiment {
         }
     }
 
-    /// The same with f: where the instantaneous modulus is given, the relaxed one falls as 1/(1 + f).
+    /// The powers by which α, β and a₀/R change with f: where the instantaneous modulus is given, the relaxed one falls as
+    /// 1/(1 + f).
     pub fn powers_of_strength(&self) -> Powers {
         match self.modulus {
             Modulus::Relaxed(_) => Self::powers_of_modulus(0.0),
@@ -285,7 +157,7 @@ impl Experiment {
         }
     }
 
-    /// The powers of something that E∞* grows with by the given power.
+    /// The powers with a quantity of which E∞* has the given power.
     fn powers_of_modulus(power: f64) -> Powers {
         Powers { alpha: -0.5 * power, beta: -power, friction: -0.5 * power }
     }

@@ -1,11 +1,46 @@
 //! Experiments on lubricated soft contacts: quantities with units, materials, measured friction and fits.
+//!
+//! An [`Experiment`] is a cylinder, a fluid and a substrate in SI units. It knows its dimensionless case and the [`Scales`]
+//! that lead back. A [`Material`] is a substrate from measured moduli, [`Measured`] is friction from a CSV file, and
+//! [`FrictionFit`] finds quantities of the experiment from it.
+//!
+//! ```
+//! use stribeck_lab::{Experiment, Modulus, Relaxation, RelaxationTerm};
+//! use stribeck_solver::{Settings, solve};
+//!
+//! let material = Relaxation::new(1e5, vec![RelaxationTerm { modulus: 1e6, time: 2e-3 }]).unwrap().material();
+//! let (radius, load, modulus) = (2e-3, 119.0, Modulus::Relaxed(material.relaxed_modulus));
+//! let (viscosity, speed) = (5.1, 1e-3);
+//! let Material { retardation_time, f, ref substrate, .. } = material;
+//! let experiment = Experiment { radius, load, modulus, poisson_ratio: 0.5, viscosity, retardation_time, speed, f };
+//! let solution = solve(&experiment.parameters(substrate), &Settings::default()).expect("a solution");
+//! let friction = experiment.scales().friction * solution.quantities.friction.total();
+//! assert!((0.1..0.3).contains(&friction), "{friction}");
+//! # use stribeck_lab::Material;
+//! ```
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `quantity`, `units` | quantities of the laboratory; values with units |
+//! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
+//! | `material` | relaxation and creep of a substrate; fits to measured moduli |
+//! | `measured` | measured friction |
+//! | `friction_fit` | fits to measured friction |
 
 mod experiment;
-pub mod fit;
-pub mod material;
+mod friction_fit;
+mod material;
 mod measured;
+mod quantity;
+mod scales;
 mod units;
 
-pub use experiment::{Experiment, LaboratoryQuantity, Modulus, Powers, Scales, si_units};
+pub use experiment::{Experiment, Modulus, Powers};
+pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
+pub use material::{
+    Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
+};
 pub use measured::{Measured, MeasuredError};
-pub use units::{dimension, in_si, unit_factor};
+pub use quantity::LaboratoryQuantity;
+pub use scales::{Scales, si_units};
+pub use units::Dimension;

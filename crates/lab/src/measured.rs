@@ -4,10 +4,9 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use crate::Experiment;
-use crate::LaboratoryQuantity;
-use crate::in_si;
-use crate::unit_factor;
+use crate::quantity::POISSON_RATIOS;
+use crate::units::in_si;
+use crate::{Experiment, LaboratoryQuantity};
 use stribeck_input::{printable, shown};
 
 /// Names of columns that hold friction coefficients, with the column of the results that they are compared with.
@@ -37,7 +36,7 @@ pub struct Measured {
     pub coordinates: Vec<(&'static str, Vec<f64>)>,
 }
 
-/// Why a file of measured points was not taken.
+/// The reason why a file of measured points is refused.
 #[derive(Debug, thiserror::Error)]
 pub enum MeasuredError {
     /// The file cannot be read.
@@ -49,7 +48,7 @@ pub enum MeasuredError {
         #[source]
         source: io::Error,
     },
-    /// The file is no table.
+    /// The file is not a table of measured points.
     #[error("{}: {what}", shown(path))]
     NotATable {
         /// The file.
@@ -57,7 +56,7 @@ pub enum MeasuredError {
         /// What is wrong, and what to do.
         what: String,
     },
-    /// A value is none that is allowed.
+    /// A value is not allowed.
     #[error("{}:{line}: {column} = {:?} is not allowed: {allowed}", shown(path), printable(value))]
     Value {
         /// The file.
@@ -73,7 +72,7 @@ pub enum MeasuredError {
     },
 }
 
-/// What a column holds, with the factor to SI units.
+/// The content of a column; a coordinate has its factor to SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Role {
     Friction(&'static str),
@@ -98,20 +97,7 @@ impl Measured {
         let malformed = |error: csv::Error| table(format!("it is no CSV table: {}", csv_words(error.kind(), &text)));
         let header = reader.headers().map_err(malformed)?.clone();
         let roles = header.iter().map(role).collect::<Result<Vec<_>, _>>().map_err(table)?;
-        for (place, role) in roles.iter().enumerate() {
-            let same = |other: &Role| match (role, other) {
-                (Role::Coordinate(one, _), Role::Coordinate(other, _)) => one == other || are_moduli(one, other),
-                (Role::Friction(_), Role::Friction(_)) | (Role::Error, Role::Error) => true,
-                _ => false,
-            };
-            if roles[..place].iter().any(same) {
-                let what = match role {
-                    Role::Friction(_) => "it has two columns of friction; keep one",
-                    _ => "it has a column twice, or both moduli; remove one",
-                };
-                return Err(table(format!("{what} (`{}`)", printable(&header[place]))));
-            }
-        }
+        check_roles(&header, &roles).map_err(table)?;
         let Some(column) =
             roles.iter().find_map(|role| if let Role::Friction(name) = role { Some(*name) } else { None })
         else {
@@ -159,7 +145,7 @@ impl Measured {
                 Role::Error => ("a standard error is a number above 0", |value| value > 0.0),
                 Role::Coordinate("f" | "alpha", _) => ("it is a number from 0", |value| value >= 0.0),
                 Role::Coordinate("poisson_ratio", _) => {
-                    ("it is a number from 0 to 0.5", |value| (0.0..=0.5).contains(&value))
+                    ("it is a number from 0 to 0.5", |value| POISSON_RATIOS.contains(&value))
                 }
                 Role::Coordinate(..) => ("it is a number above 0", |value| value > 0.0 && value.is_finite()),
             };
@@ -205,6 +191,25 @@ impl Measured {
     }
 }
 
+/// Checks that no two columns hold the same quantity, or one that follows from the other.
+fn check_roles(header: &csv::StringRecord, roles: &[Role]) -> Result<(), String> {
+    for (place, role) in roles.iter().enumerate() {
+        let same = |other: &Role| match (role, other) {
+            (Role::Coordinate(one, _), Role::Coordinate(other, _)) => one == other || are_moduli(one, other),
+            (Role::Friction(_), Role::Friction(_)) | (Role::Error, Role::Error) => true,
+            _ => false,
+        };
+        if roles[..place].iter().any(same) {
+            let what = match role {
+                Role::Friction(_) => "it has two columns of friction; keep one",
+                _ => "it has a column twice, or both moduli; remove one",
+            };
+            return Err(format!("{what} (`{}`)", printable(&header[place])));
+        }
+    }
+    Ok(())
+}
+
 /// True for the two moduli, of which one follows from the other.
 fn are_moduli(one: &str, other: &str) -> bool {
     let moduli =
@@ -219,7 +224,7 @@ fn role(name: &str) -> Result<Role, String> {
         None => (name.trim(), None),
     };
     let known_unit = |quantity: LaboratoryQuantity, unit: &str| {
-        unit_factor(quantity, unit).ok_or_else(|| {
+        quantity.dimension().and_then(|dimension| dimension.factor_of(unit)).ok_or_else(|| {
             let (name, unit) = (printable(name), quantity.units());
             format!("the unit of its column `{name}` is none of this quantity; write ({unit}), or a unit of that kind")
         })

@@ -1,3 +1,4 @@
 //! Laws of materials, units and fits: one module a subject.
 
+mod friction_fit;
 mod material;

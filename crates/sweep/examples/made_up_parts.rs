@@ -55,6 +55,7 @@ fn made_up(plan: &Plan, case: &Parameters) -> CaseEntry {
         id: plan.id(case),
         outcome: Status::Converged,
         reason: String::new(),
+        failure_kind: None,
         values: Values(std::array::from_fn(|column| (seed + column as f64).sin())),
         fields: Fields::default(),
         sensitivities: None,

@@ -135,6 +135,7 @@ fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
         id: plan.id(parameters),
         outcome: Status::Converged,
         reason: String::new(),
+        failure_kind: None,
         values: Values::converged(&solution.quantities, &solution.errors, &case.limits),
         fields: solution.fields,
         sensitivities: solution.sensitivities,

@@ -430,9 +430,9 @@ fn the_history_tells_of_every_start() {
     let seconds: f64 = starts.iter().map(|start| start.case_seconds).sum();
     assert!((seconds / expected - 1.0).abs() < 1e-12);
     let mut failures = Vec::new();
-    held.visit_failures(|id, reason| failures.push((id, reason.to_owned()))).unwrap();
+    held.visit_failures(|id, kind, reason| failures.push((id, Some(kind.to_owned()), reason.to_owned()))).unwrap();
     let failed = entry(100.0, 0.1, 1000.0, &output());
-    assert_eq!(failures, [(failed.id, failed.reason)]);
+    assert_eq!(failures, [(failed.id, failed.failure_kind, failed.reason)]);
 }
 
 #[test]

@@ -1,23 +1,23 @@
-//! Materials as they are measured: relaxation and retardation spectra, one made of the other, and fits to measured moduli.
+//! Materials: relaxation and retardation spectra, one made of the other, and fits to measured moduli.
 //!
-//! A sweep knows a substrate by its creep (f, retardation times and shares); measurements and tables of materials give moduli and
-//! relaxation times. The step from one to the other is exact.
+//! A sweep knows a substrate by its creep (f, retardation times and shares). Measurements and tables of materials give
+//! moduli and relaxation times. The step from one to the other is exact.
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | [`Relaxation`] | E(t) = E∞ + Σ E_i e^{−t/τ_i}, in pascals and seconds |
-//! | [`Material`] | the same material by its creep, as a case needs it |
-//! | [`Measurements`] | a table of storage and loss modulus over frequency |
-//! | [`Fit`] | the relaxation spectrum that a table of measurements asks for |
+//! | `relaxation` | [`Relaxation`]: E(t) = E∞ + Σ E_i e^{−t/τ_i}, in pascals and seconds |
+//! | `creep` | [`Material`]: the same material by its creep, as a case needs it |
+//! | `conversion` | from one to the other |
+//! | `measurements` | [`Measurements`]: storage and loss modulus over frequency |
+//! | `relaxation_fit` | [`RelaxationFit`]: the relaxation spectrum that fits the measurements |
 
-mod error;
-mod fit;
+mod conversion;
+mod creep;
 mod measurements;
 mod relaxation;
-mod retardation;
+mod relaxation_fit;
 
-pub use error::{FitError, MaterialError};
-pub use fit::{Fit, MOST_TERMS};
+pub use creep::Material;
 pub use measurements::{Measurement, Measurements};
-pub use relaxation::{Relaxation, RelaxationTerm};
-pub use retardation::Material;
+pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};
+pub use relaxation_fit::{RelaxationFit, RelaxationFitError};

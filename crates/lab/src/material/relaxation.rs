@@ -1,8 +1,6 @@
 //! A material by its relaxation: what a step of strain leaves of the stress, and how it answers to oscillation.
 
-use super::{Material, MaterialError};
-use stribeck_solver::exact::{Line, Spectrum};
-use stribeck_solver::{Parameters, RetardationMode, Substrate};
+use stribeck_solver::Parameters;
 
 /// One relaxation term (a Maxwell element).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,20 +68,6 @@ impl Relaxation {
             (storage + term.modulus * stored, loss + term.modulus * lost)
         })
     }
-
-    /// The same material by its creep (T40), (T41).
-    pub fn material(&self) -> Material {
-        let line = |term: &RelaxationTerm| Line { strength: term.modulus / self.relaxed_modulus, place: term.time };
-        let spectrum = Spectrum::new(self.terms.iter().map(line));
-        let retardation = spectrum.conjugate().spectrum;
-        // Their own sum, so that the shares add up to 1.
-        let f = retardation.total();
-        let shares = || retardation.lines().iter().map(|line| (line.strength / f, line.place));
-        let retardation_time = shares().map(|(share, time)| share * time).sum();
-        let modes = shares().map(|(share, time)| RetardationMode { share, time: time / retardation_time });
-        let substrate = Substrate::new(modes.collect()).expect("positive shares of a sum, positive times");
-        Material { relaxed_modulus: self.relaxed_modulus, f, retardation_time, substrate }
-    }
 }
 
 impl RelaxationTerm {
@@ -92,4 +76,43 @@ impl RelaxationTerm {
         let x = omega * self.time;
         (x / (x + 1.0 / x), 1.0 / (x + 1.0 / x))
     }
+}
+
+/// The reason why a list of relaxation terms is not a material.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum MaterialError {
+    /// There is no term.
+    #[error("a viscoelastic material needs at least one relaxation term; without any it is elastic, f = 0")]
+    Empty,
+    /// The relaxed modulus is not a positive number.
+    #[error(
+        "the relaxed modulus must be a number of pascals {}, not {value}: a material that relaxes to nothing is a liquid, and \
+         carries no load at rest",
+        allowed()
+    )]
+    RelaxedModulus {
+        /// What was given.
+        value: f64,
+    },
+    /// The modulus of a term is not a positive number.
+    #[error("relaxation term {term}: the modulus must be a number of pascals {}, not {value}", allowed())]
+    Modulus {
+        /// Place in the list, from 1.
+        term: usize,
+        /// What was given.
+        value: f64,
+    },
+    /// The time of a term is not a positive number.
+    #[error("relaxation term {term}: the time must be a number of seconds {}, not {value}", allowed())]
+    Time {
+        /// Place in the list, from 1.
+        term: usize,
+        /// What was given.
+        value: f64,
+    },
+}
+
+fn allowed() -> String {
+    let magnitudes = Parameters::MAGNITUDES;
+    format!("from {:e} to {:e}", magnitudes.start(), magnitudes.end())
 }

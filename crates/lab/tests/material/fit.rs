@@ -3,7 +3,7 @@
 use std::fs;
 
 use proptest::prelude::*;
-use stribeck_lab::material::{Fit, FitError, MOST_TERMS, Measurements, Relaxation, RelaxationTerm};
+use stribeck_lab::{Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm};
 use tempfile::tempdir;
 
 /// The table of a material at these angular frequencies.
@@ -37,7 +37,7 @@ fn solid(relaxed_modulus: f64, terms: &[(f64, f64)]) -> Relaxation {
 #[test]
 fn a_material_is_found_again() {
     let material = solid(1e6, &[(3e8, 1e-3), (2e7, 1e-1), (5e5, 1e2)]);
-    let fit = Fit::new(&measurements(&table(&material, decades(-3, 4))), 8).expect("a fit");
+    let fit = RelaxationFit::new(&measurements(&table(&material, decades(-3, 4))), 8).expect("a fit");
     assert!(fit.largest_residual < 1e-10 && fit.rms_residual <= fit.largest_residual, "{fit:?}");
     assert!((fit.relaxation.relaxed_modulus() / 1e6 - 1.0).abs() < 1e-9);
     for term in fit.relaxation.terms() {
@@ -54,7 +54,7 @@ fn a_material_is_found_again() {
 fn more_terms_fit_better() {
     let material = solid(2e6, &[(1e8, 3e-4), (4e7, 0.07), (3e6, 20.0)]);
     let measurements = measurements(&table(&material, decades(-3, 5)));
-    let residuals = [5, 9, 17, 33].map(|terms| Fit::new(&measurements, terms).expect("a fit").rms_residual);
+    let residuals = [5, 9, 17, 33].map(|terms| RelaxationFit::new(&measurements, terms).expect("a fit").rms_residual);
     assert!(residuals[3] < 0.02 && residuals.windows(2).all(|pair| pair[1] < 0.7 * pair[0]), "{residuals:?}");
 }
 
@@ -63,9 +63,9 @@ fn more_terms_fit_better() {
 fn no_neighbour_is_better() {
     let material = solid(2e6, &[(1e8, 3e-4), (4e7, 0.07), (3e6, 20.0)]);
     let measurements = measurements(&table(&material, decades(-3, 5)));
-    let fit = Fit::new(&measurements, 7).expect("a fit");
+    let fit = RelaxationFit::new(&measurements, 7).expect("a fit");
     let residual = |relaxation: &Relaxation| -> f64 {
-        let square = |row: &stribeck_lab::material::Measurement| {
+        let square = |row: &stribeck_lab::Measurement| {
             let (storage, loss) = relaxation.storage_and_loss(row.omega);
             ((storage - row.storage).powi(2) + (loss - row.loss).powi(2)) / (row.storage.powi(2) + row.loss.powi(2))
         };
@@ -115,19 +115,22 @@ fn frequencies_and_order_of_columns_and_rows_are_free() {
 fn what_no_material_fits_is_told() {
     let rows = measurements("omega,storage,loss\n1,100,10\n2,110,12\n");
     for (terms, error) in [
-        (0, FitError::Terms { terms: 0 }),
-        (4, FitError::TooFewRows { terms: 4, rows: 2 }),
-        (101, FitError::Terms { terms: 101 }),
+        (0, RelaxationFitError::Terms { terms: 0 }),
+        (4, RelaxationFitError::TooFewRows { terms: 4, rows: 2 }),
+        (101, RelaxationFitError::Terms { terms: 101 }),
     ] {
-        assert_eq!(Fit::new(&rows, terms), Err(error));
+        assert_eq!(RelaxationFit::new(&rows, terms), Err(error));
     }
-    assert_eq!(MOST_TERMS, 100);
-    assert!(Fit::new(&rows, 3).is_ok());
+    assert_eq!(RelaxationFit::MOST_TERMS, 100);
+    assert!(RelaxationFit::new(&rows, 3).is_ok());
     // A Maxwell liquid: E″ falls in proportion to ω, E′ to its square.
     let liquid: String = decades(-3, 0).map(|omega| format!("{omega:?},{:?},{omega:?}\n", omega * omega)).collect();
-    assert_eq!(Fit::new(&measurements(&format!("omega,storage,loss\n{liquid}")), 6), Err(FitError::Liquid));
+    assert_eq!(
+        RelaxationFit::new(&measurements(&format!("omega,storage,loss\n{liquid}")), 6),
+        Err(RelaxationFitError::Liquid)
+    );
     let elastic = measurements("omega,storage,loss\n1,100,0\n10,100,0\n100,100,0\n");
-    assert_eq!(Fit::new(&elastic, 3), Err(FitError::Elastic));
+    assert_eq!(RelaxationFit::new(&elastic, 3), Err(RelaxationFitError::Elastic));
 }
 
 proptest! {
@@ -142,7 +145,7 @@ proptest! {
         let text: String = rows.iter().map(|(omega, storage, loss)| {
             format!("{:?},{:?},{:?}\n", 10_f64.powf(*omega), 10_f64.powf(*storage), 10_f64.powf(*loss))
         }).collect();
-        if let Ok(fit) = Fit::new(&measurements(&format!("omega,storage,loss\n{text}")), terms) {
+        if let Ok(fit) = RelaxationFit::new(&measurements(&format!("omega,storage,loss\n{text}")), terms) {
             prop_assert!(fit.rms_residual <= fit.largest_residual && fit.rms_residual <= 1.0);
             prop_assert!(fit.relaxation.terms().len() <= terms);
             prop_assert!(fit.relaxation.material().f > 0.0);

@@ -1,7 +1,7 @@
 //! One material by its relaxation and by its creep.
 
 use proptest::prelude::*;
-use stribeck_lab::material::{Material, MaterialError, Relaxation, RelaxationTerm};
+use stribeck_lab::{Material, MaterialError, Relaxation, RelaxationTerm};
 use stribeck_solver::{RetardationMode, Substrate};
 
 fn relaxation(relaxed_modulus: f64, terms: &[(f64, f64)]) -> Relaxation {

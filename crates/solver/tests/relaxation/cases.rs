@@ -7,7 +7,7 @@ use stribeck_solver::continuation::{Interrupt, Solution, SolvedCase, solve_chain
 use stribeck_solver::exact::contact_bounds;
 use stribeck_solver::gauss::unit_interval;
 use stribeck_solver::relaxation::{RelaxationSolver, Settings};
-use stribeck_solver::{FieldSelection, Output, Parameters, Quantities};
+use stribeck_solver::{FieldSelection, Friction, Output, Parameters, Quantities};
 
 /// Default settings with so many points.
 pub fn settings(points: usize) -> Settings {
@@ -253,4 +253,12 @@ pub fn on_both_grids() -> impl Iterator<Item = (&'static Solved, &'static Solved
 /// |a/b − 1|.
 pub fn relative(a: f64, b: f64) -> f64 {
     (a / b - 1.0).abs()
+}
+
+/// Friction and its parts, c, the smallest film, the largest pressure and the outlet.
+pub fn friction_and_film(quantities: &Quantities) -> [f64; 9] {
+    let Quantities { friction, c, film_min, p_max, x_outlet, .. } = *quantities;
+    let [total, hydrodynamic] = [friction.total(), friction.hydrodynamic()];
+    let Friction { viscoelastic, hydrodynamic_cavity, drag, .. } = friction;
+    [viscoelastic, hydrodynamic, total, drag, hydrodynamic_cavity, c, film_min, p_max, x_outlet]
 }

@@ -14,6 +14,7 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
         _ => None,
     };
     let timing = Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit };
+    let failure_kind = case.outcome.as_ref().err().map(|failure| failure.kind.name().to_owned());
     let (outcome, reason, values, fields, sensitivities) = match case.outcome {
         Ok(solution) => {
             let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
@@ -27,7 +28,8 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
             (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)
         }
     };
-    CaseEntry { id: plan.id(parameters), outcome, reason, values, fields, sensitivities, timing }
+    let id = plan.id(parameters);
+    CaseEntry { id, outcome, reason, failure_kind, values, fields, sensitivities, timing }
 }
 
 /// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case alone.
@@ -62,7 +64,7 @@ mod tests {
                 "the solver of its chain panicked: index out of bounds; please report it with `stribeck solve --f 10 --alpha 1 \
                  --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
             );
-            assert_eq!(entry.reason, expected);
+            assert_eq!((&entry.reason, entry.failure_kind.as_deref()), (&expected, Some("panic")));
             assert_eq!(entry.values[Column::DryMuV], exact::limits(parameters).dry_mu_v);
         }
         let directory = tempfile::tempdir().expect("a temporary directory");

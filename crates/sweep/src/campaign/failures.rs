@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
 use super::MergedCatalog;
-use crate::store::{Holdings, Status, StoreError, kind_of_reason};
+use crate::store::{Holdings, Status, StoreError};
 use crate::{CaseId, Part, Plan};
 use stribeck_solver::{Parameters, shortest};
 
@@ -106,7 +106,7 @@ impl fmt::Display for Decade {
     }
 }
 
-/// Failures of a region by their kind, in words without numbers.
+/// Failures of a region by the name of their kind.
 type Kinds = BTreeMap<String, FailureGroup>;
 
 /// The regions of a plan with failed cases, those with most failures first.
@@ -114,10 +114,10 @@ pub(super) fn failure_regions(plan: &Plan, stored: &MergedCatalog<'_>) -> Result
     let mut places = failed_places(plan, stored);
     let mut regions: BTreeMap<[Decade; 3], Kinds> = BTreeMap::new();
     for catalog in stored.catalogs() {
-        catalog.visit_failures(|id, reason| {
+        catalog.visit_failures(|id, kind, reason| {
             // Once, though it may have failed in several directories.
             if let Some(decades) = places.remove(&id) {
-                add(regions.entry(decades).or_default(), reason);
+                add(regions.entry(decades).or_default(), kind, reason);
             }
         })?;
     }
@@ -139,8 +139,8 @@ fn failed_places(plan: &Plan, stored: &MergedCatalog<'_>) -> HashMap<CaseId, [De
 }
 
 /// Counts a failure among those of its kind.
-fn add(kinds: &mut Kinds, reason: &str) {
-    let group = kinds.entry(kind_of_reason(reason)).or_default();
+fn add(kinds: &mut Kinds, kind: &str, reason: &str) {
+    let group = kinds.entry(kind.to_owned()).or_default();
     if group.cases == 0 {
         group.example = reason.to_owned();
     }

@@ -64,6 +64,8 @@ pub struct CaseEntry {
     pub outcome: Status,
     /// Why it failed, one line; empty if it converged.
     pub reason: String,
+    /// The [name](stribeck_solver::FailureKind::name) of the kind of its failure; `None` if it converged.
+    pub failure_kind: Option<String>,
     /// Its numbers; NaN where there is none.
     pub values: Values,
     /// The fields of the store's output; all `None` for a failed case.

@@ -186,16 +186,16 @@ impl Holdings {
         &self.history
     }
 
-    /// Visits each failed case with its reason.
+    /// Visits each failed case with the name of the kind of its failure, and with its reason.
     ///
     /// # Errors
     /// [`StoreError`] if a log cannot be read any more.
-    pub fn visit_failures(&self, mut visit: impl FnMut(CaseId, &str)) -> Result<(), StoreError> {
+    pub fn visit_failures(&self, mut visit: impl FnMut(CaseId, &str, &str)) -> Result<(), StoreError> {
         for (number, shard) in self.index.shards() {
             for case in &shard_record(&self.directory, shard.record)?.cases {
                 let counts = self.index.any(case.case).is_some_and(|slot| slot.shard == number);
-                if counts && case.status == Status::Failed {
-                    visit(case.case, &case.reason);
+                if let Some(kind) = case.failure_kind().filter(|_| counts) {
+                    visit(case.case, kind, &case.reason);
                 }
             }
         }
@@ -214,6 +214,7 @@ impl Holdings {
             id,
             outcome: shard.reader.status(row),
             reason: shard.reader.reason(row).to_owned(),
+            failure_kind: shard.cases[row].failure_kind().map(str::to_owned),
             values: shard.reader.values(row),
             fields: shard.reader.all_fields(row)?,
             sensitivities: shard.reader.sensitivities(row),

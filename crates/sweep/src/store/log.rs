@@ -152,11 +152,13 @@ mod tests {
         let seconds = prop_oneof![Just(0.0), 1e-300..1e300, 0.0..1e3];
         let status = prop_oneof![Just(Status::Converged), Just(Status::Failed)];
         let limit = prop::option::of(1e-3..1e6);
-        let case = (any::<u64>(), status, ".*", seconds, any::<u64>(), any::<u64>(), ".*", limit).prop_map(
-            |(id, status, reason, seconds, iterations, factorisations, seed, time_limit)| CaseRecord {
+        let kind = prop::option::of(".*");
+        let case = (any::<u64>(), status, (".*", kind), seconds, any::<u64>(), any::<u64>(), ".*", limit).prop_map(
+            |(id, status, (reason, failure_kind), seconds, iterations, factorisations, seed, time_limit)| CaseRecord {
                 case: CaseId(id),
                 status,
                 reason,
+                failure_kind,
                 seconds,
                 iterations,
                 factorisations,

@@ -11,6 +11,7 @@ use super::contents::columns_key;
 use super::{CaseEntry, Contents, Status, Timing};
 use crate::{CaseId, Field};
 use stribeck_input::printable;
+use stribeck_solver::continuation::kind_name_of_text;
 
 /// What a log line says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -95,6 +96,9 @@ pub(super) struct CaseRecord {
     pub status: Status,
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub reason: String,
+    /// Records of earlier versions have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub failure_kind: Option<String>,
     pub seconds: f64,
     pub iterations: u64,
     pub factorisations: u64,
@@ -108,7 +112,17 @@ impl CaseRecord {
         let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing;
         let seed = seed.map_or_else(String::new, |seed| seed.to_string());
         let (case, status, reason) = (entry.id, entry.outcome, entry.reason.clone());
-        Self { case, status, reason, seconds, iterations, factorisations, seed, time_limit }
+        let failure_kind = entry.failure_kind.clone();
+        Self { case, status, reason, failure_kind, seconds, iterations, factorisations, seed, time_limit }
+    }
+
+    /// The name of the kind of failure, which a record of an earlier version tells by its reason alone; `None` if the case
+    /// converged.
+    pub(super) fn failure_kind(&self) -> Option<&str> {
+        match self.status {
+            Status::Converged => None,
+            Status::Failed => Some(self.failure_kind.as_deref().unwrap_or_else(|| kind_name_of_text(&self.reason))),
+        }
     }
 
     pub(super) fn timing(&self) -> Timing {
@@ -207,5 +221,18 @@ mod tests {
             let Ok(Record::Shard(read)) = Record::parse(line.trim_end().as_bytes()) else { panic!("{line}") };
             assert_eq!(read.contents(), Some(contents));
         }
+    }
+
+    /// An earlier version recorded the reason of a failure alone; its kind is told by the reason.
+    #[test]
+    fn a_failure_of_an_earlier_version_has_a_kind() {
+        let read = |more: &str| -> CaseRecord {
+            let text = r#"{"case":"00000000000000aa","status":"failed","reason":"the iteration stalls: 900 passes","#;
+            let rest = r#""seconds":1.0,"iterations":1,"factorisations":1,"seed":"hertz"}"#;
+            serde_json::from_str(&format!("{text}{more}{rest}")).expect("a record")
+        };
+        assert_eq!(read("").failure_kind(), Some("stalled"));
+        assert_eq!(read(r#""failure_kind":"diverged","#).failure_kind(), Some("diverged"));
+        assert_eq!(CaseRecord { status: Status::Converged, ..read("") }.failure_kind(), None);
     }
 }

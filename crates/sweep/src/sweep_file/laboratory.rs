@@ -4,7 +4,7 @@ use super::sections::section;
 use super::substrate::MaterialDefaults;
 use crate::{Given, LaboratoryAxes};
 use stribeck_input::{Entry, Fault, Quantity, Section, Varying, read_varying};
-use stribeck_lab::{LaboratoryQuantity, dimension};
+use stribeck_lab::LaboratoryQuantity;
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
 const MOST_PLACES: u128 = 10_000_000;
@@ -71,14 +71,13 @@ fn read_quantity(
     f: &[f64],
 ) -> Result<Option<Varying>, Fault> {
     use LaboratoryQuantity as Q;
-    let kind = dimension(quantity).map_or(Quantity::PoissonRatio, Quantity::Measured);
     if let Some(entry) = section.get(quantity.name()) {
         if quantity == Q::InstantaneousModulus && section.get(Q::RelaxedModulus.name()).is_some() {
             let what = "[laboratory] may have `relaxed_modulus` or `instantaneous_modulus`, not both";
             let help = "remove one of the two: the other one follows from f";
             return Err(entry.fault(what, "both are there", help));
         }
-        return read_varying(&entry, kind).map(Some);
+        return read_varying(&entry, quantity).map(Some);
     }
     let default = match quantity {
         Q::RelaxedModulus if section.get(Q::InstantaneousModulus.name()).is_some() => return Ok(None),

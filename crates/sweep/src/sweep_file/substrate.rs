@@ -1,8 +1,8 @@
 //! The section `[substrate]` of a sweep file.
 
 use super::sections::section;
-use stribeck_input::{Dimension, Entry, Fault, Quantity, Section};
-use stribeck_lab::material::{Material, Relaxation, RelaxationTerm};
+use stribeck_input::{Entry, Fault, Section, Values};
+use stribeck_lab::{Dimension, Material, Relaxation, RelaxationTerm};
 use stribeck_solver::{RetardationMode, Substrate};
 
 /// Most terms of a relaxation.
@@ -88,9 +88,9 @@ enum Part {
 fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
     let read_term = |term: Entry<'_>| {
         let keys = term.section(&["modulus", "fraction", "time"], |_| None)?;
-        let time = Quantity::Measured(Dimension::Time).read(&keys.require("time", TERMS)?)?;
+        let time = Dimension::Time.read(&keys.require("time", TERMS)?)?;
         let part = match (keys.get("modulus"), keys.get("fraction")) {
-            (Some(modulus), None) => Part::Modulus(Quantity::Measured(Dimension::Modulus).read(&modulus)?),
+            (Some(modulus), None) => Part::Modulus(Dimension::Modulus.read(&modulus)?),
             (None, Some(fraction)) => Part::Fraction(read_fraction(&fraction)?),
             (None, None) => return Err(keys.fault("a term has `modulus` or `fraction`", "has neither", TERMS)),
             (Some(_), Some(_)) => return Err(keys.fault("a term has `modulus` or `fraction`", "has both", TERMS)),
@@ -162,7 +162,7 @@ enum Given {
 }
 
 fn given_modulus(section: &Section<'_>) -> Result<Option<Given>, Fault> {
-    let read = |entry: Entry<'_>| Quantity::Measured(Dimension::Modulus).read(&entry);
+    let read = |entry: Entry<'_>| Dimension::Modulus.read(&entry);
     match (section.get("relaxed_modulus"), section.get("instantaneous_modulus")) {
         (None, None) => Ok(None),
         (Some(relaxed), None) => read(relaxed).map(Given::Relaxed).map(Some),

@@ -91,7 +91,7 @@ fn judge(store: &Store, lines: &[Vec<u8>]) {
         }
     }
     held.is_published().expect("told");
-    held.visit_failures(|_, _| ()).expect("told");
+    held.visit_failures(|_, _, _| ()).expect("told");
     verify(store.directory.path()).expect("any log is verified");
 }
 

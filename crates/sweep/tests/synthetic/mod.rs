@@ -50,6 +50,7 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
         } else {
             String::new()
         },
+        failure_kind: failed.then(|| "stalled".to_owned()),
         values,
         fields: Fields {
             pressure: wanted(pressure, 1.0),

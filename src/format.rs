@@ -1,4 +1,6 @@
-//! Counts, times and sizes in words.
+//! Counts, times, sizes and tables as text.
+
+use jiff::Timestamp;
 
 /// `1 case`, `2 cases`.
 pub fn count(number: u64, noun: &str) -> String {
@@ -41,19 +43,31 @@ pub fn bytes(number: u64) -> String {
 }
 
 /// A time in seconds since 1970 as date and time of day, UTC.
-pub fn moment(time: u64) -> String {
-    let (days, seconds) = (time / 86_400, time % 86_400);
-    // Days to date in years that begin in March, so that the leap day is the last; 719468 days from 0000-03-01 to 1970.
-    let days = days + 719_468;
-    let (era, day_of_era) = (days / 146_097, days % 146_097);
-    let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let march_month = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * march_month + 2) / 5 + 1;
-    let month = if march_month < 10 { march_month + 3 } else { march_month - 9 };
-    let year = era * 400 + year_of_era + u64::from(month <= 2);
-    let (hour, minute, second) = (seconds / 3600, seconds % 3600 / 60, seconds % 60);
-    format!("{year}-{month:02}-{day:02} {hour:02}:{minute:02}:{second:02} UTC")
+pub fn utc_timestamp(seconds: u64) -> String {
+    let timestamp = i64::try_from(seconds).ok().and_then(|seconds| Timestamp::from_second(seconds).ok());
+    match timestamp {
+        Some(timestamp) => timestamp.strftime("%Y-%m-%d %H:%M:%S UTC").to_string(),
+        None => format!("{seconds} s after 1970"),
+    }
+}
+
+/// How the cells of a column of text stand: on which side, and the least width in characters.
+#[derive(Clone, Copy)]
+pub enum Align {
+    /// Cells begin at the left.
+    Left(usize),
+    /// Cells end at the right.
+    Right(usize),
+}
+
+/// One line of a table: a cell in each column, two blanks between them and none at the end.
+pub fn table_line(columns: &[Align], cells: &[impl AsRef<str>]) -> String {
+    let padded = |(column, cell): (&Align, &_)| match (*column, AsRef::<str>::as_ref(cell)) {
+        (Align::Left(width), cell) => format!("{cell:<width$}"),
+        (Align::Right(width), cell) => format!("{cell:>width$}"),
+    };
+    let line = columns.iter().zip(cells).map(padded).collect::<Vec<_>>().join("  ");
+    line.trim_end().to_owned() + "\n"
 }
 
 #[cfg(test)]
@@ -61,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn moments_are_those_of_the_calendar() {
+    fn timestamps_are_those_of_the_calendar() {
         // `date -u -d @N`
         let known = [
             (0, "1970-01-01 00:00:00 UTC"),
@@ -70,9 +84,10 @@ mod tests {
             (1_709_251_199, "2024-02-29 23:59:59 UTC"),
             (1_735_689_599, "2024-12-31 23:59:59 UTC"),
             (4_107_542_400, "2100-03-01 00:00:00 UTC"),
+            (u64::MAX, "18446744073709551615 s after 1970"),
         ];
         for (time, text) in known {
-            assert_eq!(moment(time), text);
+            assert_eq!(utc_timestamp(time), text);
         }
     }
 
@@ -87,5 +102,12 @@ mod tests {
             ["3.1 ms", "99.4 ms", "0.10 s", "0.42 s", "12.3 s", "4 min 05 s", "3 h 20 min", "5 d 05 h"]
         );
         assert_eq!([0, 1, 99, 100].map(whole_seconds), ["under 1 s", "1 s", "99 s", "1 min 40 s"]);
+    }
+
+    #[test]
+    fn cells_stand_in_their_columns() {
+        let columns = [Align::Left(4), Align::Right(5), Align::Left(3)];
+        assert_eq!(table_line(&columns, &["μ", "1.5", "1"]), "μ       1.5  1\n");
+        assert_eq!(table_line(&columns, &["longer", "", ""]), "longer\n");
     }
 }

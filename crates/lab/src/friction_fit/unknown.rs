@@ -1,10 +1,8 @@
-//! What may be looked for.
+//! The unknowns of a fit.
 
-use crate::Experiment;
-use crate::LaboratoryQuantity;
-use crate::Powers;
+use crate::{Experiment, LaboratoryQuantity, Powers};
 
-/// Something that is not known of an experiment.
+/// A quantity of an experiment that a fit may look for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unknown {
     /// f, strength of retardation.
@@ -14,14 +12,14 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// All that may be looked for. Poisson's ratio is none: it is in the modulus only.
+    /// All unknowns that there are. Poisson's ratio is none: it appears in the plane-strain modulus only.
     pub fn all() -> impl Iterator<Item = Self> {
         let quantities = LaboratoryQuantity::ALL.into_iter();
         let quantities = quantities.filter(|quantity| *quantity != LaboratoryQuantity::PoissonRatio);
         std::iter::once(Self::Strength).chain(quantities.map(Self::Quantity))
     }
 
-    /// The one of this name.
+    /// The unknown of this name.
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|unknown| unknown.name() == name)
     }
@@ -42,6 +40,12 @@ impl Unknown {
         }
     }
 
+    /// True for the two moduli.
+    pub(super) fn is_modulus(self) -> bool {
+        use LaboratoryQuantity::{InstantaneousModulus, RelaxedModulus};
+        matches!(self, Self::Quantity(RelaxedModulus | InstantaneousModulus))
+    }
+
     /// Its value in an experiment.
     pub fn value(self, experiment: &Experiment) -> f64 {
         match self {
@@ -50,7 +54,7 @@ impl Unknown {
         }
     }
 
-    /// Gives it another value.
+    /// Sets its value in an experiment.
     pub(super) fn set(self, experiment: &mut Experiment, value: f64) {
         match self {
             Self::Strength => experiment.f = value,
@@ -58,7 +62,7 @@ impl Unknown {
         }
     }
 
-    /// By which powers α, β and a₀/R change with it.
+    /// The powers by which α, β and a₀/R change with it.
     pub(super) fn powers(self, experiment: &Experiment) -> Powers {
         match self {
             Self::Strength => experiment.powers_of_strength(),

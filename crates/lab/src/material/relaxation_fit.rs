@@ -1,17 +1,15 @@
-//! The relaxation spectrum that measured moduli ask for.
+//! Fits of relaxation spectra to measured moduli.
 
 use ndarray::{Array1, Array2};
 use nnls::nnls;
 
-use super::{FitError, Measurement, Measurements, Relaxation, RelaxationTerm};
+use super::measurements::{Measurement, Measurements};
+use super::relaxation::{MaterialError, Relaxation, RelaxationTerm};
 
-/// Most terms of a fit; data that are good to a percent tell two or three in a decade apart.
-pub const MOST_TERMS: usize = 100;
-
-/// A fit to measurements.
+/// A relaxation spectrum fitted to measured moduli.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fit {
-    /// The material; the terms that the measurements ask for, of those that were offered.
+pub struct RelaxationFit {
+    /// The material, with those of the offered terms that the measurements need.
     pub relaxation: Relaxation,
     /// Root of the mean of |E*_fit − E*|²/|E*|² over the rows.
     pub rms_residual: f64,
@@ -19,8 +17,11 @@ pub struct Fit {
     pub largest_residual: f64,
 }
 
-impl Fit {
-    /// The best fit with relaxation times spread evenly, on a logarithmic scale, over the measured range: from 1/ω of the highest
+impl RelaxationFit {
+    /// The most terms of a fit; data that are good to a percent tell two or three in a decade apart.
+    pub const MOST_TERMS: usize = 100;
+
+    /// Fits a spectrum with relaxation times spread evenly, on a logarithmic scale, over the measured range: from 1/ω of the highest
     /// frequency to 1/ω of the lowest, a single one in the middle.
     ///
     /// E∞ and the E_i are the non-negative numbers that make Σ |E*_fit − E*|²/|E*|² smallest. No E_i can be negative in a material
@@ -28,15 +29,15 @@ impl Fit {
     /// as zero is dropped.
     ///
     /// # Errors
-    /// [`FitError`] if the number of terms is not from 1 to [`MOST_TERMS`] or is more than the rows can tell, or if E∞ or all E_i
+    /// [`RelaxationFitError`] if the number of terms is not from 1 to [`MOST_TERMS`](Self::MOST_TERMS) or is more than the rows can tell, or if E∞ or all E_i
     /// come out as zero.
-    pub fn new(measurements: &Measurements, terms: usize) -> Result<Self, FitError> {
+    pub fn new(measurements: &Measurements, terms: usize) -> Result<Self, RelaxationFitError> {
         let rows = measurements.rows();
-        if !(1..=MOST_TERMS).contains(&terms) {
-            return Err(FitError::Terms { terms });
+        if !(1..=Self::MOST_TERMS).contains(&terms) {
+            return Err(RelaxationFitError::Terms { terms });
         }
         if terms >= 2 * rows.len() {
-            return Err(FitError::TooFewRows { terms, rows: rows.len() });
+            return Err(RelaxationFitError::TooFewRows { terms, rows: rows.len() });
         }
         let offered = offered(rows, terms);
         // All unknowns over the largest modulus, so that they and their equations are numbers around 1.
@@ -45,12 +46,12 @@ impl Fit {
         let (solution, _) = nnls(matrix.view(), right.view());
         let modulus = |unknown: usize| unit * solution[unknown];
         if modulus(0) == 0.0 {
-            return Err(FitError::Liquid);
+            return Err(RelaxationFitError::Liquid);
         }
         let terms = offered.iter().enumerate().map(|(i, term)| RelaxationTerm { modulus: modulus(i + 1), ..*term });
         let terms: Vec<RelaxationTerm> = terms.filter(|term| term.modulus > 0.0).collect();
         if terms.is_empty() {
-            return Err(FitError::Elastic);
+            return Err(RelaxationFitError::Elastic);
         }
         let relaxation = Relaxation::new(modulus(0), terms)?;
         let residuals: Vec<f64> = rows.iter().map(|row| residual(&relaxation, row)).collect();
@@ -61,6 +62,40 @@ impl Fit {
             largest_residual: residuals.into_iter().fold(0.0, f64::max),
         })
     }
+}
+
+/// Why no material was fitted to measurements.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum RelaxationFitError {
+    /// The number of terms is out of range.
+    #[error("a fit has from 1 to {} terms, not {terms}", RelaxationFit::MOST_TERMS)]
+    Terms {
+        /// What was asked for.
+        terms: usize,
+    },
+    /// There are more unknowns than numbers.
+    #[error(
+        "{terms} terms and the relaxed modulus are more than the {rows} rows of two moduli can tell; ask for {} terms or fewer",
+        2 * rows - 1
+    )]
+    TooFewRows {
+        /// The terms asked for.
+        terms: usize,
+        /// The rows there are.
+        rows: usize,
+    },
+    /// The measurements leave no relaxed modulus.
+    #[error(
+        "the best fit has no relaxed modulus: as far as it was measured the material is a liquid, which carries no load at rest. \
+         Measure at lower frequencies, until the storage modulus levels off, or leave out the rows at the lowest ones"
+    )]
+    Liquid,
+    /// The measurements show no relaxation.
+    #[error("the best fit has no relaxation: as far as it was measured the material is elastic, f = 0")]
+    Elastic,
+    /// The result is not a material.
+    #[error("the best fit is none that can be computed with: {0}")]
+    Material(#[from] MaterialError),
 }
 
 /// Terms of modulus 1 with the times of the fit, ascending.

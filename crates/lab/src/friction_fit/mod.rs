@@ -1,14 +1,14 @@
-//! Fitting measured friction: which quantities of the laboratory make the solutions agree with it best.
+//! Fits to measured friction: the quantities of the laboratory whose solutions agree with it best.
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `unknown` | [`Unknown`]: what may be looked for |
+//! | `unknown` | [`Unknown`]: what a fit may look for |
 //! | `prediction` | friction at the measured points, and how it changes with the unknowns |
-//! | `problem` | residuals and their Jacobian, as the Levenberg–Marquardt method wants them |
+//! | `problem` | residuals and their Jacobian, for the Levenberg–Marquardt method |
 //! | `statistics` | standard errors and correlations |
 //!
-//! Unknowns are positive and searched for in their logarithm. Residuals are (μ − μᵢ)/σᵢ where the file has standard errors σᵢ, else
-//! ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
+//! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard errors
+//! σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
 
 mod prediction;
 mod problem;
@@ -18,12 +18,10 @@ mod unknown;
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};
 
-use crate::Experiment;
-use crate::measured::Measured;
+use crate::{Experiment, Measured};
 use prediction::Predictor;
-pub use prediction::SolverChoice;
 use problem::{Found, Problem};
-pub use statistics::NotApart;
+pub use statistics::Inseparable;
 use statistics::{Statistics, statistics};
 use stribeck_solver::{CavityShear, Failure, Substrate};
 pub use unknown::Unknown;
@@ -35,26 +33,26 @@ const FLAT: f64 = 0.01;
 /// Norm of the first step over the scale of the problem: what is far away is reached in several steps.
 const FIRST_STEP: f64 = 1.0;
 
-/// What is fitted to what.
+/// Measured points, the experiment that they belong to, and what is unknown of it.
 #[derive(Clone, Debug)]
-pub struct Task<'a> {
+pub struct FrictionTask<'a> {
     /// The measured points.
     pub measured: &'a Measured,
-    /// The experiment, with the start of each unknown; what the points say of themselves is taken from them.
+    /// The experiment, with the start of each unknown; the columns of the points replace its values.
     pub experiment: Experiment,
     /// The retardation spectrum.
     pub substrate: &'a Substrate,
     /// What fills the gap behind the outlet.
     pub cavity_shear: CavityShear,
-    /// What is looked for, at least one and each once.
+    /// The unknowns, at least one and each once.
     pub unknowns: Vec<Unknown>,
-    /// How cases are solved.
-    pub solver: SolverChoice,
+    /// Relative error wanted of the solutions; a fit takes 1e-7 or less.
+    pub tolerance: f64,
 }
 
-/// Why nothing was fitted.
+/// The reason why nothing was fitted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum FitError {
+pub enum FrictionFitError {
     /// The file does not go with the task.
     #[error("{what}")]
     Task {
@@ -74,22 +72,22 @@ pub enum FitError {
     /// The search ended without a minimum.
     #[error("no minimum was found after {evaluations} evaluations: {why}; begin nearer to the expected values")]
     NoMinimum {
-        /// How often all points were solved.
+        /// The number of times that all points were solved.
         evaluations: usize,
-        /// Why it ended.
+        /// The reason of its end.
         why: String,
     },
     /// Some unknowns have the same effect.
     #[error(transparent)]
-    NotApart(#[from] NotApart),
+    Inseparable(#[from] Inseparable),
 }
 
 /// One unknown, found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// What it is.
+    /// The unknown.
     pub unknown: Unknown,
-    /// Where the search began.
+    /// The value at which the search began.
     pub start: f64,
     /// Its value.
     pub value: f64,
@@ -114,9 +112,9 @@ pub struct FittedPoint {
     pub residual: f64,
 }
 
-/// A fit.
+/// Quantities of the laboratory fitted to measured friction.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Fit {
+pub struct FrictionFit {
     /// The unknowns.
     pub estimates: Vec<Estimate>,
     /// Their correlations, row by row.
@@ -128,18 +126,51 @@ pub struct Fit {
     /// Sum of the squared residuals over the degrees of freedom: about 1 where standard errors are known and right, else the
     /// square of the relative error of a point. NaN without degrees of freedom.
     pub reduced_chi_squared: f64,
-    /// How often all points were solved.
+    /// The number of times that all points were solved.
     pub evaluations: usize,
 }
 
-/// Fits the unknowns of a task.
-///
-/// # Errors
-/// [`FitError`] if points and unknowns do not go together, points have no solution, or the unknowns cannot be told apart.
-pub fn fit(task: &Task<'_>) -> Result<Fit, FitError> {
-    let predictor = Predictor::new(task)?;
+impl FrictionFit {
+    /// Fits the unknowns of a task.
+    ///
+    /// # Errors
+    /// [`FrictionFitError`] if points and unknowns do not go together, points have no solution, the search finds no
+    /// minimum, or the unknowns have the same effect.
+    pub fn new(task: &FrictionTask<'_>) -> Result<Self, FrictionFitError> {
+        let predictor = Predictor::new(task)?;
+        let (Found { unknowns, friction, residuals, jacobian }, evaluations) = search(task, &predictor)?;
+        let known_errors = task.measured.errors.is_some();
+        let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } =
+            statistics(&jacobian, &residuals, known_errors, &task.unknowns)?;
+        let estimates = task.unknowns.iter().zip(&unknowns).zip(&errors).map(|((unknown, value), relative)| Estimate {
+            unknown: *unknown,
+            start: unknown.value(&task.experiment),
+            value: *value,
+            error: value * relative,
+        });
+        let points = predictor.experiments(&unknowns).into_iter().enumerate().map(|(i, experiment)| FittedPoint {
+            line: task.measured.lines[i],
+            experiment,
+            measured: task.measured.friction[i],
+            error: task.measured.errors.as_ref().map(|errors| errors[i]),
+            fitted: friction[i],
+            residual: residuals[i],
+        });
+        Ok(Self {
+            estimates: estimates.collect(),
+            correlation,
+            points: points.collect(),
+            degrees_of_freedom,
+            reduced_chi_squared,
+            evaluations,
+        })
+    }
+}
+
+/// Searches for the minimum; also returns the number of evaluations.
+fn search(task: &FrictionTask<'_>, predictor: &Predictor<'_>) -> Result<(Found, usize), FrictionFitError> {
     let start: Vec<f64> = task.unknowns.iter().map(|unknown| unknown.value(&task.experiment)).collect();
-    let problem = Problem::new(&predictor, task.measured, start)?;
+    let problem = Problem::new(predictor, task.measured, start)?;
     let method = LevenbergMarquardt::new()
         .with_ftol(TOLERANCE)
         .with_xtol(TOLERANCE)
@@ -147,46 +178,21 @@ pub fn fit(task: &Task<'_>) -> Result<Fit, FitError> {
         .with_stepbound(FIRST_STEP);
     let (problem, report) = method.minimize(problem);
     let (evaluations, was_refused) = (problem.evaluations(), problem.was_refused());
+    let no_minimum = |why: String| Err(FrictionFitError::NoMinimum { evaluations, why });
     match report.termination {
         // What is left is below the errors of the solutions.
         TerminationReason::NoImprovementPossible(_) => {}
         reason if reason.was_successful() => {}
-        reason => return Err(FitError::NoMinimum { evaluations, why: in_words(&reason) }),
+        reason => return no_minimum(describe(&reason)),
     }
-    let Some(Found { unknowns, friction, residuals, jacobian }) = problem.found() else {
-        let why = "the last values tried have no solution".to_owned();
-        return Err(FitError::NoMinimum { evaluations, why });
+    let Some(found) = problem.found() else {
+        return no_minimum("the last values tried have no solution".to_owned());
     };
     // Steps that are taken back one after the other look like convergence.
-    if was_refused && slope(&residuals, &jacobian) > FLAT {
-        let why = "beyond these values cases have no solution, or an unknown runs away".to_owned();
-        return Err(FitError::NoMinimum { evaluations, why });
+    if was_refused && slope(&found.residuals, &found.jacobian) > FLAT {
+        return no_minimum("beyond these values cases have no solution, or an unknown runs away".to_owned());
     }
-    let known_errors = task.measured.errors.is_some();
-    let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } =
-        statistics(&jacobian, &residuals, known_errors, &task.unknowns)?;
-    let estimates = task.unknowns.iter().zip(&unknowns).zip(&errors).map(|((unknown, value), relative)| Estimate {
-        unknown: *unknown,
-        start: unknown.value(&task.experiment),
-        value: *value,
-        error: value * relative,
-    });
-    let points = predictor.experiments(&unknowns).into_iter().enumerate().map(|(i, experiment)| FittedPoint {
-        line: task.measured.lines[i],
-        experiment,
-        measured: task.measured.friction[i],
-        error: task.measured.errors.as_ref().map(|errors| errors[i]),
-        fitted: friction[i],
-        residual: residuals[i],
-    });
-    Ok(Fit {
-        estimates: estimates.collect(),
-        correlation,
-        points: points.collect(),
-        degrees_of_freedom,
-        reduced_chi_squared,
-        evaluations,
-    })
+    Ok((found, evaluations))
 }
 
 /// The largest cosine between the residuals and a column of the Jacobian: 0 at a minimum.
@@ -198,7 +204,7 @@ fn slope(residuals: &DVector<f64>, jacobian: &DMatrix<f64>) -> f64 {
     jacobian.column_iter().map(cosine).fold(0.0, f64::max)
 }
 
-fn in_words(reason: &TerminationReason) -> String {
+fn describe(reason: &TerminationReason) -> String {
     match reason {
         TerminationReason::LostPatience => "the residuals still fall".to_owned(),
         TerminationReason::Numerical(what) => format!("a number of the search is none ({what})"),

@@ -1,19 +1,20 @@
-//! Residuals and their Jacobian, as the Levenberg–Marquardt method wants them.
+//! Residuals and their Jacobian, for the Levenberg–Marquardt method.
 
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
-use super::FitError;
+use super::FrictionFitError;
 use super::prediction::{Failed, Prediction, Predictor};
-use crate::measured::Measured;
+use crate::Measured;
 use stribeck_solver::FailureKind;
 
-/// The residual of each point where a case has no solution: so large that the step there is taken back, and a shorter one tried.
+/// The residual of each point where a case has no solution: so large that the method takes the step back and tries a shorter
+/// one.
 const REFUSED: f64 = 1e50;
-/// No unknown is tried further from its start than this, in its logarithm: a factor of a million.
+/// The farthest that an unknown may move from its start, in its logarithm: a factor of a million.
 const FARTHEST: f64 = 13.8;
 
-/// A fit at work: the unknowns as ln(θ/θ₀), and what follows from them.
+/// A fit at work: the unknowns as ln(θ/θ₀), and the prediction that follows from them.
 pub(super) struct Problem<'a> {
     predictor: &'a Predictor<'a>,
     measured: &'a Measured,
@@ -21,11 +22,11 @@ pub(super) struct Problem<'a> {
     logarithms: DVector<f64>,
     prediction: Result<Prediction, Failed>,
     evaluations: usize,
-    /// How often cases had no solution.
+    /// The number of evaluations in which cases had no solution.
     refused: usize,
 }
 
-/// Where a search ended.
+/// The end of a search.
 pub(super) struct Found {
     pub(super) unknowns: Vec<f64>,
     /// μ of each point.
@@ -37,12 +38,16 @@ pub(super) struct Found {
 
 impl<'a> Problem<'a> {
     /// The problem at its start, where every point must have a solution.
-    pub(super) fn new(predictor: &'a Predictor<'a>, measured: &'a Measured, start: Vec<f64>) -> Result<Self, FitError> {
+    pub(super) fn new(
+        predictor: &'a Predictor<'a>,
+        measured: &'a Measured,
+        start: Vec<f64>,
+    ) -> Result<Self, FrictionFitError> {
         let (points, unknowns) = (measured.friction.len(), start.len());
         let needed = if measured.errors.is_some() { unknowns } else { unknowns + 1 };
         if points < needed {
             let what = format!("{points} points are too few for {unknowns} unknowns; measure more, or look for fewer");
-            return Err(FitError::Task { what });
+            return Err(FrictionFitError::Task { what });
         }
         if let (None, Some(i)) = (&measured.errors, measured.friction.iter().position(|mu| *mu <= 0.0)) {
             let what = format!(
@@ -50,11 +55,11 @@ impl<'a> Problem<'a> {
                  with standard errors",
                 measured.lines[i]
             );
-            return Err(FitError::Task { what });
+            return Err(FrictionFitError::Task { what });
         }
         let prediction = predictor.predict(&start);
         if let Err(Failed { point, failure }) = &prediction {
-            return Err(FitError::Start { line: measured.lines[*point], failure: failure.clone() });
+            return Err(FrictionFitError::Start { line: measured.lines[*point], failure: failure.clone() });
         }
         let logarithms = DVector::zeros(start.len());
         Ok(Self { predictor, measured, start, logarithms, prediction, evaluations: 1, refused: 0 })
@@ -69,7 +74,7 @@ impl<'a> Problem<'a> {
         self.refused > 0
     }
 
-    /// Where the search ended; `None` if cases failed there.
+    /// The end of the search; `None` if cases failed there.
     pub(super) fn found(self) -> Option<Found> {
         let (unknowns, residuals, jacobian) = (self.unknowns(), self.residuals()?, self.jacobian()?);
         Some(Found { unknowns, friction: self.prediction.ok()?.friction, residuals, jacobian })

@@ -1,7 +1,5 @@
 //! A material by its creep, as a case of a sweep needs it.
 
-use super::{Relaxation, RelaxationTerm};
-use stribeck_solver::exact::{Line, Spectrum};
 use stribeck_solver::{RetardationMode, Substrate};
 
 /// Creep compliance C(t) = (1/E₀)[1 + Σ f_j (1 − e^{−t/τ_j})]: a chain of Kelvin elements.
@@ -37,15 +35,5 @@ impl Material {
         });
         let modulus = self.instantaneous_modulus() / (stored * stored + lost * lost);
         (modulus * stored, modulus * lost)
-    }
-
-    /// The same material by its relaxation (T40), (T41); terms in ascending order of their times.
-    pub fn relaxation(&self) -> Relaxation {
-        let rates = Spectrum::new(self.retardation().map(|(strength, time)| Line { strength, place: 1.0 / time }));
-        let conjugate = rates.conjugate().spectrum;
-        let term =
-            |line: &Line| RelaxationTerm { modulus: line.strength * self.relaxed_modulus, time: 1.0 / line.place };
-        let terms = conjugate.lines().iter().rev().map(term).collect();
-        Relaxation { relaxed_modulus: self.relaxed_modulus, terms }
     }
 }

@@ -1,13 +1,13 @@
-//! Standard errors and correlations of what was fitted.
+//! Standard errors and correlations of the unknowns.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::Unknown;
 
-/// Singular values of the Jacobian, its columns scaled to length 1, that differ by more than this leave a direction unknown.
+/// The smallest ratio of singular values of the Jacobian, its columns scaled to length 1, with which every direction is known.
 const SMALLEST: f64 = 1e-6;
 
-/// What the residuals tell of the unknowns.
+/// Standard errors, correlations and the goodness of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Statistics {
     /// Standard errors of the logarithms: relative standard errors.
@@ -19,8 +19,12 @@ pub(super) struct Statistics {
 
 /// Unknowns with the same effect on all points.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{} cannot be told apart by these points: {}; keep some of them fixed, or measure where they differ", names.join(" and "), if names.len() == 1 { "the friction does not depend on it" } else { "a change of one is made up for by the others" })]
-pub struct NotApart {
+#[error(
+    "{} cannot be told apart by these points: {}; keep some of them fixed, or measure where they differ",
+    names.join(" and "),
+    if names.len() == 1 { "the friction does not depend on it" } else { "a change of one is made up for by the others" }
+)]
+pub struct Inseparable {
     /// Their names.
     pub names: Vec<&'static str>,
 }
@@ -30,17 +34,17 @@ pub struct NotApart {
 /// The covariance is (JᵀJ)⁻¹ where the standard errors of the points are known, else s²(JᵀJ)⁻¹ with s² = Σr²/(m − n).
 ///
 /// # Errors
-/// [`NotApart`] if a combination of unknowns changes nothing.
+/// [`Inseparable`] if a combination of unknowns changes nothing.
 pub(super) fn statistics(
     jacobian: &DMatrix<f64>,
     residuals: &DVector<f64>,
     known_errors: bool,
     unknowns: &[Unknown],
-) -> Result<Statistics, NotApart> {
+) -> Result<Statistics, Inseparable> {
     let (points, count) = jacobian.shape();
     let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
     if let Some(place) = lengths.iter().position(|length| *length == 0.0) {
-        return Err(NotApart { names: vec![unknowns[place].name()] });
+        return Err(Inseparable { names: vec![unknowns[place].name()] });
     }
     let scaled = DMatrix::from_fn(points, count, |i, j| jacobian[(i, j)] / lengths[j]);
     let decomposition = scaled.svd(false, true);
@@ -49,7 +53,7 @@ pub(super) fn statistics(
     if values[least] < SMALLEST * values.max() {
         let part = |j: usize| vectors[(least, j)].abs();
         let names = (0..count).filter(|j| part(*j) > 0.1).map(|j| unknowns[j].name()).collect();
-        return Err(NotApart { names });
+        return Err(Inseparable { names });
     }
     let degrees_of_freedom = points - count;
     let reduced_chi_squared = match degrees_of_freedom {
@@ -105,7 +109,8 @@ mod tests {
         let error = statistics(&none, &residuals, true, &UNKNOWNS).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "viscosity cannot be told apart by these points: the friction does not depend on it; keep some of them fixed, or measure where they differ"
+            "viscosity cannot be told apart by these points: the friction does not depend on it; keep some of them fixed, or \
+             measure where they differ"
         );
     }
 }

@@ -1,0 +1,147 @@
+//! Friction at the measured points, and how it changes with the unknowns.
+
+use super::{FrictionFitError, FrictionTask, Unknown};
+use crate::{Experiment, LaboratoryQuantity, Measured};
+use stribeck_solver::{
+    Failure, Interrupt, Method, Output, Parameters, Sensitivities, Settings, Solution, Substrate, collocation,
+    solve_points,
+};
+
+/// The largest relative error of a solution: a fit compares small differences.
+const TOLERANCE: f64 = 1e-7;
+
+/// The points of a task.
+pub(super) struct Predictor<'a> {
+    measured: &'a Measured,
+    /// The experiment of each point, with the start of the unknowns.
+    experiments: Vec<Experiment>,
+    unknowns: &'a [Unknown],
+    substrate: &'a Substrate,
+    settings: Settings,
+}
+
+/// Friction coefficients at the points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Prediction {
+    /// μ of each point.
+    pub(super) friction: Vec<f64>,
+    /// dμ/d ln of each unknown, for each point.
+    pub(super) derivatives: Vec<Vec<f64>>,
+}
+
+/// A point whose case failed.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Failed {
+    pub(super) point: usize,
+    pub(super) failure: Failure,
+}
+
+impl<'a> Predictor<'a> {
+    /// The points of a task at the start of its unknowns.
+    ///
+    /// # Errors
+    /// [`FrictionFitError::Task`] if the file does not go with the unknowns.
+    pub(super) fn new(task: &'a FrictionTask<'_>) -> Result<Self, FrictionFitError> {
+        check_columns(task).and_then(|()| check_unknowns(task)).map_err(|what| FrictionFitError::Task { what })?;
+        let output = Output { cavity_shear: task.cavity_shear, sensitivities: true, ..Output::numbers() };
+        let method = collocation::Settings::for_tolerance(task.tolerance.min(TOLERANCE));
+        Ok(Self {
+            measured: task.measured,
+            experiments: (0..task.measured.friction.len()).map(|point| at_point(task, point)).collect(),
+            unknowns: &task.unknowns,
+            substrate: task.substrate,
+            settings: Settings { method: Method::Collocation(method), time_limit: None, output },
+        })
+    }
+
+    /// The experiments of the points with other values of the unknowns.
+    pub(super) fn experiments(&self, unknowns: &[f64]) -> Vec<Experiment> {
+        let with = |experiment: &Experiment| {
+            let mut other = *experiment;
+            self.unknowns.iter().zip(unknowns).for_each(|(unknown, value)| unknown.set(&mut other, *value));
+            other
+        };
+        self.experiments.iter().map(with).collect()
+    }
+
+    /// Solves the cases of all points.
+    pub(super) fn predict(&self, unknowns: &[f64]) -> Result<Prediction, Failed> {
+        let experiments = self.experiments(unknowns);
+        let cases: Vec<Parameters> =
+            experiments.iter().map(|experiment| experiment.parameters(self.substrate)).collect();
+        let solved = solve_points(&cases, &self.settings, &Interrupt::new()).expect("nobody interrupts");
+        let mut prediction = Prediction::default();
+        for (point, (solved, experiment)) in solved.into_iter().zip(&experiments).enumerate() {
+            let solution = solved.outcome.map_err(|failure| Failed { point, failure })?;
+            let (friction, derivatives) = self.friction(&solution, experiment);
+            prediction.friction.push(friction);
+            prediction.derivatives.push(derivatives);
+        }
+        Ok(prediction)
+    }
+
+    /// μ of a solution, and dμ/d ln of each unknown by way of α, β, f and the scale a₀/R.
+    fn friction(&self, solution: &Solution, experiment: &Experiment) -> (f64, Vec<f64>) {
+        let sensitivities: Sensitivities = solution.sensitivities.expect("they were asked for");
+        let friction = solution.quantities.friction;
+        // over a₀/R
+        let (force, [with_alpha, with_beta, with_f]) = match self.measured.column {
+            "mu_v" => (friction.viscoelastic, sensitivities.viscoelastic),
+            "mu_h" => (friction.hydrodynamic(), sensitivities.hydrodynamic),
+            _ => (friction.total(), sensitivities.total()),
+        };
+        let scale = experiment.scales().friction;
+        let along = |unknown: &Unknown| {
+            let powers = unknown.powers(experiment);
+            let own = if *unknown == Unknown::Strength { with_f } else { 0.0 };
+            scale * (with_alpha * powers.alpha + with_beta * powers.beta + own + force * powers.friction)
+        };
+        (scale * force, self.unknowns.iter().map(along).collect())
+    }
+}
+
+/// Checks that the columns of the file are known quantities, and none of them is looked for.
+fn check_columns(task: &FrictionTask<'_>) -> Result<(), String> {
+    let FrictionTask { measured, unknowns, .. } = task;
+    if measured.column == "mu_drag" {
+        return Err("mu_drag cannot be fitted: its sensitivities are not known; fit mu (mu_tot), mu_v or mu_h".into());
+    }
+    for (name, _) in &measured.coordinates {
+        if unknowns.iter().any(|unknown| unknown.name() == *name) {
+            return Err(format!("{name} is a column of the measured points, and cannot be looked for"));
+        }
+        if name.ends_with("_modulus") && unknowns.iter().any(|unknown| unknown.is_modulus()) {
+            return Err(format!("{name} is a column of the measured points: the other modulus follows from it and f"));
+        }
+        if *name == "alpha" || *name == "beta" {
+            return Err(format!("{name} is no quantity of the laboratory; give speed, load and so on"));
+        }
+    }
+    Ok(())
+}
+
+/// Checks that one modulus at most is looked for, and that every unknown begins above 0.
+fn check_unknowns(task: &FrictionTask<'_>) -> Result<(), String> {
+    if task.unknowns.iter().filter(|unknown| unknown.is_modulus()).count() > 1 {
+        return Err("look for one of the moduli and f: the other modulus follows from these".into());
+    }
+    match task.unknowns.iter().find(|unknown| unknown.value(&task.experiment) <= 0.0) {
+        Some(unknown) => {
+            let name = unknown.name();
+            Err(format!("{name} begins at 0, and is looked for among positive numbers; begin above"))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The experiment of a point: that of the task, with the values of the point's columns.
+fn at_point(task: &FrictionTask<'_>, point: usize) -> Experiment {
+    let mut experiment = task.experiment;
+    for (name, values) in &task.measured.coordinates {
+        match LaboratoryQuantity::named(name) {
+            Some(quantity) => experiment.set(quantity, values[point]),
+            None => experiment.f = values[point],
+        }
+    }
+    experiment
+}

@@ -1,0 +1,219 @@
+//! A fit to measured friction as a table, as JSON and as charts.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::terminal_plot::{TextAxis, plot};
+use crate::format::{Align, count, table_line};
+use crate::pictures::Table;
+use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
+use stribeck_input::shown;
+use stribeck_lab::{Estimate, FrictionFit, Measured, Unknown};
+use stribeck_solver::shortest;
+
+/// A fit and the points that it was made from.
+pub struct FittedFriction<'a> {
+    pub fit: &'a FrictionFit,
+    pub measured: &'a Measured,
+}
+
+impl FittedFriction<'_> {
+    /// Values with errors, correlations, residuals, and the lines for a sweep file; `directory` has the files written.
+    pub fn text(&self, directory: Option<&Path>) -> String {
+        let mut text = self.heading() + &self.estimates() + &self.correlations() + &self.goodness() + &self.plot();
+        text += "\n[laboratory]\n";
+        for Estimate { unknown, value, .. } in &self.fit.estimates {
+            let line = format!("{} = {value:e}  # {}", unknown.name(), unit(*unknown));
+            text += &format!("{}\n", line.trim_end_matches("  # "));
+        }
+        if let Some(directory) = directory {
+            text += &format!("\nin {}: fit.csv, and pictures of friction and residuals\n", shown(directory));
+        }
+        text
+    }
+
+    fn heading(&self) -> String {
+        let FrictionFit { points, evaluations, .. } = self.fit;
+        format!(
+            "{} of {}, {} solved {evaluations} times\n\n",
+            count(points.len() as u64, "point"),
+            shown(&self.measured.path),
+            if points.len() == 1 { "it was" } else { "all of them were" },
+        )
+    }
+
+    fn estimates(&self) -> String {
+        let columns = [Align::Left(22), Align::Right(12), Align::Right(12), Align::Left(5), Align::Right(12)];
+        let mut text = table_line(&columns, &["unknown", "value", "std. error", "unit", "start"]);
+        for Estimate { unknown, value, error, start } in &self.fit.estimates {
+            let [value, error, start] = [value, error, start].map(|number| format!("{number:.5e}"));
+            text += &table_line(&columns, &[unknown.name(), &value, &error, unknown.units(), &start]);
+        }
+        text
+    }
+
+    fn correlations(&self) -> String {
+        if self.fit.estimates.len() == 1 {
+            return String::new();
+        }
+        let mut text = "\ncorrelations\n".to_owned();
+        for (estimate, row) in self.fit.estimates.iter().zip(&self.fit.correlation) {
+            let row: Vec<String> = row.iter().map(|number| format!("{number:>8.4}")).collect();
+            text += &format!("{:<22} {}\n", estimate.unknown.name(), row.join(" "));
+        }
+        text
+    }
+
+    /// How well the fit agrees with the points.
+    fn goodness(&self) -> String {
+        let FrictionFit { reduced_chi_squared, degrees_of_freedom, .. } = *self.fit;
+        let degrees = count(degrees_of_freedom as u64, "degree");
+        match self.measured.errors {
+            _ if degrees_of_freedom == 0 => {
+                "\nas many points as unknowns: nothing is left to tell whether the model holds\n".to_owned()
+            }
+            Some(_) => format!(
+                "\nreduced chi-squared {reduced_chi_squared:.4} with {degrees} of freedom: near 1 where the given errors are \
+                 right and the model holds\n"
+            ),
+            None => format!(
+                "\nrelative error of a point {:.3} %, from the residuals with {degrees} of freedom\n",
+                100.0 * reduced_chi_squared.sqrt()
+            ),
+        }
+    }
+
+    /// The residuals, drawn for the terminal.
+    fn plot(&self) -> String {
+        let (points, (from, to)) = self.residuals();
+        let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
+        let drawn = plot(&[(from, 0.0), (to, 0.0)], &points, x, y);
+        format!("\nresiduals {} against speed in m/s, logarithmic\n{drawn}\n", self.residual_label())
+    }
+
+    /// The residuals over speed, and the range of the speeds.
+    fn residuals(&self) -> (Vec<(f64, f64)>, (f64, f64)) {
+        let points: Vec<(f64, f64)> =
+            self.fit.points.iter().map(|point| (point.experiment.speed, point.residual)).collect();
+        let speeds = || points.iter().map(|(speed, _)| *speed);
+        let range = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
+        (points, range)
+    }
+
+    fn residual_label(&self) -> &'static str {
+        match self.measured.errors {
+            Some(_) => "(fitted − measured)/standard error",
+            None => "ln(fitted/measured)",
+        }
+    }
+
+    /// All numbers as one JSON object.
+    pub fn json(&self) -> String {
+        let fit = self.fit;
+        let estimates: Vec<Value> = fit
+            .estimates
+            .iter()
+            .map(|it| {
+                json!({
+                    "unknown": it.unknown.name(), "units": it.unknown.units(), "start": it.start, "value": it.value,
+                    "standard_error": it.error
+                })
+            })
+            .collect();
+        let points: Vec<Value> = fit
+            .points
+            .iter()
+            .map(|it| json!({ "line": it.line, "measured": it.measured, "fitted": it.fitted, "residual": it.residual }))
+            .collect();
+        let whole = json!({
+            "estimates": estimates,
+            "correlation": fit.correlation,
+            "degrees_of_freedom": fit.degrees_of_freedom,
+            "reduced_chi_squared": fit.reduced_chi_squared,
+            "evaluations": fit.evaluations,
+            "points": points,
+        });
+        serde_json::to_string_pretty(&whole).expect("strings and numbers can be written") + "\n"
+    }
+
+    /// Every point with its fitted friction.
+    pub fn table(&self) -> Table {
+        let fit = self.fit;
+        let quantities: Vec<_> = fit.points[0].experiment.given().collect();
+        let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
+        let mut table = Table::new(
+            &[&["line"], &names[..], &["f", "alpha", "beta", "measured", "error", "fitted", "residual"]].concat(),
+        );
+        for point in &fit.points {
+            let given = quantities.iter().map(|quantity| point.experiment.value(*quantity));
+            let (alpha, beta) = (point.experiment.alpha(), point.experiment.beta());
+            let error = point.error.unwrap_or(f64::NAN);
+            let rest = [point.experiment.f, alpha, beta, point.measured, error, point.fitted, point.residual];
+            table.row(&[&point.line.to_string()], &given.chain(rest).collect::<Vec<_>>());
+        }
+        table
+    }
+
+    /// Measured and fitted friction over speed.
+    pub fn friction_chart(&self) -> Lines {
+        let (fit, measured) = (self.fit, self.measured);
+        let mut fitted: Vec<(f64, f64)> =
+            fit.points.iter().map(|point| (point.experiment.speed, point.fitted)).collect();
+        fitted.sort_by(|one, other| one.0.total_cmp(&other.0));
+        // Points that differ in more than their speed are on no common curve.
+        let along_speed = measured.coordinates.iter().all(|(name, _)| *name == "speed");
+        let mut curves = vec![if along_speed {
+            curve("fitted", fitted, Stroke::Solid, Colour::Kind(0), false)
+        } else {
+            curve("fitted", fitted, Stroke::Points, Colour::Kind(0), true)
+        }];
+        for point in &fit.points {
+            if let Some(error) = point.error {
+                let (x, mu) = (point.experiment.speed, point.measured);
+                curves.push(curve("", vec![(x, mu - error), (x, mu + error)], Stroke::Solid, Colour::Black, false));
+            }
+        }
+        let points = fit.points.iter().map(|point| (point.experiment.speed, point.measured)).collect();
+        curves.push(curve("measured", points, Stroke::Points, Colour::Black, true));
+        let found = fit.estimates.iter().map(|it| {
+            let (value, error) = (three(it.value), three(it.error));
+            format!("{} = {value} ± {error} {}", it.unknown.name(), unit(it.unknown)).trim_end().to_owned()
+        });
+        chart("friction, measured and fitted", found.collect::<Vec<_>>().join(", "), "friction coefficient μ", curves)
+    }
+
+    /// Residuals over speed.
+    pub fn residual_chart(&self) -> Lines {
+        let (points, (from, to)) = self.residuals();
+        let curves = vec![
+            curve("", vec![(from, 0.0), (to, 0.0)], Stroke::Dashed, Colour::Black, false),
+            curve("residual", points, Stroke::Points, Colour::Kind(0), true),
+        ];
+        chart("residuals", String::new(), self.residual_label(), curves)
+    }
+}
+
+/// The unit of an unknown, to stand behind its value; nothing for f.
+fn unit(unknown: Unknown) -> &'static str {
+    if unknown.units() == "1" { "" } else { unknown.units() }
+}
+
+fn curve(label: &str, points: Vec<(f64, f64)>, stroke: Stroke, colour: Colour, marked: bool) -> Curve {
+    Curve { label: label.to_owned(), points, failed: vec![], stroke, colour, marked }
+}
+
+fn chart(title: &str, subtitle: String, y: &str, curves: Vec<Curve>) -> Lines {
+    Lines {
+        title: title.to_owned(),
+        subtitle,
+        x: LineAxis { label: "speed V  (m/s)".to_owned(), logarithmic: true, range: None },
+        y: LineAxis { label: y.to_owned(), logarithmic: false, range: None },
+        curves,
+    }
+}
+
+/// A number with three digits.
+fn three(value: f64) -> String {
+    shortest(format!("{value:.2e}").parse().expect("{:e} writes a number"))
+}
