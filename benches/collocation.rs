@@ -146,7 +146,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let Run { cases, timings: [solution, estimate], seconds } = best.ok_or("no run")?;
         let count = cases.len() as f64;
         if let Some(failed) = cases.iter().find_map(|case| case.outcome.as_ref().err()) {
-            return Err(failed.to_string().into());
+            return Err(failed.clone().into());
         }
         let mut times: Vec<f64> = cases.iter().map(|case| 1e3 * case.effort.seconds).collect();
         let first = times[0];

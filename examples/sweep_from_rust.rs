@@ -1,4 +1,5 @@
-//! Runs a small sweep from Rust and reads its data back: `cargo run --release --example sweep_from_rust -- [DIRECTORY]`.
+//! Runs a small sweep from Rust and reads its data back: `cargo run --release --example sweep_from_rust --
+//! [DIRECTORY]`.
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -8,7 +8,7 @@ use std::path::Path;
 use crate::program::{code, err, out, say};
 use stribeck_solver::Output;
 use stribeck_sweep::CaseId;
-use stribeck_sweep::store::{CaseEntry, Holdings, Inspection, Status, Store, Timing};
+use stribeck_sweep::store::{CaseEntry, Catalog, Inspection, Status, Store, Timing};
 use stribeck_sweep::{Fingerprint, Plan, Recipe, SolverRecipe, Sweep};
 use tempfile::{TempDir, tempdir};
 
@@ -325,7 +325,7 @@ fn an_extension_that_is_killed_and_resumed_loses_nothing() {
     let results = directory.path().join("out");
     wider.write(directory.path());
     let held = |results: &Path| {
-        Holdings::read(results, &Output::default(), Inspection::Bytes).expect("results").counts().converged
+        Catalog::read(results, &Output::default(), Inspection::Bytes).expect("results").counts().converged
     };
     let had = held(&results);
     for _ in 0..3 {

@@ -6,7 +6,7 @@ use std::process::Stdio;
 
 use crate::program::{code, err, out, paths, say, stribeck};
 use stribeck_solver::Output;
-use stribeck_sweep::store::{Holdings, Inspection, Status, Store};
+use stribeck_sweep::store::{Catalog, Inspection, Status, Store};
 use stribeck_sweep::{CaseId, Column, Part, Plan, Sweep, Values};
 use tempfile::{TempDir, tempdir};
 
@@ -117,7 +117,7 @@ fn a_part_that_is_killed_resumes_by_itself() {
             command.args(["run", "many parts.toml", "-o", "out", "--quiet", "--threads", "1", "--part", part]);
             let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("started");
             let home = here.join("out/parts").join(part.replace('/', "-of-"));
-            let stored = || Holdings::read(&home, &Output::default(), Inspection::Bytes).map_or(0, |held| held.known());
+            let stored = || Catalog::read(&home, &Output::default(), Inspection::Bytes).map_or(0, |held| held.known());
             let before = stored();
             while stored() == before && child.try_wait().expect("asked").is_none() {
                 std::thread::yield_now();
@@ -217,13 +217,13 @@ fn cases_of_the_whole_and_of_another_split_are_not_solved_again() {
     for part in ["1/2", "1/3", "2/3", "3/3"] {
         run_part(here, "out", part, "2");
     }
-    let all: Vec<Holdings> = paths(&here.join("out/parts"))
+    let all: Vec<Catalog> = paths(&here.join("out/parts"))
         .into_iter()
         .filter(|path| path.contains("-of-") && Path::new(path).join("log").is_dir())
-        .map(|path| Holdings::read(Path::new(&path), &Output::default(), Inspection::Bytes).expect("results"))
+        .map(|path| Catalog::read(Path::new(&path), &Output::default(), Inspection::Bytes).expect("results"))
         .collect();
     assert_eq!(all.len(), 4);
-    assert_eq!(all.iter().map(Holdings::known).sum::<u64>(), 70, "one row is new, and solved once");
+    assert_eq!(all.iter().map(Catalog::known).sum::<u64>(), 70, "one row is new, and solved once");
     let said = merge(here, &["out"]);
     assert!(said.contains("joined 70 cases in "), "{said}");
     assert_same(&here.join("out"));
@@ -262,7 +262,7 @@ fn other_sweeps_are_not_joined() {
 fn with_other_numbers(here: &Path, name: &str, change: impl Fn(&mut Values)) -> (PathBuf, CaseId) {
     let sweep = Sweep::read(here.join("many parts.toml")).expect("valid");
     let plan = Plan::new(&sweep);
-    let held = Holdings::read(&here.join("whole"), &sweep.output, Inspection::Bytes).expect("results");
+    let held = Catalog::read(&here.join("whole"), &sweep.output, Inspection::Bytes).expect("results");
     let ids = plan.ids(&plan.chain(5));
     let mut entries: Vec<_> = ids.iter().map(|id| held.entry(*id).expect("read").expect("there")).collect();
     change(&mut entries[3].values);
@@ -285,7 +285,7 @@ fn a_case_that_is_there_twice_must_agree_within_the_tolerance_and_the_choice_is_
     assert!(published(&here.join("a")) == published(&here.join("b")), "whatever the order");
     // Of cases that were committed in other company one shard has to be chosen; the other case stays stored.
     let sweep = Sweep::read(here.join("many parts.toml")).expect("valid");
-    let held = Holdings::read(&here.join("a"), &sweep.output, Inspection::Bytes).expect("results");
+    let held = Catalog::read(&here.join("a"), &sweep.output, Inspection::Bytes).expect("results");
     assert_eq!((held.known(), held.counts().converged), (490, 490));
 
     let (_, id) = with_other_numbers(here, "far", |values| values[Column::C] *= 1.0 + 1e-4);
@@ -300,7 +300,7 @@ fn a_case_that_is_there_twice_must_agree_within_the_tolerance_and_the_choice_is_
     // One that failed is no agreement either.
     let failed = |values: &mut Values| *values = Values::UNKNOWN;
     let (path, _) = with_other_numbers(here, "void", failed);
-    let held = Holdings::read(&path, &sweep.output, Inspection::Bytes).expect("results");
+    let held = Catalog::read(&path, &sweep.output, Inspection::Bytes).expect("results");
     assert_eq!(held.holds(id), Some(Status::Converged), "converged to nothing");
     assert_eq!(code(&say(here, &["merge", "whole", "void", "-o", "g"])), 4, "NaN agrees with no number");
 }

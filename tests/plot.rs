@@ -175,7 +175,8 @@ fn sweeps_of_any_shape_have_pictures() {
     let axes = |f: &str, alpha: &str, beta: &str, output: &str| {
         format!("[axes]\nf = [{f}]\nalpha = [{alpha}]\nbeta = [{beta}]\n[output]\n{output}\n")
     };
-    // One case without fields has nothing to show but its status and cost; a failed one (β too large for doubles) not even errors.
+    // One case without fields has nothing to show but its status and cost; a failed one (β too large for doubles) not
+    // even errors.
     for (sweep, wanted, missing) in [
         (axes("10.0", "1.0", "10.0, 20.0, 40.0", "fields = []"), "mu_tot-along-beta", "profile"),
         (axes("10.0", "1.0", "10.0, 20.0", ""), "profile-pressure", "map"),
@@ -259,8 +260,8 @@ fn published_files_alone_are_enough() {
     assert_eq!((code(&run), err(&run).contains("no timings.csv")), (2, true), "{}", err(&run));
 }
 
-/// Each line of `scripts/figures`: its sweep is one of `sweeps/`, its options make the picture that it names, and that picture is
-/// shown in docs/figures.md.
+/// Each line of `scripts/figures`: its sweep is one of `sweeps/`, its options make the picture that it names, and that
+/// picture is shown in docs/figures.md.
 #[test]
 #[ignore = "slow: solves the sweeps of all figures"]
 fn the_figures_of_the_paper_can_be_drawn() {

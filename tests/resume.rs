@@ -9,7 +9,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use crate::program::{code, err, out, paths, say, stribeck};
 use stribeck_solver::Output;
-use stribeck_sweep::store::{Holdings, Inspection};
+use stribeck_sweep::store::{Catalog, Inspection};
 use stribeck_sweep::{Plan, Sweep};
 use tempfile::{TempDir, tempdir};
 
@@ -66,7 +66,7 @@ fn reference() -> &'static (Bytes, Duration) {
 
 /// Cases that are stored; 0 where there is no results directory yet.
 fn stored(results: &Path) -> u64 {
-    Holdings::read(results, &Output::default(), Inspection::Bytes).map_or(0, |held| held.counts().converged)
+    Catalog::read(results, &Output::default(), Inspection::Bytes).map_or(0, |held| held.counts().converged)
 }
 
 /// Waits until a run has committed more cases, shard and record, or has ended.
@@ -170,7 +170,7 @@ fn a_terminated_run_says_how_to_resume_and_that_works() {
     assert!(!results.join("summary.csv").exists(), "an unfinished sweep publishes nothing");
 
     let sweep = Sweep::read(results.join("sweep.toml")).expect("the sweep is there");
-    let held = Holdings::read(&results, &sweep.output, Inspection::Bytes).expect("results");
+    let held = Catalog::read(&results, &sweep.output, Inspection::Bytes).expect("results");
     let saved = held.counts().converged + held.counts().failed;
     let left = Plan::new(&sweep).problems() as u64 - saved;
     assert!(said.contains(&format!("{saved} cases saved in out $HOME, {left} left")), "{saved} and {left}: {said}");

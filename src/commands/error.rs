@@ -7,7 +7,7 @@ use miette::MietteHandlerOpts;
 
 use super::solve::ESTIMATE_POINTS;
 use crate::pictures::PictureError;
-use stribeck_charts::FigureError;
+use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
 use stribeck_lab::{MeasuredError, RelaxationFitError};
@@ -27,7 +27,8 @@ pub enum CliError {
     Measured(#[from] MeasuredError),
     /// A sweep without quantities of the laboratory.
     #[error(
-        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] (docs/sweep-file.md)",
+        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] \
+         (docs/sweep-file.md)",
         shown(file)
     )]
     NotLaboratory {
@@ -113,8 +114,8 @@ pub enum CliError {
     },
     /// A part that would be told to stop before it has begun.
     #[error(
-        "a time limit of {limit} leaves a part no time to work: it is told to stop {signal} s before the limit, which Slurm may \
-         do {early} s early; give a longer --time, or fewer --signal-seconds"
+        "a time limit of {limit} leaves a part no time to work: it is told to stop {signal} s before the limit, which \
+         Slurm may do {early} s early; give a longer --time, or fewer --signal-seconds"
     )]
     NoTimeToWork {
         /// The time limit as it was given.
@@ -126,8 +127,8 @@ pub enum CliError {
     },
     /// A path that cannot be the log of a job.
     #[error(
-        "Slurm cannot write logs below {:?}: a %, a double quote, a backslash, a line feed or bytes that are no text stand in its \
-         name; choose another directory with -o",
+        "Slurm cannot write logs below {:?}: a %, a double quote, a backslash, a line feed or bytes that are no text \
+         stand in its name; choose another directory with -o",
         path
     )]
     NameForSlurm {
@@ -188,7 +189,7 @@ pub enum CliError {
     },
     /// A picture cannot be drawn.
     #[error("cannot draw a picture: {0}; please report it with the study file or the command")]
-    Figure(#[from] FigureError),
+    Chart(#[from] ChartError),
     /// A picture that a data set has nothing for.
     #[error(transparent)]
     Picture(#[from] PictureError),
@@ -261,8 +262,8 @@ impl CliError {
             | CliError::Slurm { .. }
             | CliError::Directory { .. }
             | CliError::Unwritten { .. }
-            | CliError::Figure(_)
-            | CliError::Picture(PictureError::Store(_) | PictureError::Figure(_))
+            | CliError::Chart(_)
+            | CliError::Picture(PictureError::Store(_) | PictureError::Chart(_))
             | CliError::Stopped { .. }
             | CliError::System { .. } => 4,
         }

@@ -14,7 +14,7 @@ use stribeck_input::shown;
 use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::{
-    CaseName, CasePlace, CaseReport, Found, Repeated, Repetition, StaleReason, explain, solve_command,
+    CaseName, CasePlace, CaseReport, CaseStorage, Comparison, SolvedAgain, StaleReason, explain, solve_command,
 };
 use stribeck_sweep::store::{CaseEntry, Origin, Status};
 
@@ -51,8 +51,8 @@ fn case_name(text: &str) -> Result<CaseName, String> {
         Some(&[f, alpha, beta]) if [f, alpha, beta].iter().all(|number| *number >= 0.0) => {
             Ok(CaseName::Near([f, alpha, beta]))
         }
-        _ => Err("give the id of a case (16 hexadecimal digits, as in the column `case` of summary.csv), or f, alpha and beta \
-                  with commas between them, as in 100,1,1000"
+        _ => Err("give the id of a case (16 hexadecimal digits, as in the column `case` of summary.csv), or f, alpha \
+                  and beta with commas between them, as in 100,1,1000"
             .to_owned()),
     }
 }
@@ -67,16 +67,16 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Some(place) => describe_place(place),
         None => "  it has no place in the present sweep.toml, so its f, alpha and beta are not known here\n".to_owned(),
     };
-    text += &match &report.found {
-        Found::Stored { entry, origin, .. } => describe_stored(entry, origin),
-        Found::Missing { worker, stale } => describe_missing(worker.as_deref(), stale.as_ref()),
+    text += &match &report.storage {
+        CaseStorage::Stored { entry, origin, .. } => describe_stored(entry, origin),
+        CaseStorage::Missing { worker, stale } => describe_missing(worker.as_deref(), stale.as_ref()),
     };
     console::print(&text)?;
-    if let (Found::Stored { .. }, Some(place)) = (&report.found, &report.place) {
+    if let (CaseStorage::Stored { .. }, Some(place)) = (&report.storage, &report.place) {
         if !arguments.stored
-            && let Some(repeated) = report.solve_again()
+            && let Some(again) = report.solve_again()
         {
-            console::print(&describe_repeated(&repeated, place, report.sweep.solver.method))?;
+            console::print(&describe_solved_again(&again, place, report.sweep.solver.method))?;
         }
         console::print(&how_to_repeat(&report, place, &arguments.directory))?;
     }
@@ -85,12 +85,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 
 fn heading(report: &CaseReport) -> String {
     let id = report.id;
-    match &report.found {
-        Found::Stored { entry, lacks, .. } if !lacks.is_empty() => {
+    match &report.storage {
+        CaseStorage::Stored { entry, lacks, .. } if !lacks.is_empty() => {
             format!("case {id}: {}, but stored without {}\n", entry.outcome.name(), lacks.join(", "))
         }
-        Found::Stored { entry, .. } => format!("case {id}: {}\n", entry.outcome.name()),
-        Found::Missing { .. } => format!("case {id}: not solved yet\n"),
+        CaseStorage::Stored { entry, .. } => format!("case {id}: {}\n", entry.outcome.name()),
+        CaseStorage::Missing { .. } => format!("case {id}: not solved yet\n"),
     }
 }
 
@@ -110,7 +110,8 @@ fn describe_place(place: &CasePlace) -> String {
     };
     let end = |case: Option<&Parameters>| case.map_or_else(String::new, |case| shortest(case.beta));
     format!(
-        "{experiment}  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {} of the {} of its chain, beta from {} to {}\n",
+        "{experiment}  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {} of the {} of its chain, beta from \
+         {} to {}\n",
         place.index + 1,
         place.chain.len(),
         end(place.chain.first()),
@@ -169,7 +170,7 @@ fn describe_recipe(recipe: &serde_json::Value) -> String {
 }
 
 /// How a case was reached that was solved again, and whether it is what is stored.
-fn describe_repeated(repeated: &Repeated, place: &CasePlace, method: Method) -> String {
+fn describe_solved_again(again: &SolvedAgain, place: &CasePlace, method: Method) -> String {
     let before = match place.index {
         0 => "it is the first of its chain".to_owned(),
         others => format!("after the {others} before it in its chain"),
@@ -178,19 +179,19 @@ fn describe_repeated(repeated: &Repeated, place: &CasePlace, method: Method) -> 
         Method::Collocation => "step over solution",
         Method::Relaxation => "residual",
     };
-    let same = describe_repetition(&repeated.repetition);
-    format!("\nsolved again, {before}: {same}\n{}", describe_trace(&repeated.case, residual))
+    let same = describe_comparison(&again.comparison);
+    format!("\nsolved again, {before}: {same}\n{}", describe_trace(&again.case, residual))
 }
 
-fn describe_repetition(repetition: &Repetition) -> String {
-    match repetition {
-        Repetition::ConvergesNow => "it converges now".to_owned(),
-        Repetition::FailsNow(failure) => format!("it fails now: {failure}"),
-        Repetition::FailsAgain => "it fails again".to_owned(),
-        Repetition::SameNumbers => "the same numbers to the last bit".to_owned(),
-        Repetition::OtherNumbers(differences) => format!(
-            "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had another \
-             chain, or on another machine",
+fn describe_comparison(comparison: &Comparison) -> String {
+    match comparison {
+        Comparison::ConvergesNow => "it converges now".to_owned(),
+        Comparison::FailsNow(failure) => format!("it fails now: {failure}"),
+        Comparison::FailsAgain => "it fails again".to_owned(),
+        Comparison::SameNumbers => "the same numbers to the last bit".to_owned(),
+        Comparison::OtherNumbers(differences) => format!(
+            "other numbers than those stored ({} of themselves), as after an extension of the sweep, where it had \
+             another chain, or on another machine",
             differences.map(|(column, difference)| format!("{} by {difference:.0e}", column.name())).join(", ")
         ),
     }

@@ -118,7 +118,8 @@ fn describe_cost(cost: &Cost, threads: NonZeroUsize) -> String {
     let (run, case) = (duration(cost.seconds), duration(cost.case.seconds()));
     let (stored, published) = (bytes(cost.size.stored), bytes(cost.size.published));
     format!(
-        "time       about {run} on {}; {case} per case, {source}\ndisk       about {stored} to store, {published} published\n",
+        "time       about {run} on {}; {case} per case, {source}\n\
+         disk       about {stored} to store, {published} published\n",
         count(threads.get() as u64, "thread"),
     )
 }

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::{CliError, Exit, console, published};
 use crate::format::count;
-use crate::pictures::{AxisScale, Format, Kind, Picture, Request, Source, pictures};
+use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, pictures};
 use stribeck_input::{printable, shown};
 use stribeck_lab::Measured;
 use stribeck_sweep::Sweep;
@@ -102,15 +102,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Ok(sweep) => Some(sweep.substrate),
         Err(_) => {
             console::tell(&format!(
-                "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} of the \
-                 program wrote, is none for this version",
+                "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} \
+                 of the program wrote, is none for this version",
                 printable(&data.version)
             ));
             None
         }
     };
     let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
-    let source = Source::new(data, substrate, measured)?;
+    let sweep = SweepData::new(data, substrate, measured)?;
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
     let request = Request {
@@ -124,14 +124,14 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         together: arguments.together,
         bare: arguments.bare,
     };
-    let pictures = pictures(&source, &request)?;
+    let pictures = pictures(&sweep, &request)?;
     let directory = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("figures"));
     fs::create_dir_all(&directory).map_err(|source| CliError::Directory {
         action: "make",
         path: directory.clone(),
         source,
     })?;
-    if let Some(measured) = source.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
+    if let Some(measured) = sweep.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
         console::tell(&format!(
             "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",
             shown(&measured.path),

@@ -133,7 +133,7 @@ impl AxisWords {
         match self.combinations.get(index) {
             Some(combination) => combination.clone(),
             None => {
-                let value = super::source::rounded(self.values[index]);
+                let value = super::sweep_data::rounded(self.values[index]);
                 format!("{} = {value} {}", self.symbol, self.unit).trim_end().to_owned()
             }
         }

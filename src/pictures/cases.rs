@@ -1,7 +1,7 @@
 //! The cases whose fields are shown together: a family along one axis.
 
 use super::request::{Kind, Request, Selection, spread};
-use super::source::Source;
+use super::sweep_data::SweepData;
 use super::{Axis, PictureError};
 use stribeck_sweep::store::Status;
 
@@ -11,7 +11,7 @@ const MOST_CASES: usize = 7;
 /// Cases along an axis, the two others fixed.
 pub(super) struct Cases {
     /// The axis along which they differ.
-    pub(super) family: Axis,
+    pub(super) varied: Axis,
     /// Their indices.
     pub(super) indices: Vec<[usize; 3]>,
     /// The axes on which they agree.
@@ -19,21 +19,21 @@ pub(super) struct Cases {
 }
 
 impl Cases {
-    /// The cases asked for, or a choice: along the axis that is `preferred` if it has several values, else the one with the most,
-    /// and in the middle of the others.
+    /// The cases asked for, or a choice: along the axis that is `preferred` if it has several values, else the one with
+    /// the most, and in the middle of the others.
     ///
     /// # Errors
     /// [`PictureError`] if more than one axis has several values that were asked for, or no case was solved.
     pub(super) fn choose(
-        source: &Source,
+        sweep: &SweepData,
         request: &Request,
         kind: Kind,
         preferred: Axis,
     ) -> Result<Self, PictureError> {
-        let selection = Selection::of(source, request)?;
+        let selection = Selection::of(sweep, request)?;
         let asked = |axis: Axis| selection.is_asked(axis) && selection.on(axis).len() > 1;
         let several: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| asked(*axis)).collect();
-        let family = match several[..] {
+        let varied = match several[..] {
             [] if selection.on(preferred).len() > 1 => preferred,
             [] => *Axis::ALL.iter().max_by_key(|axis| selection.on(**axis).len()).expect("there are three"),
             [axis] => axis,
@@ -42,52 +42,52 @@ impl Cases {
                     .missing("the cases of one picture differ along one axis; give several values of one axis only"));
             }
         };
-        let statuses = source.data.statuses()?;
+        let statuses = sweep.data.statuses()?;
         let mut start = [0; 3];
         for axis in Axis::ALL {
-            start[axis.dimension()] = middle(source, axis, selection.on(axis));
+            start[axis.dimension()] = middle(sweep, axis, selection.on(axis));
         }
-        let members = selection.on(family).iter().map(|member| {
+        let members = selection.on(varied).iter().map(|member| {
             let mut indices = start;
-            indices[family.dimension()] = *member;
+            indices[varied.dimension()] = *member;
             indices
         });
         let solved: Vec<[usize; 3]> =
-            members.filter(|indices| statuses[source.data.place(*indices)] == Status::Converged).collect();
+            members.filter(|indices| statuses[sweep.data.place(*indices)] == Status::Converged).collect();
         if solved.is_empty() {
-            let fixed: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| *axis != family).collect();
+            let fixed: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| *axis != varied).collect();
             return Err(
-                kind.missing(format!("no case converged at {}; choose others with --at", source.list(&fixed, start)))
+                kind.missing(format!("no case converged at {}; choose others with --at", sweep.list(&fixed, start)))
             );
         }
         let all: Vec<usize> = (0..solved.len()).collect();
-        let kept = if asked(family) { all } else { spread(&all, MOST_CASES) };
+        let kept = if asked(varied) { all } else { spread(&all, MOST_CASES) };
         let indices: Vec<[usize; 3]> = kept.into_iter().map(|i| solved[i]).collect();
-        let fixed = Axis::ALL.into_iter().filter(|axis| *axis != family || indices.len() == 1).collect();
-        Ok(Self { family, indices, fixed })
+        let fixed = Axis::ALL.into_iter().filter(|axis| *axis != varied || indices.len() == 1).collect();
+        Ok(Self { varied, indices, fixed })
     }
 
     /// What the cases have in common, in words.
-    pub(super) fn subtitle(&self, source: &Source) -> String {
-        source.list(&self.fixed, self.indices[0])
+    pub(super) fn subtitle(&self, sweep: &SweepData) -> String {
+        sweep.list(&self.fixed, self.indices[0])
     }
 
     /// The name of a case among the others.
-    pub(super) fn label(&self, source: &Source, indices: [usize; 3]) -> String {
-        source.words(self.family, indices[self.family.dimension()])
+    pub(super) fn label(&self, sweep: &SweepData, indices: [usize; 3]) -> String {
+        sweep.words(self.varied, indices[self.varied.dimension()])
     }
 }
 
-/// Where an axis is cut if nothing else is asked for: the largest f, the α nearest to 1 (where a substrate dissipates most), the
-/// middle β; the middle of quantities of the laboratory.
-pub(super) fn middle(source: &Source, axis: Axis, indices: &[usize]) -> usize {
+/// Where an axis is cut if nothing else is asked for: the largest f, the α nearest to 1 (where a substrate dissipates
+/// most), the middle β; the middle of quantities of the laboratory.
+pub(super) fn middle(sweep: &SweepData, axis: Axis, indices: &[usize]) -> usize {
     let off_one = |index: &usize| {
-        let value = source.value(axis, *index);
+        let value = sweep.value(axis, *index);
         if value > 0.0 { value.ln().abs() } else { f64::INFINITY }
     };
     match axis {
         Axis::F => indices[indices.len() - 1],
-        Axis::Middle if source.data.laboratory => indices[indices.len() / 2],
+        Axis::Middle if sweep.data.laboratory => indices[indices.len() / 2],
         Axis::Middle => {
             *indices.iter().min_by(|one, other| off_one(one).total_cmp(&off_one(other))).expect("not empty")
         }

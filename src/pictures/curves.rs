@@ -1,13 +1,12 @@
 //! A quantity along an axis, one curve for each value of another.
 
-use super::bundle::{Bundle, bundles};
-use super::family::{beside, colour};
-use super::known::{self, Known, Values};
-use super::overlay::overlay;
+use super::curve_family::{CurveFamily, beside, curve_families, member_colour};
+use super::measured_points::measured_points;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
+use super::reference_curves::{self, ReferenceCurve, Values};
 use super::request::{Kind, Request, Selection};
-use super::source::Source;
+use super::sweep_data::SweepData;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
@@ -23,14 +22,14 @@ const COLUMNS: [Column; 4] = [Column::MuTot, Column::MuV, Column::MuH, Column::C
 const ERRORS: [Column; 3] = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC];
 
 /// The pictures of curves that are asked for.
-pub(super) fn curves(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    along_each(source, request, Kind::Curves, &named_columns(request, &COLUMNS))
+pub(super) fn curves(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    along_each(sweep, request, Kind::Curves, &named_columns(request, &COLUMNS))
 }
 
 /// Errors along each axis: for sweeps that have no map of them.
-pub(super) fn errors(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
+pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     let request = Request { together: true, ..request.clone() };
-    along_each(source, &request, Kind::Errors, &ERRORS)
+    along_each(sweep, &request, Kind::Errors, &ERRORS)
 }
 
 /// The columns asked for, or a choice.
@@ -39,17 +38,18 @@ pub(super) fn named_columns(request: &Request, otherwise: &[Column]) -> Vec<Colu
     if named.is_empty() { otherwise.to_vec() } else { named }
 }
 
+/// The pictures of these columns along the axis asked for, or along each that has several values.
 fn along_each(
-    source: &Source,
+    sweep: &SweepData,
     request: &Request,
     kind: Kind,
     columns: &[Column],
 ) -> Result<Vec<Picture>, PictureError> {
-    let selection = Selection::of(source, request)?;
+    let selection = Selection::of(sweep, request)?;
     let long = |axis: &Axis| selection.on(*axis).len() > 1;
-    let axes: Vec<Axis> = match request.along(source)? {
+    let axes: Vec<Axis> = match request.along(sweep)? {
         Some(axis) if !long(&axis) => {
-            let name = &source.axis(axis).name;
+            let name = &sweep.axis(axis).name;
             return Err(kind.missing(format!("{name} has one value here, and a curve needs two")));
         }
         Some(axis) => vec![axis],
@@ -69,49 +69,48 @@ fn along_each(
                 )));
             }
             let name = match kind {
-                Kind::Errors => format!("errors-along-{}", source.axis(along).name),
+                Kind::Errors => format!("errors-along-{}", sweep.axis(along).name),
                 _ => format!(
                     "{}-along-{}",
                     columns.iter().map(|column| column.name()).collect::<Vec<_>>().join("-"),
-                    source.axis(along).name
+                    sweep.axis(along).name
                 ),
             };
-            for bundle in bundles(source, request, &selection, along) {
-                let name = format!("{name}{}", bundle.suffix);
-                pictures.extend(draw(source, request, &bundle, columns, name)?);
+            for family in curve_families(sweep, request, &selection, along) {
+                let name = format!("{name}{}", family.suffix);
+                pictures.extend(draw(sweep, request, &family, columns, name)?);
             }
         }
     }
     Ok(pictures)
 }
 
+/// The picture of a family of curves of these columns; none if it has nothing to show.
 fn draw(
-    source: &Source,
+    sweep: &SweepData,
     request: &Request,
-    bundle: &Bundle,
+    family: &CurveFamily,
     columns: &[Column],
     name: String,
 ) -> Result<Option<Picture>, PictureError> {
-    let mut table = Table::new(&[&["quantity", "kind"], &source.coordinate_names()[..], &["value"]].concat());
-    let (mut solved, mut known_curves, mut measured) = (Vec::new(), Vec::new(), Vec::new());
+    let mut table = Table::new(&[&["quantity", "kind"], &sweep.coordinate_names()[..], &["value"]].concat());
+    let (mut solved, mut references, mut measured) = (Vec::new(), Vec::new(), Vec::new());
     for (place, column) in columns.iter().copied().enumerate() {
-        let colours: Vec<Colour> = (0..bundle.members.len())
-            .map(|member| if columns.len() > 1 { Colour::Kind(place) } else { colour(member, bundle.members.len()) })
+        let count = family.members.len();
+        let colours: Vec<Colour> = (0..count)
+            .map(|member| if columns.len() > 1 { Colour::Kind(place) } else { member_colour(member, count) })
             .collect();
-        solved.extend(solutions(source, bundle, column, &colours, columns.len() > 1, &mut table)?);
-        measured.extend(overlay(source, bundle, column, &colours));
-        let known = if request.bare { &[] } else { known::of_column(column) };
-        for known in known {
-            let mut members = Vec::new();
-            for (member, colour) in bundle.members.iter().zip(&colours) {
-                let points = known_points(source, known, column, bundle, *member)?;
-                for (point, (_, value)) in bundle.points.iter().zip(&points) {
-                    let coordinates = source.coordinates(bundle.at(*member, *point));
-                    table.row(&[column.name(), known.label], &[&coordinates[..], &[*value]].concat());
-                }
-                members.push((*colour, points));
+        let mut curves = solutions(sweep, family, column, &mut table)?;
+        for (curve, colour) in curves.iter_mut().zip(&colours) {
+            curve.colour = *colour;
+            if columns.len() > 1 {
+                curve.label = Quantity::from(column).words.to_owned();
             }
-            known_curves.extend(beside(known.label, known.stroke, members));
+        }
+        solved.extend(curves);
+        measured.extend(measured_points(sweep, family, column, &colours));
+        if !request.bare {
+            references.extend(reference_curves(sweep, family, column, &colours, &mut table)?);
         }
     }
     let nothing = solved.iter().all(|curve| curve.failed.is_empty() && curve.points.iter().all(|p| p.1.is_nan()));
@@ -120,49 +119,68 @@ fn draw(
     }
     let logarithmic = request.scale.is_logarithmic(solved.iter().flat_map(|curve| &curve.points).map(|point| point.1));
     let wanted: Vec<Curve> = solved.iter().chain(&measured).cloned().collect();
-    let range = request.y.or_else(|| vertical_range(&wanted, &known_curves, logarithmic));
-    let x_label = source.axis(bundle.along).label.clone();
+    let range = request.y.or_else(|| vertical_range(&wanted, &references, logarithmic));
+    let x_label = sweep.axis(family.along).label.clone();
     let chart = Lines {
-        title: source.data.title.clone(),
-        subtitle: source.list(&bundle.fixed, bundle.start),
-        x: LineAxis { label: x_label, logarithmic: is_logarithmic(source, bundle), range: None },
-        y: LineAxis { label: Quantity::common_label(columns, source.data.laboratory), logarithmic, range },
-        curves: solved.into_iter().chain(known_curves).chain(measured).collect(),
+        title: sweep.data.title.clone(),
+        subtitle: sweep.list(&family.fixed, family.start),
+        x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
+        y: LineAxis { label: Quantity::common_label(columns, sweep.data.laboratory), logarithmic, range },
+        curves: solved.into_iter().chain(references).chain(measured).collect(),
     };
     Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
 }
 
-/// The curve of each member of the family; `named` by the column where several stand together.
+/// The curve of each member of a family, named by the member and black.
 fn solutions(
-    source: &Source,
-    bundle: &Bundle,
+    sweep: &SweepData,
+    family: &CurveFamily,
     column: Column,
-    colours: &[Colour],
-    named: bool,
     table: &mut Table,
 ) -> Result<Vec<Curve>, PictureError> {
-    let (statuses, values) = (source.data.statuses()?, source.data.column(column)?);
+    let (statuses, values) = (sweep.data.statuses()?, sweep.data.column(column)?);
     let mut curves = Vec::new();
-    for (member, colour) in bundle.members.iter().zip(colours) {
+    for member in &family.members {
         let (mut points, mut failed) = (Vec::new(), Vec::new());
-        for point in &bundle.points {
-            let indices = bundle.at(*member, *point);
-            let (x, place) = (source.value(bundle.along, *point), source.data.place(indices));
+        for point in &family.points {
+            let indices = family.at(*member, *point);
+            let (x, place) = (sweep.value(family.along, *point), sweep.data.place(indices));
             points.push((x, values[place]));
             if statuses[place] == Status::Failed {
                 failed.push(x);
             }
-            table.row(&[column.name(), "solution"], &[&source.coordinates(indices)[..], &[values[place]]].concat());
+            table.row(&[column.name(), "solution"], &[&sweep.coordinates(indices)[..], &[values[place]]].concat());
         }
-        let label = if named {
-            Quantity::from(column).words.to_owned()
-        } else if bundle.members.len() > 1 {
-            source.words(bundle.family, *member)
-        } else {
-            "solution".to_owned()
+        let label = match family.members.len() {
+            1 => "solution".to_owned(),
+            _ => sweep.words(family.varied, *member),
         };
         let marked = points.len() <= MOST_MARKED;
-        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: *colour, marked });
+        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: Colour::Black, marked });
+    }
+    Ok(curves)
+}
+
+/// The reference curves of a column beside the members of a family, which have these colours.
+fn reference_curves(
+    sweep: &SweepData,
+    family: &CurveFamily,
+    column: Column,
+    colours: &[Colour],
+    table: &mut Table,
+) -> Result<Vec<Curve>, PictureError> {
+    let mut curves = Vec::new();
+    for reference in reference_curves::of_column(column) {
+        let mut members = Vec::new();
+        for (member, colour) in family.members.iter().zip(colours) {
+            let points = reference_points(sweep, reference, column, family, *member)?;
+            for (point, (_, value)) in family.points.iter().zip(&points) {
+                let coordinates = sweep.coordinates(family.at(*member, *point));
+                table.row(&[column.name(), reference.label], &[&coordinates[..], &[*value]].concat());
+            }
+            members.push((*colour, points));
+        }
+        curves.extend(beside(reference.label, reference.stroke, members));
     }
     Ok(curves)
 }
@@ -193,33 +211,34 @@ fn vertical_range(solved: &[Curve], known: &[Curve], logarithmic: bool) -> Optio
 }
 
 /// True if the running axis spans more than a factor of five.
-fn is_logarithmic(source: &Source, bundle: &Bundle) -> bool {
-    let positive: Vec<f64> = bundle.points.iter().map(|point| source.value(bundle.along, *point)).collect();
+fn is_logarithmic(sweep: &SweepData, family: &CurveFamily) -> bool {
+    let positive: Vec<f64> = family.points.iter().map(|point| sweep.value(family.along, *point)).collect();
     let finite = || positive.iter().copied().filter(|value| *value > 0.0 && value.is_finite());
     let (least, most) = (finite().fold(f64::INFINITY, f64::min), finite().fold(0.0, f64::max));
     most > 5.0 * least || positive.contains(&f64::INFINITY)
 }
 
-fn known_points(
-    source: &Source,
-    known: &Known,
+/// The points of a reference curve for a member of a family; NaN where it does not hold.
+fn reference_points(
+    sweep: &SweepData,
+    reference: &ReferenceCurve,
     column: Column,
-    bundle: &Bundle,
+    family: &CurveFamily,
     member: usize,
 ) -> Result<Vec<(f64, f64)>, PictureError> {
-    let places = bundle.points.iter().map(|point| (source.value(bundle.along, *point), bundle.at(member, *point)));
-    match known.values {
+    let places = family.points.iter().map(|point| (sweep.value(family.along, *point), family.at(member, *point)));
+    match reference.values {
         Values::Formula(formula) => {
             let value = |indices| {
-                let value = source.parameters(indices).and_then(|case| formula(&case));
-                value.map_or(f64::NAN, |value| value * source.factor(column.units(), indices))
+                let value = sweep.parameters(indices).and_then(|case| formula(&case));
+                value.map_or(f64::NAN, |value| value * sweep.factor(column.units(), indices))
             };
             Ok(places.map(|(x, indices)| (x, value(indices))).collect())
         }
         Values::Columns(columns) => {
-            let columns = columns.iter().map(|column| source.data.column(*column)).collect::<Result<Vec<_>, _>>()?;
+            let columns = columns.iter().map(|column| sweep.data.column(*column)).collect::<Result<Vec<_>, _>>()?;
             let sum = |place: usize| columns.iter().map(|column| column[place]).sum();
-            Ok(places.map(|(x, indices)| (x, sum(source.data.place(indices)))).collect())
+            Ok(places.map(|(x, indices)| (x, sum(sweep.data.place(indices)))).collect())
         }
     }
 }

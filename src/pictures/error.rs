@@ -1,6 +1,6 @@
 //! Why there is no picture.
 
-use stribeck_charts::FigureError;
+use stribeck_charts::ChartError;
 use stribeck_input::printable;
 use stribeck_sweep::store::StoreError;
 
@@ -12,7 +12,7 @@ pub enum PictureError {
     Store(#[from] StoreError),
     /// The chart cannot be drawn.
     #[error(transparent)]
-    Figure(#[from] FigureError),
+    Chart(#[from] ChartError),
     /// A column or field that does not exist.
     #[error("--of {}: there is no such column or field here; give some of {allowed}", printable(name))]
     Unknown {

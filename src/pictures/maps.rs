@@ -4,7 +4,7 @@ use super::curves::named_columns;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
 use super::request::{Kind, Request, Selection, spread};
-use super::source::Source;
+use super::sweep_data::SweepData;
 use super::table::Table;
 use super::{Axis, PictureError};
 use stribeck_charts::{Cell, ColourScale, Map, Panel};
@@ -16,24 +16,26 @@ const COLUMNS: [Column; 4] = [Column::MuTot, Column::MuV, Column::MuH, Column::F
 /// Most values of f side by side.
 const MOST_PANELS: usize = 4;
 
-/// The indices that maps show.
-struct Shown {
+/// The part of a sweep that maps show, by indices.
+struct Shown<'a> {
+    sweep: &'a SweepData,
     strengths: Vec<usize>,
     alphas: Vec<usize>,
     betas: Vec<usize>,
 }
 
-impl Shown {
-    fn of(source: &Source, request: &Request, kind: Kind) -> Result<Self, PictureError> {
-        let selection = Selection::of(source, request)?;
+impl<'a> Shown<'a> {
+    fn of(sweep: &'a SweepData, request: &Request, kind: Kind) -> Result<Self, PictureError> {
+        let selection = Selection::of(sweep, request)?;
         for axis in [Axis::Middle, Axis::Inner] {
             if selection.on(axis).len() < 2 {
-                return Err(kind.missing(no_plane(source, axis, "map")));
+                return Err(kind.missing(why_no_grid(sweep, axis, "map")));
             }
         }
         let strengths = selection.on(Axis::F);
         let asked = selection.is_asked(Axis::F);
         Ok(Self {
+            sweep,
             strengths: if asked { strengths.to_vec() } else { spread(strengths, MOST_PANELS) },
             alphas: selection.on(Axis::Middle).to_vec(),
             betas: selection.on(Axis::Inner).to_vec(),
@@ -43,17 +45,15 @@ impl Shown {
     /// The map of a number of each place.
     fn map(
         &self,
-        source: &Source,
         (name, label): (&str, &str),
         contours: bool,
         cell: impl Fn(usize) -> Cell,
         logarithmic: impl FnOnce(&mut dyn Iterator<Item = f64>) -> bool,
     ) -> Map {
         let panel = |i_f: &usize| {
-            let places = self
-                .betas
-                .iter()
-                .flat_map(|i_beta| self.alphas.iter().map(move |i_alpha| source.data.place([*i_f, *i_alpha, *i_beta])));
+            let places = self.betas.iter().flat_map(|i_beta| {
+                self.alphas.iter().map(move |i_alpha| self.sweep.data.place([*i_f, *i_alpha, *i_beta]))
+            });
             Panel { cells: places.map(&cell).collect() }
         };
         let panels: Vec<Panel> = self.strengths.iter().map(panel).collect();
@@ -63,28 +63,29 @@ impl Shown {
         });
         let logarithmic = logarithmic(&mut values);
         Map {
-            title: source.data.title.clone(),
+            title: self.sweep.data.title.clone(),
             subtitle: name.to_owned(),
-            x_label: source.axis(Axis::Middle).label.clone(),
-            y_label: source.axis(Axis::Inner).label.clone(),
-            columns: self.strengths.iter().map(|i_f| source.words(Axis::F, *i_f)).collect(),
+            x_label: self.sweep.axis(Axis::Middle).label.clone(),
+            y_label: self.sweep.axis(Axis::Inner).label.clone(),
+            columns: self.strengths.iter().map(|i_f| self.sweep.words(Axis::F, *i_f)).collect(),
             rows: vec![String::new()],
-            x: self.alphas.iter().map(|i| source.value(Axis::Middle, *i)).collect(),
-            y: self.betas.iter().map(|i| source.value(Axis::Inner, *i)).collect(),
+            x: self.alphas.iter().map(|i| self.sweep.value(Axis::Middle, *i)).collect(),
+            y: self.betas.iter().map(|i| self.sweep.value(Axis::Inner, *i)).collect(),
             panels,
             scale: ColourScale { label: label.to_owned(), logarithmic, range: None },
             contours,
         }
     }
 
-    fn table(&self, source: &Source, column: &str, text: impl Fn(usize) -> (String, f64)) -> Table {
-        let mut table = Table::new(&[&["status"], &source.coordinate_names()[..], &[column]].concat());
+    /// The numbers behind a map.
+    fn table(&self, column: &str, text: impl Fn(usize) -> (String, f64)) -> Table {
+        let mut table = Table::new(&[&["status"], &self.sweep.coordinate_names()[..], &[column]].concat());
         for i_f in &self.strengths {
             for i_alpha in &self.alphas {
                 for i_beta in &self.betas {
                     let indices = [*i_f, *i_alpha, *i_beta];
-                    let (status, value) = text(source.data.place(indices));
-                    table.row(&[&status], &[&source.coordinates(indices)[..], &[value]].concat());
+                    let (status, value) = text(self.sweep.data.place(indices));
+                    table.row(&[&status], &[&self.sweep.coordinates(indices)[..], &[value]].concat());
                 }
             }
         }
@@ -93,16 +94,15 @@ impl Shown {
 }
 
 /// A map for each column asked for, with lines of equal value.
-pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let shown = Shown::of(source, request, Kind::Maps)?;
-    let statuses = source.data.statuses()?;
+pub(super) fn maps(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let shown = Shown::of(sweep, request, Kind::Maps)?;
+    let statuses = sweep.data.statuses()?;
     let mut pictures = Vec::new();
     for column in named_columns(request, &COLUMNS) {
         let quantity = Quantity::from(column);
-        let values = source.data.column(column)?;
-        let label = quantity.label(source.data.laboratory);
+        let values = sweep.data.column(column)?;
+        let label = quantity.label(sweep.data.laboratory);
         let map = shown.map(
-            source,
             (quantity.words, &label),
             true,
             |place| cell(statuses[place], values[place]),
@@ -110,7 +110,7 @@ pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, P
         );
         // Without a solution there is nothing to show; the map of status says so.
         if map.panels.iter().flat_map(|panel| &panel.cells).any(|cell| matches!(cell, Cell::Value(_))) {
-            let table = shown.table(source, column.name(), |place| (statuses[place].name().to_owned(), values[place]));
+            let table = shown.table(column.name(), |place| (statuses[place].name().to_owned(), values[place]));
             pictures.push(Picture { name: format!("map-{}", column.name()), chart: Chart::Map(map), table });
         }
     }
@@ -118,37 +118,33 @@ pub(super) fn maps(source: &Source, request: &Request) -> Result<Vec<Picture>, P
 }
 
 /// The largest estimated error of each case.
-pub(super) fn errors(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let shown = Shown::of(source, request, Kind::Errors)?;
-    let statuses = source.data.statuses()?;
-    let largest = largest_errors(source)?;
+pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let shown = Shown::of(sweep, request, Kind::Errors)?;
+    let statuses = sweep.data.statuses()?;
+    let largest = largest_errors(sweep)?;
     if largest.iter().all(|error| error.is_nan()) {
         return Err(Kind::Errors.missing(
-            "no case has estimated errors; with the relaxation method ask for them: estimate = true below [solver.relaxation]",
+            "no case has estimated errors; with the relaxation method ask for them: estimate = true below \
+             [solver.relaxation]",
         ));
     }
     let label = "largest estimated relative error of μᵥ, μₕ and c";
-    let map = shown.map(
-        source,
-        (label, "estimated relative error"),
-        false,
-        |place| cell(statuses[place], largest[place]),
-        |_| true,
-    );
-    let table = shown.table(source, "largest_error", |place| (statuses[place].name().to_owned(), largest[place]));
+    let map =
+        shown.map((label, "estimated relative error"), false, |place| cell(statuses[place], largest[place]), |_| true);
+    let table = shown.table("largest_error", |place| (statuses[place].name().to_owned(), largest[place]));
     Ok(vec![Picture { name: "map-errors".to_owned(), chart: Chart::Map(map), table }])
 }
 
 /// Which cases converged.
-pub(super) fn status(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let shown = Shown::of(source, request, Kind::Status)?;
-    let statuses = source.data.statuses()?;
+pub(super) fn status(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let shown = Shown::of(sweep, request, Kind::Status)?;
+    let statuses = sweep.data.statuses()?;
     let failed = statuses.iter().filter(|status| **status == Status::Failed).count();
     let converged = |status: Status| if status == Status::Failed { Cell::Failed } else { Cell::Solved };
     let words = format!("{} places of the sweep converged, {failed} failed", statuses.len() - failed);
-    let map = shown.map(source, (&words, ""), false, |place| converged(statuses[place]), |_| true);
-    let reasons = source.data.reasons()?;
-    let table = shown.table(source, "failed", |place| {
+    let map = shown.map((&words, ""), false, |place| converged(statuses[place]), |_| true);
+    let reasons = sweep.data.reasons()?;
+    let table = shown.table("failed", |place| {
         let reason = &reasons[place];
         let status = statuses[place].name();
         let text = if reason.is_empty() { status.to_owned() } else { format!("{status}: {reason}") };
@@ -158,16 +154,16 @@ pub(super) fn status(source: &Source, request: &Request) -> Result<Vec<Picture>,
 }
 
 /// Why there is no plane to draw on.
-pub(super) fn no_plane(source: &Source, axis: Axis, what: &str) -> String {
-    match source.axis(axis).name.as_str() {
+pub(super) fn why_no_grid(sweep: &SweepData, axis: Axis, what: &str) -> String {
+    match sweep.axis(axis).name.as_str() {
         "" => format!("there is no axis between f and the speed here, and a {what} needs one; try --what curves"),
         name => format!("{name} has one value here, and a {what} needs two; try --what curves"),
     }
 }
 
 /// The largest of the three estimates of each place; NaN where one is not known.
-pub(super) fn largest_errors(source: &Source) -> Result<Vec<f64>, PictureError> {
-    let columns = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| source.data.column(column));
+pub(super) fn largest_errors(sweep: &SweepData) -> Result<Vec<f64>, PictureError> {
+    let columns = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| sweep.data.column(column));
     let [mu_v, mu_h, c] = columns;
     let (mu_v, mu_h, c) = (mu_v?, mu_h?, c?);
     let largest = |place: usize| {

@@ -4,34 +4,33 @@
 //! | --- | --- |
 //! | `request` | [`Request`]: what is wanted, and of which part of the sweep |
 //! | `curves`, `profiles`, `loops`, `surfaces`, `maps`, `stress`, `cost` | the kinds of pictures |
-//! | `known`, `family` | limits and approximations beside solutions; curves that belong together |
-//! | `overlay` | measured points over curves |
-//! | `bundle`, `cases`, `plane` | which curves stand together; which cases have their fields shown; where surfaces are |
+//! | `curve_family`, `surface_grid` | which curves stand in one picture; where surfaces are |
+//! | `cases` | which cases have their fields shown |
+//! | `reference_curves`, `measured_points` | limits and approximations beside solutions; measured points over curves |
 //! | `axis`, `quantity` | what axes and columns are called in pictures |
-//! | `source` | the data set |
+//! | `sweep_data` | [`SweepData`]: the data set |
 //! | `picture`, `table` | [`Picture`]: a chart and its CSV |
 //!
 //! Only published files are looked at: nothing is solved here.
 
 mod axis;
-mod bundle;
 mod cases;
 mod cost;
+mod curve_family;
 mod curves;
 mod error;
-mod family;
-mod known;
 mod loops;
 mod maps;
-mod overlay;
+mod measured_points;
 mod picture;
-mod plane;
 mod profiles;
 mod quantity;
+mod reference_curves;
 mod request;
-mod source;
 mod stress;
+mod surface_grid;
 mod surfaces;
+mod sweep_data;
 mod table;
 
 pub use axis::{Axis, AxisWords};
@@ -39,7 +38,7 @@ pub use error::PictureError;
 pub use picture::{Chart, Format, Picture};
 pub use quantity::Quantity;
 pub use request::{AxisScale, Kind, Request, nearest};
-pub use source::Source;
+pub use sweep_data::SweepData;
 pub use table::Table;
 
 use stribeck_sweep::Column;
@@ -48,12 +47,12 @@ use stribeck_sweep::Column;
 ///
 /// # Errors
 /// [`PictureError`] if what is named is not there, or a picture cannot be made.
-pub fn pictures(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    check_names(source, request)?;
+pub fn pictures(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    check_names(sweep, request)?;
     if !request.kinds.is_empty() {
         let mut all = Vec::new();
         for kind in &request.kinds {
-            let found = of_kind(source, request, *kind)?;
+            let found = of_kind(sweep, request, *kind)?;
             if found.is_empty() {
                 return Err(kind.missing("no case that is chosen has such numbers"));
             }
@@ -74,7 +73,7 @@ pub fn pictures(source: &Source, request: &Request) -> Result<Vec<Picture>, Pict
     ];
     let mut all = Vec::new();
     for kind in ALL {
-        match of_kind(source, request, kind) {
+        match of_kind(sweep, request, kind) {
             Ok(found) => all.extend(found),
             // Nobody asked for this kind by name, and the sweep has nothing for it.
             Err(PictureError::Missing { .. }) => {}
@@ -84,36 +83,33 @@ pub fn pictures(source: &Source, request: &Request) -> Result<Vec<Picture>, Pict
     Ok(all)
 }
 
-fn of_kind(source: &Source, request: &Request, kind: Kind) -> Result<Vec<Picture>, PictureError> {
+fn of_kind(sweep: &SweepData, request: &Request, kind: Kind) -> Result<Vec<Picture>, PictureError> {
     match kind {
-        Kind::Surfaces => surfaces::surfaces(source, request),
-        Kind::Maps => maps::maps(source, request),
-        Kind::Curves => curves::curves(source, request),
-        Kind::Profiles => profiles::profiles(source, request),
-        Kind::Loops => loops::loops(source, request),
-        Kind::Stress => stress::stress(source, request),
-        Kind::Status => maps::status(source, request),
-        Kind::Cost => cost::cost(source, request),
+        Kind::Surfaces => surfaces::surfaces(sweep, request),
+        Kind::Maps => maps::maps(sweep, request),
+        Kind::Curves => curves::curves(sweep, request),
+        Kind::Profiles => profiles::profiles(sweep, request),
+        Kind::Loops => loops::loops(sweep, request),
+        Kind::Stress => stress::stress(sweep, request),
+        Kind::Status => maps::status(sweep, request),
+        Kind::Cost => cost::cost(sweep, request),
         // A map where there is one, else curves.
-        Kind::Errors => match maps::errors(source, request) {
-            Err(PictureError::Missing { .. }) => curves::errors(source, request),
+        Kind::Errors => match maps::errors(sweep, request) {
+            Err(PictureError::Missing { .. }) => curves::errors(sweep, request),
             found => found,
         },
     }
 }
 
 /// Every name must be that of a column or of a field that is there.
-fn check_names(source: &Source, request: &Request) -> Result<(), PictureError> {
+fn check_names(sweep: &SweepData, request: &Request) -> Result<(), PictureError> {
     let known =
-        |name: &String| Column::named(name).is_some() || source.data.fields.iter().any(|field| field.name() == name);
+        |name: &String| Column::named(name).is_some() || sweep.data.fields.iter().any(|field| field.name() == name);
     match request.of.iter().find(|name| !known(name)) {
         None => Ok(()),
         Some(name) => {
-            let allowed: Vec<&str> = Column::ALL
-                .map(Column::name)
-                .into_iter()
-                .chain(source.data.fields.iter().map(|field| field.name()))
-                .collect();
+            let columns = Column::ALL.map(Column::name).into_iter();
+            let allowed: Vec<&str> = columns.chain(sweep.data.fields.iter().map(|field| field.name())).collect();
             Err(PictureError::Unknown { name: name.clone(), allowed: allowed.join(", ") })
         }
     }

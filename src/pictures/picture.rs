@@ -1,7 +1,7 @@
 //! A picture: a chart and the numbers behind it.
 
 use super::table::Table;
-use stribeck_charts::{Curve, FigureError, Lines, Map, Relief, Section, Stroke, WorkPrecision};
+use stribeck_charts::{ChartError, CrossSection, Curve, Lines, Map, Stroke, Surface3d, WorkPrecision};
 
 /// A chart with its name and its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,9 +30,9 @@ pub enum Chart {
     /// A quantity as colour.
     Map(Map),
     /// A quantity as height.
-    Relief(Relief),
+    Surface3d(Surface3d),
     /// Stress below the surface.
-    Section(Section),
+    CrossSection(CrossSection),
     /// Error against run time.
     WorkPrecision(WorkPrecision),
 }
@@ -61,19 +61,18 @@ impl Chart {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// [`FigureError`] if the chart cannot be drawn.
-    pub fn paint(&self, format: Format) -> Result<Vec<u8>, FigureError> {
-        match (self, format) {
-            (Chart::Lines(chart), Format::Svg) => chart.svg().map(String::into_bytes),
-            (Chart::Lines(chart), Format::Png) => chart.png(),
-            (Chart::Map(chart), Format::Svg) => chart.svg().map(String::into_bytes),
-            (Chart::Map(chart), Format::Png) => chart.png(),
-            (Chart::Relief(chart), Format::Svg) => chart.svg().map(String::into_bytes),
-            (Chart::Relief(chart), Format::Png) => chart.png(),
-            (Chart::Section(chart), Format::Svg) => chart.svg().map(String::into_bytes),
-            (Chart::Section(chart), Format::Png) => chart.png(),
-            (Chart::WorkPrecision(chart), Format::Svg) => chart.svg().map(String::into_bytes),
-            (Chart::WorkPrecision(chart), Format::Png) => chart.png(),
+    /// [`ChartError`] if the chart cannot be drawn.
+    pub fn paint(&self, format: Format) -> Result<Vec<u8>, ChartError> {
+        let chart: &dyn stribeck_charts::Chart = match self {
+            Chart::Lines(chart) => chart,
+            Chart::Map(chart) => chart,
+            Chart::Surface3d(chart) => chart,
+            Chart::CrossSection(chart) => chart,
+            Chart::WorkPrecision(chart) => chart,
+        };
+        match format {
+            Format::Svg => chart.svg().map(String::into_bytes),
+            Format::Png => chart.png(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What pictures are wanted.
 
-use super::source::Source;
+use super::sweep_data::SweepData;
 use super::{Axis, PictureError};
 use stribeck_solver::shortest;
 
@@ -102,16 +102,16 @@ pub struct Request {
 
 impl Request {
     /// The axis of curves, if one is asked for.
-    pub(super) fn along(&self, source: &Source) -> Result<Option<Axis>, PictureError> {
+    pub(super) fn along(&self, sweep: &SweepData) -> Result<Option<Axis>, PictureError> {
         let Some(name) = &self.along else { return Ok(None) };
-        let found = Axis::ALL.into_iter().find(|axis| source.axis(*axis).name == *name);
-        let axes = Axis::ALL.map(|axis| source.axis(axis).name.as_str()).into_iter().filter(|name| !name.is_empty());
+        let found = Axis::ALL.into_iter().find(|axis| sweep.axis(*axis).name == *name);
+        let axes = Axis::ALL.map(|axis| sweep.axis(axis).name.as_str()).into_iter().filter(|name| !name.is_empty());
         found.map(Some).ok_or_else(|| no_axis(format!("--along {name}"), axes))
     }
 
     /// True if values of an axis are asked for.
-    pub(super) fn asks(&self, source: &Source, axis: Axis) -> bool {
-        let names = source.dimension_names(axis);
+    pub(super) fn asks(&self, sweep: &SweepData, axis: Axis) -> bool {
+        let names = sweep.dimension_names(axis);
         self.values.iter().any(|(wanted, _)| names.iter().any(|name| name == wanted))
     }
 }
@@ -140,9 +140,10 @@ impl Selection {
     /// The values asked for, the nearest ones there are; all of an axis if none is asked for.
     ///
     /// # Errors
-    /// [`PictureError::Outside`] for a value beyond the ends of its axis, [`PictureError::NoAxis`] for an axis that is not there.
-    pub fn of(source: &Source, request: &Request) -> Result<Self, PictureError> {
-        let dimensions = &source.data.dimensions;
+    /// [`PictureError::Outside`] for a value beyond the ends of its axis, [`PictureError::NoAxis`] for an axis that is
+    /// not there.
+    pub fn of(sweep: &SweepData, request: &Request) -> Result<Self, PictureError> {
+        let dimensions = &sweep.data.dimensions;
         let known = |name: &String| dimensions.iter().any(|dimension| dimension.name == *name);
         if let Some((name, _)) = request.values.iter().find(|(name, _)| !known(name)) {
             return Err(no_axis(option(name, "…"), dimensions.iter().map(|dimension| dimension.name.as_str())));
@@ -170,7 +171,7 @@ impl Selection {
             };
             middle = middle.iter().flat_map(longer).collect();
         }
-        Ok(Self { indices: [strengths, middle, inner], asked: Axis::ALL.map(|axis| request.asks(source, axis)) })
+        Ok(Self { indices: [strengths, middle, inner], asked: Axis::ALL.map(|axis| request.asks(sweep, axis)) })
     }
 
     /// True if values of the axis were asked for.
@@ -235,7 +236,9 @@ mod tests {
         }
 
         #[test]
-        fn the_nearest_value_is_found(values in prop::collection::btree_set(1u32..1000, 1..30), wanted in 1.0..1000.0f64) {
+        fn the_nearest_value_is_found(
+            values in prop::collection::btree_set(1u32..1000, 1..30), wanted in 1.0..1000.0f64,
+        ) {
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
             let inside = wanted >= 0.999 * values[0] && wanted <= 1.001 * values[values.len() - 1];
             match nearest("beta", &values, wanted) {

@@ -2,13 +2,13 @@
 
 use super::curves::named_columns;
 use super::picture::{Chart, Picture};
-use super::plane::Plane;
 use super::quantity::Quantity;
 use super::request::{Kind, Request, Selection, spread};
-use super::source::Source;
+use super::surface_grid::SurfaceGrid;
+use super::sweep_data::SweepData;
 use super::table::Table;
 use super::{Axis, PictureError};
-use stribeck_charts::{Relief, ReliefPanel};
+use stribeck_charts::{Surface3d, Surface3dPanel};
 use stribeck_sweep::Column;
 
 /// What surfaces show where nothing else is asked for.
@@ -19,14 +19,14 @@ const MOST_PANELS: usize = 3;
 /// A surface for each column asked for; the values of f stand side by side.
 ///
 /// One surface alone of μᵥ has its dry limit beside it, one of μₕ its large-β approximation.
-pub(super) fn surfaces(source: &Source, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let selection = Selection::of(source, request)?;
-    let plane = Plane::of(source, &selection, Kind::Surfaces)?;
+pub(super) fn surfaces(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let selection = Selection::of(sweep, request)?;
+    let grid = SurfaceGrid::of(sweep, &selection, Kind::Surfaces)?;
     let retarded: Vec<usize> = selection.on(Axis::F).to_vec();
     let asked = selection.is_asked(Axis::F);
     // At f = 0 a surface is a cylinder over α: shown if asked for, or if there is nothing else.
     let varied: Vec<usize> =
-        retarded.iter().copied().filter(|i_f| source.data.laboratory || source.value(Axis::F, *i_f) > 0.0).collect();
+        retarded.iter().copied().filter(|i_f| sweep.data.laboratory || sweep.value(Axis::F, *i_f) > 0.0).collect();
     let strengths = if asked || varied.is_empty() { retarded } else { spread(&varied, MOST_PANELS) };
     if strengths.len() > MOST_PANELS {
         return Err(Kind::Surfaces
@@ -34,20 +34,20 @@ pub(super) fn surfaces(source: &Source, request: &Request) -> Result<Vec<Picture
     }
     named_columns(request, &COLUMNS)
         .into_iter()
-        .filter_map(|column| surface(source, request, &plane, &strengths, column).transpose())
+        .filter_map(|column| surface(sweep, request, &grid, &strengths, column).transpose())
         .collect()
 }
 
 fn surface(
-    source: &Source,
+    sweep: &SweepData,
     request: &Request,
-    plane: &Plane,
+    grid: &SurfaceGrid,
     strengths: &[usize],
     column: Column,
 ) -> Result<Option<Picture>, PictureError> {
     let quantity = Quantity::from(column);
     let mut panels: Vec<(String, Column, usize)> =
-        strengths.iter().map(|i_f| (source.words(Axis::F, *i_f), column, *i_f)).collect();
+        strengths.iter().map(|i_f| (sweep.words(Axis::F, *i_f), column, *i_f)).collect();
     if let ([i_f], false) = (strengths, request.bare) {
         let limit = match column {
             Column::MuV => Some(("dry limit", Column::DryMuV)),
@@ -56,17 +56,17 @@ fn surface(
         };
         panels.extend(limit.map(|(label, column)| (label.to_owned(), column, *i_f)));
     }
-    let mut table = Table::new(&[&["quantity"], &source.coordinate_names()[..], &["value"]].concat());
+    let mut table = Table::new(&[&["quantity"], &sweep.coordinate_names()[..], &["value"]].concat());
     let mut drawn = Vec::new();
     for (label, column, i_f) in panels {
-        let values = source.data.column(column)?;
+        let values = sweep.data.column(column)?;
         let heights: Vec<Option<f64>> =
-            plane.places(source, i_f).map(|(_, place)| Some(values[place]).filter(|value| value.is_finite())).collect();
-        for (indices, place) in plane.places(source, i_f) {
-            table.row(&[column.name()], &[&source.coordinates(indices)[..], &[values[place]]].concat());
+            grid.places(sweep, i_f).map(|(_, place)| Some(values[place]).filter(|value| value.is_finite())).collect();
+        for (indices, place) in grid.places(sweep, i_f) {
+            table.row(&[column.name()], &[&sweep.coordinates(indices)[..], &[values[place]]].concat());
         }
         if heights.iter().any(Option::is_some) {
-            drawn.push(ReliefPanel { label, heights, curves: vec![] });
+            drawn.push(Surface3dPanel { label, heights, curves: vec![] });
         }
     }
     if drawn.is_empty() {
@@ -74,23 +74,23 @@ fn surface(
     }
     let all = drawn.iter().flat_map(|panel| panel.heights.iter().flatten().copied());
     let logarithmic = request.scale.is_logarithmic(all);
-    let chart = Relief {
-        title: source.data.title.clone(),
-        subtitle: plane.left_out(source),
-        x_label: short_label(source, Axis::Middle),
-        y_label: short_label(source, Axis::Inner),
-        z_label: quantity.label(source.data.laboratory),
-        x: plane.alphas(source),
-        y: plane.betas(source),
+    let chart = Surface3d {
+        title: sweep.data.title.clone(),
+        subtitle: grid.left_out(sweep),
+        x_label: short_label(sweep, Axis::Middle),
+        y_label: short_label(sweep, Axis::Inner),
+        z_label: quantity.label(sweep.data.laboratory),
+        x: grid.alphas(sweep),
+        y: grid.betas(sweep),
         logarithmic,
         range: None,
         panels: drawn,
     };
-    Ok(Some(Picture { name: format!("surface-{}", column.name()), chart: Chart::Relief(chart), table }))
+    Ok(Some(Picture { name: format!("surface-{}", column.name()), chart: Chart::Surface3d(chart), table }))
 }
 
 /// Symbol and unit of an axis.
-fn short_label(source: &Source, axis: Axis) -> String {
-    let words = source.axis(axis);
+fn short_label(sweep: &SweepData, axis: Axis) -> String {
+    let words = sweep.axis(axis);
     if words.unit.is_empty() { words.symbol.clone() } else { format!("{} ({})", words.symbol, words.unit) }
 }

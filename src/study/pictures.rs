@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use super::{Row, Study, Variant};
-use stribeck_charts::{Cell, ColourScale, FigureError, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision};
+use stribeck_charts::{
+    Cell, Chart, ChartError, ColourScale, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision,
+};
 use stribeck_solver::shortest;
 use stribeck_sweep::Axes;
 
@@ -94,8 +96,8 @@ pub fn is_picture_name(name: &str) -> bool {
 /// The pictures of a study: one of each error against run time, and the maps of its box, if it has one.
 ///
 /// # Errors
-/// [`FigureError`] if a picture cannot be drawn.
-pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, FigureError> {
+/// [`ChartError`] if a picture cannot be drawn.
+pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, ChartError> {
     let mut found = Vec::new();
     if study.measure.error {
         for (quantity, (name, symbol)) in super::Errors::QUANTITIES.iter().zip(SYMBOLS).enumerate() {

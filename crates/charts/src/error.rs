@@ -2,7 +2,7 @@
 
 /// Input that no chart can show, or an error of the drawing library.
 #[derive(Debug, thiserror::Error)]
-pub enum FigureError {
+pub enum ChartError {
     /// A work-precision chart without a single case, or a map without a single cell.
     #[error("nothing to draw in the chart \"{chart}\": it holds no {what}; give it at least one")]
     Empty {

@@ -1,13 +1,14 @@
 //! What holds for the layout of any chart: no text covers another one, all lies inside the picture.
 
+use crate::laws::laws;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
-use super::scene::{Area, Point, Scene, Shape, Text};
 use super::{
-    Cell, Colour, ColourScale, Curve, LineAxis, Lines, Map, MethodLine, Outcome, Panel, Relief, ReliefCurve,
-    ReliefPanel, Section, SectionPanel, SettingPoint, Stroke, WIDTH, WorkPrecision,
+    Cell, Colour, ColourScale, CrossSection, CrossSectionPanel, Curve, LineAxis, Lines, Map, MethodLine, Outcome,
+    Panel, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WIDTH, WorkPrecision,
 };
+use crate::chart::Drawing;
+use crate::paint::scene::{Area, Point, Scene, Shape, Text};
 
 fn texts(scene: &Scene) -> Vec<&Text> {
     scene.shapes.iter().filter_map(|shape| if let Shape::Text(text) = shape { Some(text) } else { None }).collect()
@@ -119,7 +120,7 @@ fn lines() -> impl Strategy<Value = Lines> {
     })
 }
 
-fn relief() -> impl Strategy<Value = Relief> {
+fn surface3d() -> impl Strategy<Value = Surface3d> {
     let axis = || {
         prop::collection::btree_set(-40..40i32, 2..12).prop_map(|tenths| -> Vec<f64> {
             tenths.into_iter().map(|tenths| 10f64.powf(0.2 * f64::from(tenths))).collect()
@@ -130,16 +131,16 @@ fn relief() -> impl Strategy<Value = Relief> {
         let (title, x_label, y_label, z_label, x, y, logarithmic, power, panels) = given;
         let height = |k: usize| 10f64.powf(power) * (1.0 + (1.7 * k as f64).sin().powi(2) * 5.0);
         let points = || [(x[0], y[0], height(0)), (x[x.len() - 1], y[y.len() - 1], height(7))].to_vec();
-        let curve = |label| ReliefCurve { label, points: points() };
+        let curve = |label| Surface3dCurve { label, points: points() };
         let heights = || (0..x.len() * y.len()).map(|k| (k % 13 != 5).then(|| height(k))).collect();
-        let panel = |(label, curves): (String, Vec<String>)| ReliefPanel {
+        let panel = |(label, curves): (String, Vec<String>)| Surface3dPanel {
             label,
             heights: heights(),
             curves: curves.into_iter().map(curve).collect(),
         };
         let panels = panels.into_iter().map(panel).collect();
         let subtitle = String::new();
-        Relief {
+        Surface3d {
             title,
             subtitle,
             x_label,
@@ -154,56 +155,52 @@ fn relief() -> impl Strategy<Value = Relief> {
     })
 }
 
-fn section() -> impl Strategy<Value = Section> {
+fn cross_section() -> impl Strategy<Value = CrossSection> {
     let range = || (-100.0..100.0f64, -3.0..3.0f64).prop_map(|(low, power)| (low, low + 10f64.powf(power)));
-    let panel = (label(), 2..9usize, 2..9usize, -2.0..2.0f64).prop_map(|(label, columns, rows, size)| SectionPanel {
-        label,
-        x: (0..columns).map(|i| i as f64).collect(),
-        surface: (0..columns).map(|i| size * (i as f64).cos()).collect(),
-        cylinder: (0..columns).map(|i| size * (i as f64).cos() + 0.1).collect(),
-        depth: (0..rows).map(|j| j as f64).collect(),
-        values: (0..columns * rows).map(|k| size * (1.7 * k as f64).sin()).collect(),
-    });
+    let panel =
+        (label(), 2..9usize, 2..9usize, -2.0..2.0f64).prop_map(|(label, columns, rows, size)| CrossSectionPanel {
+            label,
+            x: (0..columns).map(|i| i as f64).collect(),
+            surface: (0..columns).map(|i| size * (i as f64).cos()).collect(),
+            cylinder: (0..columns).map(|i| size * (i as f64).cos() + 0.1).collect(),
+            depth: (0..rows).map(|j| j as f64).collect(),
+            values: (0..columns * rows).map(|k| size * (1.7 * k as f64).sin()).collect(),
+        });
     let panels = prop::collection::vec(panel, 1..6);
     (label(), label(), label(), label(), range(), range(), 1..15usize, panels).prop_map(|given| {
         let (title, x_label, y_label, name, x_range, y_range, levels, panels) = given;
         let scale = ColourScale { label: name, logarithmic: false, range: None };
-        Section { title, subtitle: String::new(), x_label, y_label, panels, x_range, y_range, scale, levels }
+        CrossSection { title, subtitle: String::new(), x_label, y_label, panels, x_range, y_range, scale, levels }
     })
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, rng_seed: RngSeed::Fixed(1600), ..ProptestConfig::default() })]
+laws! {
+    seed: 1600, cases: 128;
 
-    #[test]
     fn maps_keep_their_texts_apart_and_inside(map in map()) {
         let scene = map.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
     fn charts_of_lines_keep_their_texts_apart_and_inside(chart in lines()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
-    fn reliefs_keep_their_texts_apart_and_inside(chart in relief()) {
+    fn surfaces_keep_their_texts_apart_and_inside(chart in surface3d()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
-    fn sections_keep_their_texts_apart_and_inside(chart in section()) {
+    fn cross_sections_keep_their_texts_apart_and_inside(chart in cross_section()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);
         prop_assert_eq!(outside(&scene), vec![]);
     }
 
-    #[test]
     fn work_precision_charts_keep_their_texts_apart_and_inside(chart in work_precision()) {
         let scene = chart.scene().unwrap();
         prop_assert_eq!(collisions(&scene), vec![]);

@@ -1,71 +1,58 @@
-//! Charts: plain numbers in, SVG or PNG out. The room knows nothing of solvers, sweeps or files.
+//! Charts of scientific data: plain numbers in, SVG or PNG out, the same bytes for the same numbers.
 //!
-//! | file | what it holds |
+//! ```
+//! use stribeck_charts::{Chart, Colour, Curve, LineAxis, Lines, Stroke};
+//!
+//! let points = (1..50).map(f64::from).map(|x| (x, x.sqrt())).collect();
+//! let (stroke, colour) = (Stroke::Solid, Colour::Black);
+//! let curves = vec![Curve { label: "√x".into(), points, failed: vec![], stroke, colour, marked: false }];
+//! let axis = |label: &str| LineAxis { label: label.into(), logarithmic: true, range: None };
+//! let (title, subtitle) = ("A root".into(), String::new());
+//! let chart = Lines { title, subtitle, x: axis("x"), y: axis("y"), curves };
+//! assert!(chart.svg()?.starts_with("<svg"));
+//! # Ok::<(), stribeck_charts::ChartError>(())
+//! ```
+//!
+//! Each kind of chart is a struct that holds all it shows; [`Chart`] paints it.
+//!
+//! | chart | what it shows |
 //! | --- | --- |
-//! | [`WorkPrecision`] | error against run time, one line for each method |
 //! | [`Lines`] | curves in a plane |
-//! | [`Map`] | one quantity over two axes, a panel for each third value and method |
-//! | [`Relief`] | one quantity as height over two axes, a surface in space |
-//! | [`Section`] | a field below a deformed surface |
-//! | [`geometric_median`] | the median on a logarithmic axis |
-//! | `ticks`, `number` | where an axis is labelled, and how a number is written |
-//! | `log_axis`, `cell_axis`, `plane_axis`, `colour_bar` | from a value to a place or a colour |
-//! | `contours`, `map_contours`, `bands` | lines of equal value, and the areas between them |
-//! | `palette`, `marker`, `legend` | what marks look like |
-//! | `setting_label`, `placement` | labels beside points, and where they find room |
-//! | `space`, `relief_surface`, `relief_curve`, `relief_box` | a box in space; what is in it, from back to front; what is around it |
-//! | `polyline`, `polygon` | cut at a border; in dashes |
-//! | `checks` | of what charts are given |
-//! | `scene`, `paint`, `indexed`, `font` | shapes in pixels; the two formats they are painted in; colours of a PNG; widths of text |
+//! | [`Map`] | one quantity as colour over two axes, a panel for each third value and method |
+//! | [`Surface3d`] | one quantity as height over two axes, a surface in space |
+//! | [`CrossSection`] | a field below a deformed surface |
+//! | [`WorkPrecision`] | error against run time, one line for each method |
 //!
-//! A chart lays itself out as a list of shapes (`scene`), which does not depend on the format: the SVG and the PNG of one
-//! chart show the same. Same input, same bytes.
+//! Each chart has a folder, which says where its parts lie and draws them on a `frame` (heading, ticks, names of axes,
+//! panels, legend). It becomes a list of shapes, which does not depend on the format, so that SVG and PNG show the
+//! same; `paint` writes both. `axes` leads from values to places and labels, `geometry` cuts lines and areas and finds
+//! them on a grid.
 
-mod bands;
-mod cell_axis;
+mod axes;
+mod chart;
 mod checks;
-mod colour_bar;
-mod contours;
+mod cross_section;
 mod error;
-mod font;
-mod indexed;
+mod frame;
+mod geometry;
+#[cfg(test)]
+#[path = "../tests/laws/mod.rs"]
+mod laws;
 #[cfg(test)]
 mod layout_laws;
-mod legend;
 mod lines;
-mod lines_chart;
-mod log_axis;
 mod map;
-mod map_chart;
-mod map_contours;
-mod marker;
 mod median;
-mod number;
 mod paint;
-mod palette;
-mod placement;
-mod plane_axis;
-mod polygon;
-mod polyline;
-mod relief;
-mod relief_box;
-mod relief_chart;
-mod relief_curve;
-mod relief_surface;
-mod scene;
-mod section;
-mod section_chart;
-mod setting_label;
-mod space;
-mod ticks;
+mod surface3d;
 mod work_precision;
-mod work_precision_chart;
 
-pub use error::FigureError;
+pub use chart::Chart;
+pub use cross_section::{CrossSection, CrossSectionPanel};
+pub use error::ChartError;
 pub use lines::{Colour, Curve, LineAxis, Lines, Stroke};
 pub use map::{Cell, ColourScale, Map, Panel};
 pub use median::geometric_median;
 pub use paint::WIDTH;
-pub use relief::{Relief, ReliefCurve, ReliefPanel};
-pub use section::{Section, SectionPanel};
+pub use surface3d::{Surface3d, Surface3dCurve, Surface3dPanel};
 pub use work_precision::{MethodLine, Outcome, SettingPoint, WorkPrecision};

@@ -1,6 +1,7 @@
 //! The median of numbers that spread over decades.
 
-/// The median of positive numbers, of two middle ones their geometric mean: 0 if one of these is 0. None if there are none.
+/// The median of positive numbers, of two middle ones their geometric mean: 0 if one of these is 0. None if there are
+/// none.
 ///
 /// It is the median on a logarithmic axis, so that a chart and a table of the same cases show the same number.
 pub fn geometric_median(numbers: impl IntoIterator<Item = f64>) -> Option<f64> {
@@ -15,14 +16,13 @@ pub fn geometric_median(numbers: impl IntoIterator<Item = f64>) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     use super::*;
+    use crate::laws::laws;
 
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, rng_seed: RngSeed::Fixed(4), ..ProptestConfig::default() })]
+    laws! {
+        seed: 4, cases: 256;
 
-        #[test]
         fn half_of_the_numbers_lie_on_either_side(
             numbers in prop::collection::vec((-300.0..300.0f64).prop_map(|e| 10f64.powf(e)), 1..30),
         ) {

@@ -1,6 +1,7 @@
 //! Laws of the charts: one module a chart.
 
 mod chart_files;
-mod figures;
-mod figures_in_space;
-mod figures_of_fields;
+mod fields;
+mod laws;
+mod plots_and_maps;
+mod surfaces;

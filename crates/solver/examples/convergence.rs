@@ -1,5 +1,5 @@
-//! Error of the collocation solver against the number of its unknowns, for degrees 4, 6 and 8 of the panels, as CSV; the slopes
-//! that fit it go to standard error.
+//! Error of the collocation solver against the number of its unknowns, for degrees 4, 6 and 8 of the panels, as CSV;
+//! the slopes that fit it go to standard error.
 //!
 //! ```text
 //! cargo run --release -p stribeck-solver --example convergence > convergence.csv
@@ -32,7 +32,8 @@ const CASES: [(f64, f64, f64); 6] = [
 ];
 /// Tolerances a decade, from 10⁻¹ to 10⁻⁹.
 const PER_DECADE: i32 = 8;
-/// The errors between which a slope is fitted: small enough to be of the highest order, above those of what counts as exact.
+/// The errors between which a slope is fitted: small enough to be of the highest order, above those of what counts as
+/// exact.
 const FITTED: std::ops::Range<f64> = 1e-9..1e-4;
 
 fn solve(settings: Settings, case: &Parameters) -> SolvedCase {
@@ -65,7 +66,8 @@ fn means(points: &[(usize, f64)]) -> Vec<(f64, f64)> {
 /// A solution, as a line of the table and as a point.
 type Solved = (String, (usize, f64));
 
-/// All solutions of a case with panels of one degree. A tolerance that a low degree does not reach has none, nor have those below.
+/// All solutions of a case with panels of one degree. A tolerance that a low degree does not reach has none, nor have
+/// those below.
 fn sweep(&(f, alpha, beta): &(f64, f64, f64), degree: usize) -> Vec<Solved> {
     let case = Parameters::new(alpha, beta, f);
     let exact = solve(measure::EXACT, &case).outcome.expect("the exact solution converges").quantities;

@@ -4,9 +4,9 @@
 //! cargo run --release -p stribeck-solver --example film_formula -- [--cases 2000]
 //! ```
 //!
-//! The cases are spread over ln α, ln(1+f) and ln β by a lattice without repetition (multiples of the powers of a number,
-//! modulo 1), and solved by the collocation solver with a tolerance of 1e-7. Beside the fitted formula stand Eq. 49 of the
-//! paper and the bare elastic asymptote.
+//! The cases are spread over ln α, ln(1+f) and ln β by a lattice without repetition (multiples of the powers of a
+//! number, modulo 1), and solved by the collocation solver with a tolerance of 1e-7. Beside the fitted formula stand
+//! Eq. 49 of the paper and the bare elastic asymptote.
 
 use std::error::Error;
 

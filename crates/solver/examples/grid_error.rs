@@ -5,8 +5,8 @@
 //!     [--points 401,801,1601] [--min-alpha 1] [--max-beta 1e3] [--plain]
 //! ```
 //!
-//! The orders are log₂ of the ratio of two errors on grids of Δx and Δx/2. A case that fails stands in the table as such,
-//! its reason below the table.
+//! The orders are log₂ of the ratio of two errors on grids of Δx and Δx/2. A case that fails stands in the table as
+//! such, its reason below the table.
 
 #[path = "relaxation_range/flow_error.rs"]
 mod flow_error;

@@ -4,8 +4,9 @@
 //! cargo run --release -p stribeck-solver --example where_approximations_hold -- [--csv errors.csv]
 //! ```
 //!
-//! Compared with the collocation solver (tolerance 1e-6) at 20 points a decade of β from 10 to 10⁸. A cell is the longest
-//! range in which the error stays within the bound. `--csv` writes every error, for `scripts/plot_approximations.py`.
+//! Compared with the collocation solver (tolerance 1e-6) at 20 points a decade of β from 10 to 10⁸. A cell is the
+//! longest range in which the error stays within the bound. `--csv` writes every error, for
+//! `scripts/plot_approximations.py`.
 
 use std::error::Error;
 use std::fmt::Write as _;

@@ -11,15 +11,16 @@ use crate::solve::{Settings, Solver};
 
 /// Most points of a chain: many, so that the first one's cost is shared; few, so that there is work for many threads.
 const LONGEST_CHAIN: usize = 16;
-/// A neighbour is of use up to this factor in α, β or 1 + f; from farther away a case is solved as quickly from its own start.
+/// A neighbour is of use up to this factor in α, β or 1 + f; from farther away a case is solved as quickly from its own
+/// start.
 const FARTHEST_FACTOR: f64 = 1000.0;
 
-/// Solves points in any order: any mixture of substrates and parameters, equal points among them. The results are in the order
-/// of the points.
+/// Solves points in any order: any mixture of substrates and parameters, equal points among them. The results are in
+/// the order of the points.
 ///
-/// The points are cut into chains, in which β ascends and each point is the nearest one to the point before it. The chains
-/// depend on the set of points alone: neither their order nor the number of threads changes a number. With the feature
-/// `rayon` the chains are solved in parallel, by the current pool of threads.
+/// The points are cut into chains, in which β ascends and each point is the nearest one to the point before it. The
+/// chains depend on the set of points alone: neither their order nor the number of threads changes a number. With the
+/// feature `rayon` the chains are solved in parallel, by the current pool of threads.
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last point is done. A point that fails is a result.
@@ -86,7 +87,8 @@ fn chains_of_neighbours(
     chains
 }
 
-/// The nearest case after one of them that is not taken; `None` if none is near, or those that are cannot continue its chain.
+/// The nearest case after a given one that is not taken; `None` if no case is near, or the near ones cannot continue
+/// its chain.
 fn nearest_after(
     case: usize,
     cases: &[&Parameters],

@@ -36,7 +36,8 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// The collocation method with a tolerance of 1e-5, no time limit, and the numbers of a solution without its fields and limits.
+    /// The collocation method with a tolerance of 1e-5, no time limit, and the numbers of a solution without its fields
+    /// and limits.
     fn default() -> Self {
         Self { method: Method::default(), time_limit: None, output: Output::numbers() }
     }

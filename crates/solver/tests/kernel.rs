@@ -78,7 +78,8 @@ fn integrals_are_those_of_the_function() {
     }
 }
 
-/// S = ∫₀^∞ e^{−ξ}(ln(z + ξ) − ln z)… for z > 0: the mean of the logarithm ahead, weighted with the fading of the creep (T8).
+/// S = ∫₀^∞ e^{−ξ}(ln(z + ξ) − ln z)… for z > 0: the mean of the logarithm ahead, weighted with the fading of the creep
+/// (T8).
 #[test]
 fn kernel_is_the_retarded_logarithm() {
     for z in [0.5, 2.0, 10.0_f64] {

@@ -4,4 +4,6 @@ mod collocation;
 mod continuation;
 mod exact;
 mod kernel;
+mod property;
 mod relaxation;
+mod solve;

@@ -1,11 +1,13 @@
-//! Parts of a large sweep whose results are made up, to measure what planning, merging and publishing cost without a solver.
+//! Parts of a large sweep whose results are made up, to measure what planning, merging and publishing cost without a
+//! solver.
 //!
 //! ```text
 //! cargo run --release -p stribeck-sweep --example made_up_parts -- --cases 10000000 --parts 1000 --directory DIR
 //! ```
 //!
-//! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results --part I/N`
-//! would have left them; then `stribeck merge DIR/results` and the other commands find a sweep that is solved.
+//! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results
+//! --part I/N` would have left them; then `stribeck merge DIR/results` and the other commands find a sweep that is
+//! solved.
 
 use std::error::Error;
 use std::fs;

@@ -200,8 +200,8 @@ impl Clock {
 
 /// User and system time of all threads so far.
 fn cpu_seconds() -> f64 {
-    // Nanoseconds on a processor are the first number of each thread's `schedstat`; those of ended threads are lost there.
-    // So the ticks of the whole process are taken, of which Linux has a hundred a second.
+    // Nanoseconds on a processor are the first number of each thread's `schedstat`; those of ended threads are lost
+    // there. So the ticks of the whole process are taken, of which Linux has a hundred a second.
     let stat = fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let after_name = stat.rsplit(')').next().unwrap_or_default();
     let ticks = |place: usize| after_name.split_whitespace().nth(place).and_then(|text| text.parse::<f64>().ok());

@@ -38,8 +38,8 @@ pub struct Given {
 pub struct LaboratoryAxes {
     /// Strengths of retardation, ascending.
     pub f: Vec<f64>,
-    /// One modulus and all other quantities, in the order of [`LaboratoryQuantity::ALL`]: the speed is the last, and always
-    /// an axis.
+    /// One modulus and all other quantities, in the order of [`LaboratoryQuantity::ALL`]: the speed is the last, and
+    /// always an axis.
     pub given: Vec<Given>,
 }
 

@@ -5,7 +5,8 @@
 pub struct GridIndex {
     /// Which value of f.
     pub f: usize,
-    /// Which row of those with this f: α in a dimensionless sweep, else the quantities between f and the speed together.
+    /// Which row of those with this f: α in a dimensionless sweep, else the quantities between f and the speed
+    /// together.
     pub row: usize,
     /// Which place along the row: β, or the speed.
     pub along: usize,

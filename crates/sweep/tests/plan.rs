@@ -340,8 +340,8 @@ fn an_id_is_the_documented_hash() {
     }
 }
 
-/// Ids that were written down, so by another process and another build: what is stored under them is found again. They change
-/// with the method's version of results, as they must; nothing else may change them.
+/// Ids that were written down, so by another process and another build: what is stored under them is found again. They
+/// change with the method's version of results, as they must; nothing else may change them.
 #[test]
 fn an_id_is_the_same_in_every_process_and_release() {
     let sweep = sweep(&[0.0, 100.0], &[0.0, 1.0, f64::INFINITY], &[10.0]);

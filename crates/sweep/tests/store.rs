@@ -9,7 +9,7 @@ use crate::synthetic::{
     resume, row,
 };
 use stribeck_solver::{FieldSelection, Fields, Output, Sensitivities};
-use stribeck_sweep::store::{DataSet, Ending, Holdings, Inspection, Status, Store, StoreError, Warning, verify};
+use stribeck_sweep::store::{Catalog, DataSet, Ending, Inspection, Status, Store, StoreError, Warning, verify};
 use stribeck_sweep::{CaseId, Column, Field};
 use tempfile::tempdir;
 
@@ -42,7 +42,7 @@ fn what_is_committed_comes_back_bit_for_bit() {
     chain[2].reason = "a reason with ünïcode, \"quotes\", commas".into();
     open(directory.path()).commit(&chain).unwrap();
 
-    let held = Holdings::read(directory.path(), &output, Inspection::Bytes).unwrap();
+    let held = Catalog::read(directory.path(), &output, Inspection::Bytes).unwrap();
     assert_eq!(held.warnings(), []);
     for entry in &chain {
         assert_eq!(held.holds(entry.id), Some(entry.outcome));
@@ -284,7 +284,7 @@ fn only_shards_with_all_that_is_asked_for_count() {
     let directory = tempdir().unwrap();
     drop(finished(directory.path()));
     let id = row(0, 0)[0];
-    let held = |wanted: &Output| Holdings::read(directory.path(), wanted, Inspection::Bytes).unwrap().holds(id);
+    let held = |wanted: &Output| Catalog::read(directory.path(), wanted, Inspection::Bytes).unwrap().holds(id);
     let pressure_only = FieldSelection { pressure: true, ..FieldSelection::default() };
     assert!(held(&Output { fields: pressure_only, ..output() }).is_some(), "more than asked for is fine");
     assert!(held(&Output { fields: FieldSelection::default(), x: [].into(), ..output() }).is_some());
@@ -296,7 +296,7 @@ fn only_shards_with_all_that_is_asked_for_count() {
     let mut store = Store::open(directory.path(), SWEEP, &modest).unwrap();
     store.commit(&[entry(0.0, 1.0, 10.0, &modest)]).unwrap();
     drop(store);
-    let held = |wanted: &Output| Holdings::read(directory.path(), wanted, Inspection::Bytes).unwrap().holds(id);
+    let held = |wanted: &Output| Catalog::read(directory.path(), wanted, Inspection::Bytes).unwrap().holds(id);
     assert!(held(&modest).is_some());
     assert!(held(&Output { limits: true, ..modest.clone() }).is_none());
     assert!(held(&Output { limits: false, ..output() }).is_none());
@@ -338,7 +338,7 @@ fn a_second_opener_is_told_who_holds_the_directory() {
     let error = Store::open(directory.path(), SWEEP, &output()).unwrap_err();
     assert!(matches!(error, StoreError::Locked { .. }));
     assert!(error.to_string().contains(&std::process::id().to_string()), "{error}");
-    Holdings::read(directory.path(), &output(), Inspection::Bytes).expect("reading needs no lock");
+    Catalog::read(directory.path(), &output(), Inspection::Bytes).expect("reading needs no lock");
     drop(first);
     open(directory.path());
 }
@@ -388,7 +388,7 @@ fn a_disk_that_fails_is_an_error_and_the_store_goes_on() {
     fs::rename(&away, &shard_directory).unwrap();
     store.commit(&all[1]).unwrap();
     drop(store);
-    let held = Holdings::read(directory.path(), &output(), Inspection::Bytes).unwrap();
+    let held = Catalog::read(directory.path(), &output(), Inspection::Bytes).unwrap();
     assert_eq!((held.counts().converged, held.warnings().len()), (5, 0));
 }
 
@@ -396,7 +396,7 @@ fn a_disk_that_fails_is_an_error_and_the_store_goes_on() {
 fn a_path_without_results_is_refused() {
     let directory = tempdir().unwrap();
     for path in [directory.path().to_owned(), directory.path().join("nowhere")] {
-        assert!(matches!(Holdings::read(&path, &output(), Inspection::Bytes), Err(StoreError::NotResults { .. })));
+        assert!(matches!(Catalog::read(&path, &output(), Inspection::Bytes), Err(StoreError::NotResults { .. })));
         assert!(matches!(verify(&path), Err(StoreError::NotResults { .. })));
     }
     assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 0, "reading writes nothing");
@@ -421,7 +421,7 @@ fn the_history_tells_of_every_start() {
     let live = store.history().clone();
     drop(store);
 
-    let held = Holdings::read(directory.path(), &output(), Inspection::Bytes).unwrap();
+    let held = Catalog::read(directory.path(), &output(), Inspection::Bytes).unwrap();
     assert_eq!(&live, held.history(), "the running store and a reader tell the same");
     let starts: Vec<_> = held.history().starts().map(|(_, start)| start.clone()).collect();
     assert_eq!(starts.iter().map(|start| start.ending).collect::<Vec<_>>(), [Some(Ending::Interrupted), None]);

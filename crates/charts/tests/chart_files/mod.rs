@@ -1,9 +1,7 @@
 //! Reading charts, for the tests that draw them.
 
-#![allow(dead_code)]
-
 use roxmltree::{Document, Node};
-use stribeck_charts::{FigureError, WIDTH};
+use stribeck_charts::{Chart, WIDTH};
 
 /// All text of a picture, each text trimmed.
 pub fn texts(document: &Document) -> Vec<String> {
@@ -35,18 +33,15 @@ fn decoded(bytes: &[u8]) -> (u32, u32) {
 }
 
 /// Both formats of a chart are well formed, of one size, and the same when drawn again.
-pub fn check_formats(
-    svg: impl Fn() -> Result<String, FigureError>,
-    png: impl Fn() -> Result<Vec<u8>, FigureError>,
-) -> String {
-    let text = svg().unwrap();
+pub fn check_formats(chart: &impl Chart) -> String {
+    let text = chart.svg().unwrap();
     let document = Document::parse(&text).unwrap();
     let (width, height) = (number(&document.root_element(), "width"), number(&document.root_element(), "height"));
     assert_eq!(width, f64::from(WIDTH));
-    let bytes = png().unwrap();
+    let bytes = chart.png().unwrap();
     assert_eq!(decoded(&bytes), (WIDTH, height as u32));
-    assert_eq!(svg().unwrap(), text);
-    assert_eq!(png().unwrap(), bytes);
+    assert_eq!(chart.svg().unwrap(), text);
+    assert_eq!(chart.png().unwrap(), bytes);
     text
 }
 

@@ -57,7 +57,8 @@ pub fn print(points: &[usize], chains: &[&[Parameters]], exact: &[Quantities]) {
         .collect();
 
     println!(
-        "| points | solved | error, median | worst | collocation cannot match | error there, median | time ratio: least | median | largest | all cases |"
+        "| points | solved | error, median | worst | collocation cannot match \
+         | error there, median | time ratio: least | median | largest | all cases |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for &points in points {

@@ -1,5 +1,5 @@
-//! How far a tolerance and the estimated errors can be trusted, and what a case costs beside the relaxation solver: the tables
-//! of `docs/accuracy.md`, from the 84 cases of `tests/reference/single_mode.csv`.
+//! How far a tolerance and the estimated errors can be trusted, and what a case costs beside the relaxation solver: the
+//! tables of `docs/accuracy.md`, from the 84 cases of `tests/reference/single_mode.csv`.
 //!
 //! ```text
 //! cargo run --release -p stribeck-solver --example accuracy -- [--box] [--points 401,801,1601]
@@ -7,8 +7,8 @@
 //!
 //! `--box` adds the whole range of parameters, `--points` the relaxation solver with these grids.
 //!
-//! Exact is what the collocation solver gives for a tolerance of 1e-10 with panels of degree 12; `tests/collocation` shows that this is the
-//! reference's solution. Times are given as ratios, for they depend on the machine.
+//! Exact is what the collocation solver gives for a tolerance of 1e-10 with panels of degree 12; `tests/collocation`
+//! shows that this is the reference's solution. Times are given as ratios, for they depend on the machine.
 
 mod beside_relaxation;
 #[path = "../../tests/collocation/measure.rs"]

@@ -63,7 +63,8 @@ pub fn print(title: &str, chains: &[&[Parameters]], exact: &[Quantities]) {
 
     println!("{title}:\n");
     println!(
-        "| tolerance | solved | error within | worst error/tolerance | estimate/error: 5 % | median | 95 % | unknowns | iterations | factorisations | time |"
+        "| tolerance | solved | error within | worst error/tolerance \
+         | estimate/error: 5 % | median | 95 % | unknowns | iterations | factorisations | time |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for (tolerance, cases) in TOLERANCES.iter().zip(&solved) {

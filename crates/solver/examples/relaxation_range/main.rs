@@ -1,4 +1,5 @@
-//! The relaxation solver held against collocation, whose errors are known: over the range of the paper, and far outside.
+//! The relaxation solver held against collocation, whose errors are known: over the range of the paper, and far
+//! outside.
 //!
 //! ```text
 //! cargo run --release -p stribeck-solver --example relaxation_range -- \
@@ -6,8 +7,8 @@
 //! ```
 //!
 //! Without `--box`: f = 10 and 100, α from 10⁻³ to 10³ (`--alpha`: only these), five β from 10 to 1000, in chains of
-//! ascending β. With it: so many cases, each alone, spread evenly over ln α, ln β and ln f of a box that holds far more than
-//! the method can do; every other one has two retardation times six decades apart. `--list` prints each case.
+//! ascending β. With it: so many cases, each alone, spread evenly over ln α, ln β and ln f of a box that holds far more
+//! than the method can do; every other one has two retardation times six decades apart. `--list` prints each case.
 //! `--plain` takes the paper's plain iteration. Times are given as ratios, for they depend on the machine.
 
 mod comparison;

@@ -1,4 +1,5 @@
-//! Whether a solution is accepted: its estimated errors, how well its mesh resolves it, and whether the film is under tension.
+//! Whether a solution is accepted: its estimated errors, how well its mesh resolves it, and whether the film is under
+//! tension.
 
 use super::adaptation::indicators;
 use super::estimate::{Estimate, estimate};
@@ -17,7 +18,7 @@ pub(super) const ACCEPTED: f64 = 0.9;
 const RESOLVED: f64 = 0.3;
 /// Least pressure over the largest; below it the film would carry tension.
 pub(super) const TENSION: f64 = -1e-6;
-/// The same for a solution that is only good enough to go on from.
+/// The same limit for a solution that is only good enough to go on from.
 const ROUGH_TENSION: f64 = -1e-2;
 
 /// The smallest pressure over the largest, and the panel it is on; between the nodes too: where the pressure is low, a
@@ -48,8 +49,7 @@ pub(super) fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize)
 /// The solution with its fields and sensitivities.
 pub(super) fn complete(
     workspace: &mut Workspace,
-    beta: f64,
-    state: &State,
+    (beta, state): (f64, &State),
     estimate: Estimate,
     output: &Output,
     context: &mut SolveContext,
@@ -93,12 +93,9 @@ impl Acceptance {
         tolerance: f64,
         context: &mut SolveContext,
     ) -> (Self, Estimate) {
-        let (beta, state) = case;
-        workspace.prepare_fine(&state.mesh, &mut context.effort);
-        let Workspace { coarse, fine, .. } = workspace;
-        let reference = &coarse.displacement().discretisation.reference;
-        let effort = &mut context.effort;
-        let estimate = estimate(coarse.displacement(), fine, beta, state, output.cavity_shear, tolerance, effort);
+        let state = case.1;
+        let estimate = estimate(workspace, case, output.cavity_shear, tolerance, &mut context.effort);
+        let reference = &workspace.coarse.displacement().discretisation.reference;
         let measures = [
             (estimate.worst() / tolerance, ErrorMeasure::Estimate),
             (estimate.extremes / tolerance, ErrorMeasure::Extremes),
@@ -128,8 +125,8 @@ impl Acceptance {
     }
 }
 
-/// The square of the largest indicator, which is about the error of friction and flow, over the largest square that is accepted.
-/// So a small estimate is never an accident of a coarse mesh, on which two errors happen to be alike.
+/// The square of the largest indicator, which is about the error of friction and flow, over the largest square that is
+/// accepted. So a small estimate is never an accident of a coarse mesh, on which two errors happen to be alike.
 fn coarseness(reference: &ReferencePanel, state: &State, tolerance: f64) -> f64 {
     let roughest = indicators(reference, state).into_iter().fold(0.0, f64::max);
     ACCEPTED * roughest * roughest / (RESOLVED * RESOLVED * tolerance)

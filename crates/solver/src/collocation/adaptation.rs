@@ -1,4 +1,4 @@
-//! Where a solution wants its panels.
+//! Adapts the mesh: the panels that a solution needs.
 
 use std::sync::Arc;
 
@@ -13,10 +13,10 @@ const GRADING: f64 = 1.7;
 /// Indicators fall about as the (d/CONVERGENCE)-th power of the size of a panel: more slowly than the d-th, because the
 /// peaks that matter are only just resolved.
 const CONVERGENCE: f64 = 1.7;
-/// The first panel is at most so many times as long as the layer at the outlet; fewer times in states whose pressure dipped
-/// below zero there.
+/// The largest length of the first panel over the length of the layer at the outlet; smaller in states whose
+/// pressure dipped below zero there.
 pub const OUTLET_PANEL: f64 = 8.0;
-/// The same for panels at the inlet.
+/// The largest length of panels at the inlet over the length of the layer.
 pub const INLET_PANEL: f64 = 8.0;
 /// The smallest indicator that counts; below it is rounding.
 const LEAST: f64 = 1e-15;
@@ -24,18 +24,18 @@ const LEAST: f64 = 1e-15;
 /// How long panels may be where the film leaves and enters the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Longest {
-    /// At the outlet.
+    /// Longest panel at the outlet.
     pub at_outlet: f64,
-    /// At the inlet.
+    /// Longest panel at the inlet.
     pub at_inlet: f64,
 }
 
 /// How many panels a new mesh has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Panels {
-    /// So many, or the fewest that sizes which change gradually allow.
+    /// This number, or the fewest panels whose sizes change gradually.
     Number(usize),
-    /// As many as it takes for each to have this indicator.
+    /// The number with which each panel has this indicator.
     Indicator(f64),
 }
 
@@ -78,10 +78,11 @@ fn inlet(reference: &ReferencePanel, state: &State) -> f64 {
     film_points(reference, &state.mesh).nth(last).unwrap_or(0.0)
 }
 
-/// A mesh from 0 to `reach` on which each panel of the state would have the same indicator; sizes change gradually along y.
+/// A mesh from 0 to `reach` on which each panel of the state would have the same indicator; sizes change gradually
+/// along y.
 ///
-/// The film leaves and enters the contact over short lengths. If they are not resolved the solution oscillates all
-/// over the contact, and the indicators no longer tell where that came from; so panels there are never `longest` or more.
+/// The film leaves and enters the contact over short lengths. If they are not resolved the solution oscillates all over
+/// the contact, and the indicators no longer tell where that came from; so panels there are never `longest` or more.
 pub fn equidistributed(
     reference: &ReferencePanel,
     state: &State,
@@ -130,7 +131,7 @@ pub fn equidistributed(
     Mesh::new(reference.degree, state.mesh.growth, film)
 }
 
-/// The size that panels are to have, linear between given places.
+/// The wanted size of panels, linear between given places.
 struct Sizes<'a> {
     places: &'a [f64],
     sizes: Vec<f64>,
@@ -163,7 +164,7 @@ impl<'a> Sizes<'a> {
         if growth.abs() < 1e-6 { length / a } else { length / (b - a) * growth.ln_1p() }
     }
 
-    /// Ends of so many panels, each with the same ∫ dy/size.
+    /// Ends of a number of panels, each with the same ∫ dy/size.
     fn divide(&self, number: usize) -> Vec<f64> {
         let last = self.places.len() - 1;
         let each = self.count() / number as f64;
@@ -207,8 +208,8 @@ mod tests {
         thick_film::state(&displacement, 1.0)
     }
 
-    /// From 0 to the reach, as many panels as asked for, neighbours not too different, and none longer than the layer lets it
-    /// be at the outlet.
+    /// From 0 to the reach, as many panels as asked for, neighbours not too different, and none longer than the layer
+    /// lets it be at the outlet.
     #[test]
     fn a_mesh_keeps_its_promises() {
         let reference = Arc::new(ReferencePanel::new(8));

@@ -10,9 +10,9 @@ use super::system::System;
 
 /// The linearised equations of a solution, factorised.
 ///
-/// Unlike in Newton's method p(Y) = p_inlet is an equation of its own, and the inlet's derivatives with respect to c and u are in
-/// it, so that nothing of the discrete equations is left out. With u eliminated, g the gap of the inlet and its derivatives as
-/// indices,
+/// Unlike in Newton's method p(Y) = p_inlet is an equation of its own, and the inlet's derivatives with respect to c
+/// and u are in it, so that nothing of the discrete equations is left out. With u eliminated, g the gap of the inlet
+/// and its derivatives as indices,
 ///
 /// ```text
 ///             δp (m·d)                   δc              δx_out
@@ -34,16 +34,16 @@ pub struct Adjoint<'a> {
     beta: f64,
 }
 
-/// What a number of a solution takes of a residual of each equation, with the sign that makes it grow by −(multiplier) times what
-/// a parameter adds to the residual.
+/// The response of a number of a solution to a residual of each equation, with the sign that makes it grow by
+/// −(multiplier) times what a parameter adds to the residual.
 pub struct Multipliers {
-    /// Of flow/u at the film's Gauss points.
+    /// Multipliers of flow/u at the film's Gauss points.
     pub flow: Vec<f64>,
-    /// Of the load.
+    /// Multiplier of the load.
     pub load: f64,
-    /// Of p(Y) less the pressure of the inlet.
+    /// Multiplier of p(Y) less the pressure of the inlet.
     pub end: f64,
-    /// Of u less the right side of the film equation at the film's Gauss points.
+    /// Multipliers of u less the right side of the film equation at the film's Gauss points.
     pub film: Vec<f64>,
 }
 

@@ -11,8 +11,9 @@ use super::reference::ReferencePanel;
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///
-/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, the ends of
-/// the film's panels, of which the outlet is the first, and the ends of the panels behind it. Columns are the nodes of the pressure, from the outlet to Y; neighbouring panels share one.
+/// Rows of the matrices of displacement are, in this order: the Gauss points behind the outlet, those of the film, the
+/// ends of the film's panels, of which the outlet is the first, and the ends of the panels behind it. Columns are the
+/// nodes of the pressure, from the outlet to Y; neighbouring panels share one.
 #[derive(Debug)]
 pub struct Discretisation {
     /// The panels.
@@ -25,8 +26,8 @@ pub struct Discretisation {
     pub weights: Vec<f64>,
     /// Weight of each node in ∫ p dy.
     pub node_weights: Vec<f64>,
-    /// e − e(0) at the rows from p at the nodes (T7), rows × nodes. Near the outlet it is far smaller than e, and only so are
-    /// its digits kept.
+    /// e − e(0) at the rows from p at the nodes (T7), rows × nodes. Near the outlet it is far smaller than e, and only
+    /// so are its digits kept.
     pub elastic: Matrix,
     /// e(0), at the outlet, from p at the nodes.
     pub elastic_at_outlet: Vec<f64>,
@@ -35,7 +36,7 @@ pub struct Discretisation {
 }
 
 impl Discretisation {
-    /// One without panels yet.
+    /// A discretisation without panels.
     pub fn new(reference: &Arc<ReferencePanel>) -> Self {
         Self {
             mesh: Mesh::new(reference.degree, 2.0, vec![0.0, 1.0]),
@@ -107,7 +108,8 @@ impl Discretisation {
         (row(panel), row(panel + 1))
     }
 
-    /// The columns of a panel are the moments of the kernel for the Legendre polynomials on it (T31), times their coefficients.
+    /// The columns of a panel are the moments of the kernel for the Legendre polynomials on it (T31), times their
+    /// coefficients.
     fn set_elastic_displacement(&mut self) {
         let Self { mesh, reference, points, elastic, moments, .. } = self;
         let (degree, rows) = (reference.degree, points.len());
@@ -149,7 +151,7 @@ impl Discretisation {
         }
     }
 
-    /// What a vector over the rows has at the Gauss points of a panel, and at its ends; panels are counted as for
+    /// The values of a vector over the rows at the Gauss points of a panel, and at its ends; panels are counted as for
     /// [`Discretisation::ends`].
     pub fn on_panel<'v>(&self, values: &'v [f64], panel: usize) -> (&'v [f64], [f64; 2]) {
         let degree = self.reference.degree;

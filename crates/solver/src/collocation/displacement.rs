@@ -14,13 +14,13 @@ use super::retardation_derivatives::FilterDerivatives;
 use super::timings::{Timings, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
-/// w relative to the outlet as a matrix on the pressure, and what else follows from it along the mesh; for all cases with the
-/// same mesh, α and f.
+/// The displacement of a mesh as a matrix on the pressure, relative to the outlet, and the quantities that follow from
+/// it; for all cases with the same mesh, α and f.
 pub struct Displacement {
     /// The mesh it is for.
     pub discretisation: Discretisation,
-    /// w less w(0) at the film's Gauss points from p at the nodes (T9), points × nodes. The film near the outlet differs from c by
-    /// far less than w from 0, and only so is the difference known.
+    /// w less w(0) at the film's Gauss points from p at the nodes (T9), points × nodes. The film near the outlet
+    /// differs from c by far less than w from 0, and only so is the difference known.
     pub relative: Matrix,
     /// w(0), at the outlet, from p at the nodes.
     outlet: Vec<f64>,
@@ -28,13 +28,13 @@ pub struct Displacement {
     retarded_outlet: Vec<f64>,
     /// f_j/(1+f) of each mode, with its filter.
     pub(super) filters: Vec<(f64, RetardationFilter)>,
-    /// How they change with α, once that is asked for.
+    /// Derivatives of the filters with respect to α, computed when they are first asked for.
     pub(super) filter_derivatives: OnceCell<Vec<FilterDerivatives>>,
     /// Weight of e in w.
     pub(super) elastic_weight: f64,
 }
 
-/// What follows from the displacement of one solution.
+/// The quantities along the mesh that follow from the displacement of one solution.
 pub struct Along {
     /// e less e(0) at the rows; all 0 where nothing below needs it.
     pub elastic: Vec<f64>,
@@ -45,7 +45,7 @@ pub struct Along {
 }
 
 impl Displacement {
-    /// One without panels yet.
+    /// A displacement without panels.
     pub fn new(reference: &Arc<ReferencePanel>) -> Self {
         Self {
             discretisation: Discretisation::new(reference),
@@ -58,7 +58,7 @@ impl Displacement {
         }
     }
 
-    /// The displacement on a mesh, in the memory of the one before.
+    /// Computes the displacement on a mesh, in the memory of the mesh before.
     pub fn set_mesh(&mut self, mesh: &Arc<Mesh>, kernel: &DisplacementKernel, timings: &mut Timings) {
         timed(&mut timings.kernel, || self.discretisation.set_mesh(mesh));
         timed(&mut timings.filter, || self.set_substrate(kernel));
@@ -90,7 +90,7 @@ impl Displacement {
         dot(&self.outlet, pressure)
     }
 
-    /// What follows from the displacement along the mesh, from p at the nodes.
+    /// The quantities along the mesh that follow from p at the nodes.
     pub fn along(&self, pressure: &[f64], behind: bool) -> Along {
         let discretisation = &self.discretisation;
         let mut e = vec![0.0; discretisation.points.len()];
@@ -114,8 +114,8 @@ impl Displacement {
         Along { elastic: e, retarded_slope, behind: displaced }
     }
 
-    /// w of the load ahead of the mesh, which is so far away that all of the contact is displaced alike: it is a part of h₀
-    /// and w that no film knows of. The pressure ahead falls as x⁻³.
+    /// w of the load ahead of the mesh, which is so far away that it displaces all of the contact alike: it is a part
+    /// of h₀ and w that no film knows of. The pressure ahead falls as x⁻³.
     pub fn of_load_ahead(&self, inlet: &Inlet) -> f64 {
         let kernel = |x: f64| {
             let retarded = self.filters.iter().map(|(weight, filter)| weight * retarded_mode(filter.alpha(), x));

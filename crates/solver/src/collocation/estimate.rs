@@ -6,15 +6,15 @@ use super::displacement::Displacement;
 use super::quantities::quantities;
 use super::reference::evaluate;
 use super::state::State;
-use super::workspace::Level;
+use super::workspace::Workspace;
 use crate::continuation::Effort;
 use crate::model::{CavityShear, Quantities, RelativeErrors};
 
 /// How many degrees richer the panels of the estimate are.
 pub const ENRICHMENT: usize = 2;
 
-/// How much more than the tolerance the largest pressure may change when panels get richer, and the smallest film. The richer
-/// value is the one that is published, and is better by far.
+/// How many times the tolerance the largest pressure, and the smallest film, may change when panels get richer. The
+/// richer value is the one that is published, and is better by far.
 const PRESSURE_SLACK: f64 = 50.0;
 const FILM_SLACK: f64 = 500.0;
 /// Part of the tolerance that the nonlinearity may hide in an estimate.
@@ -22,8 +22,9 @@ const REMAINDER: f64 = 0.01;
 
 /// The state on the same panels of a higher degree: p and ln u by their polynomials.
 ///
-/// The film is not that of the interpolated pressure (T12): where it is thin, the displacements of the two degrees differ by
-/// more than the film, and Newton's method mends that in one step only as long as the film is an unknown of its own.
+/// The film is not that of the interpolated pressure (T12): where it is thin, the displacements of the two degrees
+/// differ by more than the film, and Newton's method mends that in one step only as long as the film is an unknown of
+/// its own.
 fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State {
     let (from, to) = (&coarse.discretisation.reference, &fine.discretisation.reference);
     let (degree, size) = (from.degree, from.degree + 1);
@@ -44,14 +45,14 @@ fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State 
     State { mesh: Arc::clone(&fine.discretisation.mesh), pressure, film, error: None, ..*state }
 }
 
-/// What is known of a solution.
+/// The numbers of a solution with their errors.
 pub struct Estimate {
-    /// Its numbers.
+    /// The numbers.
     pub quantities: Quantities,
     /// Their estimated errors.
     pub errors: RelativeErrors,
-    /// How much richer panels change the largest pressure and the smallest film, relative to what is let pass: they lie
-    /// between the points, and converge more slowly than integrals and flow.
+    /// The change of the largest pressure and the smallest film on richer panels, over the change that is accepted:
+    /// they lie between the points, and converge more slowly than integrals and flow.
     pub extremes: f64,
 }
 
@@ -63,21 +64,21 @@ impl Estimate {
     }
 }
 
-/// What is known of a solution, and how well.
+/// Estimates the errors of a solution.
 ///
-/// The solution is interpolated to degree d + 2 on its own panels, a Newton step is taken there, and what that changes in
-/// μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step would be
-/// seen in them, chord steps follow.
+/// The solution is interpolated to degree d + 2 on its own panels, a Newton step is taken there, and what that changes
+/// in μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step
+/// would be seen in them, chord steps follow.
 pub fn estimate(
-    coarse: &Displacement,
-    fine: &mut Level,
-    beta: f64,
-    state: &State,
+    workspace: &mut Workspace,
+    (beta, state): (f64, &State),
     cavity_shear: CavityShear,
     tolerance: f64,
     effort: &mut Effort,
 ) -> Estimate {
-    let (corrector, fine) = fine.parts();
+    workspace.prepare_fine(&state.mesh, effort);
+    let coarse = workspace.coarse.displacement();
+    let (corrector, fine) = workspace.fine.parts();
     let solution = quantities(coarse, beta, state, cavity_shear);
     let mut better = enriched(coarse, fine, state);
     corrector.refine(fine, beta, &mut better, REMAINDER * tolerance, effort);
@@ -98,7 +99,7 @@ pub fn estimate(
     Estimate { quantities: solution, errors, extremes }
 }
 
-/// The larger of two numbers; infinite if the second is none.
+/// The larger of two numbers; infinite if the second is NaN.
 fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

@@ -10,12 +10,12 @@ use crate::model::{Fields, Output};
 /// How far the film by its displacement may be from the one by its polynomial.
 const THIN: f64 = 0.01;
 
-/// The fields asked for: p is its own polynomial on each panel, w the displacement of this p at the very place, and u follows
-/// (T3). There is no error of interpolation beyond that of the solution.
+/// The fields of the output: p is its own polynomial on each panel, w the displacement of this p at the very place, and
+/// u follows (T3). There is no error of interpolation beyond that of the solution.
 ///
-/// With one exception: the film equation holds at the Gauss points, and between them the displacement of a pressure that is
-/// known well may still be off by a good part of a very thin film. Where that is more than a hundredth, u is the polynomial of
-/// ln u through the Gauss points, and w what follows from it.
+/// With one exception: the film equation holds at the Gauss points, and between them the displacement of a pressure
+/// that is known well may still be off by a good part of a very thin film. Where that is more than a hundredth, u is
+/// the polynomial of ln u through the Gauss points, and w what follows from it.
 pub fn fields(displacement: &Displacement, beta: f64, state: &State, output: &Output) -> Fields {
     let wanted = output.fields;
     let mut fields = Fields::default();

@@ -14,8 +14,8 @@ use crate::model::{Output, Parameters};
 const FIXED_MESHES: usize = 3;
 
 impl CollocationSolver {
-    /// A solver with so many panels of a degree, whose error is estimated but not controlled. On the way to a case panels are
-    /// as many as Newton's method needs.
+    /// A solver with a fixed number of panels of a degree; its error is estimated but not controlled. On the way to a
+    /// case panels are as many as Newton's method needs.
     ///
     /// # Panics
     /// If they are outside of [`Settings::PANELS`] and [`Settings::DEGREE`].
@@ -24,20 +24,20 @@ impl CollocationSolver {
         Self { panels: Some(panels), ..Self::new(Settings { tolerance: *Settings::TOLERANCE.start(), degree }) }
     }
 
-    /// The solution on so many panels, laid out for it, whatever its error is.
+    /// The solution on the fixed number of panels, laid out for it, whatever its error is.
     ///
     /// # Errors
-    /// [`SolveError`] if sizes that change gradually take more panels, Newton's method fails, the film is under tension, or the user
-    /// asks to stop.
-    pub(super) fn evaluate_on(
+    /// [`SolveError`] if sizes that change gradually take more panels, Newton's method fails, the film is under
+    /// tension, or the user asks to stop.
+    pub(super) fn evaluate_on_fixed_panels(
         &self,
-        panels: usize,
         workspace: &mut Workspace,
         parameters: &Parameters,
         state: &mut State,
         output: &Output,
         context: &mut SolveContext,
     ) -> Result<Solution, SolveError> {
+        let panels = self.panels.expect("a solver with a fixed number of panels");
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
         for _ in 0..FIXED_MESHES {
@@ -50,6 +50,6 @@ impl CollocationSolver {
         }
         let (acceptance, solution) = Acceptance::of(workspace, (beta, state), output, self.settings.tolerance, context);
         check_tension(acceptance.tension)?;
-        Ok(complete(workspace, beta, state, solution, output, context))
+        Ok(complete(workspace, (beta, state), solution, output, context))
     }
 }

@@ -9,16 +9,16 @@ use super::state::State;
 use super::system::pressure_gradient;
 use crate::model::{CavityShear, gauss};
 
-/// Partial derivatives of one friction force with respect to what it is an integral of; empty where it takes nothing.
+/// Partial derivatives of one friction force with respect to the quantities in its integral; empty where it has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Partials {
     /// p at the film's Gauss points.
     pub pressure: Vec<f64>,
-    /// p′ there.
+    /// p′ at the film's Gauss points.
     pub gradient: Vec<f64>,
-    /// u there.
+    /// u at the film's Gauss points.
     pub film: Vec<f64>,
-    /// Σ f_j/(1+f) v_j′ there.
+    /// Σ f_j/(1+f) v_j′ at the film's Gauss points.
     pub retarded_slope: Vec<f64>,
     /// w less w(0) at the Gauss points behind the outlet.
     pub behind: Vec<f64>,
@@ -31,7 +31,7 @@ pub struct Partials {
 }
 
 impl Partials {
-    /// Those of F_v (T24); `along` is that of the pressure.
+    /// The partial derivatives of F_v (T24); `along` belongs to the pressure.
     pub fn of_viscoelastic(displacement: &Displacement, state: &State, along: &Along) -> Self {
         let discretisation = &displacement.discretisation;
         let weights = &discretisation.weights[discretisation.film()];
@@ -44,7 +44,8 @@ impl Partials {
         }
     }
 
-    /// Those of F_h (T25), the cavity included; `displaced` is w less w(0) at the Gauss points behind the outlet.
+    /// The partial derivatives of F_h (T25), the cavity included; `displaced` is w less w(0) at the Gauss points behind
+    /// the outlet.
     pub fn of_hydrodynamic(
         displacement: &Displacement,
         beta: f64,
@@ -80,7 +81,8 @@ impl Partials {
         partials
     }
 
-    /// Adds those of F_h,cavity = ∫ θ/(3πβu) dx with θ = 1 or c/u; the gap is c + x_out y + y²/2 − (w − w(0)).
+    /// Adds the partial derivatives of F_h,cavity = ∫ θ/(3πβu) dx with θ = 1 or c/u; the gap is c + x_out y + y²/2 − (w
+    /// − w(0)).
     fn add_cavity(
         &mut self,
         displacement: &Displacement,
@@ -118,7 +120,7 @@ impl Partials {
         self.behind = of_gap.iter().map(|weight| -factor * weight).collect();
     }
 
-    /// Of p at the nodes, by way of all that follows from p but u.
+    /// The derivatives with respect to p at the nodes, through everything that follows from p except u.
     pub fn of_nodes(&self, displacement: &Displacement) -> Vec<f64> {
         let discretisation = &displacement.discretisation;
         let reference = &discretisation.reference;

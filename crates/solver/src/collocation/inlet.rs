@@ -4,7 +4,8 @@ use crate::model::gauss;
 
 /// The film at x ≥ X, where the displacement no longer changes: u = x²/2 + g (T33).
 ///
-/// With x = X/t the integrals of the pressure gradient p′ = −(u − c)/(βu³) (T2) are those of smooth functions over 0 ≤ t ≤ 1.
+/// With x = X/t the integrals of the pressure gradient p′ = −(u − c)/(βu³) (T2) are those of smooth functions over 0 ≤
+/// t ≤ 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inlet {
     /// X, where it begins.

@@ -6,13 +6,13 @@ use crate::model::gauss;
 /// Derivatives of the integrals of an [`Inlet`] with respect to one of the numbers that define it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct InletPartial {
-    /// Of p(X).
+    /// Derivative of p(X).
     pub pressure: f64,
-    /// Of ∫ p dx.
+    /// Derivative of ∫ p dx.
     pub load: f64,
-    /// Of ∫ p′u dx.
+    /// Derivative of ∫ p′u dx.
     pub pressure_flow: f64,
-    /// Of ∫ dx/(βu).
+    /// Derivative of ∫ dx/(βu).
     pub shear: f64,
 }
 
@@ -28,7 +28,7 @@ pub struct InletPartials {
 }
 
 impl InletPartials {
-    /// Those of an inlet with the flow c: of (T33) under the integral.
+    /// The derivatives of an inlet with the flow c, of (T33) under the integral.
     pub fn new(inlet: &Inlet, beta: f64, c: f64) -> Self {
         let (x, film) = (inlet.start, inlet.film);
         let g = film - 0.5 * x * x;

@@ -6,8 +6,8 @@ const FORWARD: f64 = 1.2;
 pub const MOST_MOMENTS: usize = 24;
 /// Places that are done together: their recurrences are independent and overlap in the processor.
 pub const LANES: usize = 8;
-/// Steps of the downward recurrence before its first use: (|s|, steps), so that what it starts from is forgotten to rounding
-/// beyond each |s|. An error falls by (|s| + √(s² − 1))² a step.
+/// Steps of the downward recurrence before its first use: (|s|, steps), so that what it starts from is forgotten to
+/// rounding beyond each |s|. An error falls by (|s| + √(s² − 1))² a step.
 const STEPS: [(f64, usize); 7] = [(1.2, 31), (1.5, 20), (2.0, 15), (3.0, 11), (6.0, 8), (20.0, 6), (300.0, 4)];
 /// The downward recurrence starts from this: far below anything that could overflow on the way.
 const TINY: f64 = 1e-280;

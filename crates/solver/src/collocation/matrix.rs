@@ -63,8 +63,8 @@ impl Matrix {
         MatRef::from_column_major_slice(&self.values, self.rows, self.columns()).to_owned()
     }
 
-    /// Adds to the columns from `first` on a factor times the product of a matrix with another, given row by row, which is so
-    /// small that a general routine would cost more.
+    /// Adds to the columns from `first` on a factor times the product of a matrix with another, given row by row, which
+    /// is so small that a general routine would cost more.
     pub fn add_product(&mut self, first: usize, factor: f64, left: &Self, right: &[f64]) {
         let (count, inner) = (self.rows, left.columns());
         let columns = right.len() / inner;

@@ -51,8 +51,9 @@ impl Mesh {
 
 /// The growth of panels behind the outlet that leaves an error of this part in integrals over them.
 ///
-/// The gap there is smooth but for the outlet, a distance a behind which a panel of length (g − 1)a begins. Gauss' rule with d
-/// points leaves ρ^{−2d} of such an integral, with the ellipse ρ = (√g + 1)/(√g − 1) that just reaches the outlet.
+/// The gap there is smooth but for the outlet, a distance a behind which a panel of length (g − 1)a begins. Gauss' rule
+/// with d points leaves ρ^{−2d} of such an integral, with the ellipse ρ = (√g + 1)/(√g − 1) that just reaches the
+/// outlet.
 pub fn growth_behind(degree: usize, error: f64) -> f64 {
     let rho = error.powf(-0.5 / degree as f64);
     ((rho + 1.0) / (rho - 1.0)).powi(2).clamp(1.1, 8.0)

@@ -29,9 +29,9 @@ pub struct Corrector {
 }
 
 impl Corrector {
-    /// Takes a guess to the solution on its mesh, so near that what is left is below `tolerance` of u, c and the largest p, or
-    /// as near as rounding allows: below 2·10⁻¹⁵ over the thinnest film, or where three whole steps of less than 10⁻⁴ did not
-    /// get any smaller.
+    /// Takes a guess to the solution on its mesh, so near that what is left is below `tolerance` of u, c and the
+    /// largest p, or as near as rounding allows: below 2·10⁻¹⁵ over the thinnest film, or where three whole steps of
+    /// less than 10⁻⁴ did not get any smaller.
     ///
     /// The step is only shortened so far that the film stays positive.
     ///
@@ -77,8 +77,8 @@ impl Corrector {
             if part == 1.0 && (left <= tolerance || size <= floor) {
                 return Ok(());
             }
-            // Rounding moves the outlet by so little that only the steepest films notice: a whole step that is small but no
-            // smaller than the ones before is the end of what arithmetic can do.
+            // Rounding moves the outlet by so little that only the steepest films notice: a whole step that is small
+            // but no smaller than the ones before is the end of what arithmetic can do.
             stalled = if part == 1.0 && size < STALLED && size > 0.3 * last { stalled + 1 } else { 0 };
             if stalled == 3 {
                 return Ok(());

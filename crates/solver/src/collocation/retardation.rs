@@ -12,9 +12,9 @@ use crate::model::retarded_mode;
 
 /// The filter on all panels of a mesh.
 ///
-/// T8 reads v(y) = e^{−α(y₁ − y)} v(y₁) + ∫_y^{y₁} α e^{−α(s − y)} e(s) ds (T30). With e on a panel as the polynomial through
-/// its Gauss points and both ends the integral is exact, however stiff the panel; the material carries v from one panel to
-/// the next. The ends make e continuous, without which v − e would be poor where α is large.
+/// T8 reads v(y) = e^{−α(y₁ − y)} v(y₁) + ∫_y^{y₁} α e^{−α(s − y)} e(s) ds (T30). With e on a panel as the polynomial
+/// through its Gauss points and both ends the integral is exact, however stiff the panel; the material carries v from
+/// one panel to the next. The ends make e continuous, without which v − e would be poor where α is large.
 pub struct RetardationFilter {
     alpha: f64,
     pub(super) panels: Vec<PanelFilter>,
@@ -22,12 +22,12 @@ pub struct RetardationFilter {
     pub(super) ahead: Vec<f64>,
 }
 
-/// κ from which on α(v − e) is not formed as the difference that it is: its rounding error, about κ, would be above that of
-/// e′, about d².
+/// κ from which on α(v − e) is not formed as the difference that it is: its rounding error, about κ, would be above
+/// that of e′, about d².
 const STIFF_SLOPE: f64 = 50.0;
 
-/// What a panel makes of e, and of what it is handed at its right end: at each Gauss point, and in the last place at its left
-/// end.
+/// What a panel makes of e, and of what it is handed at its right end: at each Gauss point, and in the last place at
+/// its left end.
 pub(super) struct PanelFilter {
     /// Weights of what is handed on, d + 1.
     pub decay: Vec<f64>,
@@ -39,9 +39,9 @@ pub(super) struct PanelFilter {
 
 /// Weights of the values of e on a panel in those of something else at d + 1 places.
 pub(super) struct Weights {
-    /// Of e at the Gauss points, (d + 1) × d row by row.
+    /// Weights of e at the Gauss points, (d + 1) × d row by row.
     points: Vec<f64>,
-    /// Of e at the left and the right end, d + 1.
+    /// Weights of e at the left and the right end, d + 1.
     ends: Vec<[f64; 2]>,
 }
 
@@ -115,11 +115,11 @@ impl PanelFilter {
     }
 }
 
-/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds: of its values at the Gauss points, and at both ends; from the d + 2 moments
-/// at t.
+/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds: of its values at the Gauss points, and at both ends; from the d + 2
+/// moments at t.
 ///
-/// The polynomial through all of them is the one through the Gauss points, and P_d(s)(a + bs), which vanishes there, for what
-/// is missing at the ends.
+/// The polynomial through all of them is the one through the Gauss points, and P_d(s)(a + bs), which vanishes there,
+/// for what is missing at the ends.
 fn response(reference: &ReferencePanel, moments: &[f64], weights: &mut [f64]) -> [f64; 2] {
     let degree = reference.degree;
     let constant = moments[degree];
@@ -158,8 +158,8 @@ impl RetardationFilter {
         self.alpha
     }
 
-    /// Adds `weight` times v − v(0) at the film's Gauss points, from p at the nodes, to a matrix of points × nodes. Leaves
-    /// v(0) − e(0) from p at the nodes in `outlet`.
+    /// Adds `weight` times v − v(0) at the film's Gauss points, from p at the nodes, to a matrix of points × nodes.
+    /// Leaves v(0) − e(0) from p at the nodes in `outlet`.
     pub fn add_to(&self, discretisation: &Discretisation, weight: f64, sum: &mut Matrix, outlet: &mut Vec<f64>) {
         let elastic = &discretisation.elastic;
         let degree = discretisation.reference.degree;
@@ -188,8 +188,8 @@ impl RetardationFilter {
         }
     }
 
-    /// v′ at the film's Gauss points, and v(0) − e(0), of one solution: `e` is its elastic displacement relative to the outlet at
-    /// the rows, `pressure` its pressure at the nodes.
+    /// v′ at the film's Gauss points, and v(0) − e(0), of one solution: `e` is its elastic displacement relative to the
+    /// outlet at the rows, `pressure` its pressure at the nodes.
     pub fn slope(&self, discretisation: &Discretisation, e: &[f64], pressure: &[f64]) -> (Vec<f64>, f64) {
         let degree = discretisation.reference.degree;
         let first = discretisation.film().start;
@@ -226,7 +226,8 @@ impl RetardationFilter {
     pub fn behind(&self, discretisation: &Discretisation, e: &[f64], outlet: f64) -> Vec<f64> {
         let degree = discretisation.reference.degree;
         let mut values = vec![0.0; discretisation.behind().len()];
-        // constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the outlet
+        // constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the
+        // outlet
         let mut relative = vec![0.0; degree];
         let mut handed_on = 0.0;
         for (index, values) in values.chunks_exact_mut(degree).enumerate().rev() {

@@ -1,4 +1,4 @@
-//! How the retarded displacement of one mode changes with the mode's rate.
+//! Derivatives of the retarded displacement of one mode with respect to the mode's rate.
 
 use super::discretisation::Discretisation;
 use super::reference::dot;
@@ -13,16 +13,16 @@ pub struct FilterDerivatives {
 
 /// α times derivatives with respect to α along the mesh, at one pressure.
 pub struct RetardationDerivatives {
-    /// Of v − v(0) at the film's Gauss points.
+    /// Derivatives of v − v(0) at the film's Gauss points.
     pub film: Vec<f64>,
-    /// Of v′ there.
+    /// Derivatives of v′ at the same points.
     pub slope: Vec<f64>,
-    /// Of v − v(0) at the Gauss points behind the outlet.
+    /// Derivatives of v − v(0) at the Gauss points behind the outlet.
     pub behind: Vec<f64>,
 }
 
 impl FilterDerivatives {
-    /// Those of the filter of a mode of rate α on a mesh.
+    /// The derivatives of the filter of a mode of rate α on a mesh.
     pub fn new(discretisation: &Discretisation, alpha: f64) -> Self {
         let mesh = &discretisation.mesh;
         let ends = mesh.behind.windows(2).chain(mesh.film.windows(2));
@@ -32,8 +32,8 @@ impl FilterDerivatives {
         Self { panels: ends.map(panel).collect(), ahead }
     }
 
-    /// The derivatives of one solution: `e` is its elastic displacement relative to the outlet at the rows, `pressure` its pressure
-    /// at the nodes.
+    /// The derivatives of one solution: `e` is its elastic displacement relative to the outlet at the rows, `pressure`
+    /// its pressure at the nodes.
     pub fn along(
         &self,
         filter: &RetardationFilter,
@@ -84,8 +84,8 @@ impl FilterDerivatives {
         RetardationDerivatives { film, slope, behind: self.behind(filter, discretisation, e, v, derivative) }
     }
 
-    /// Behind the outlet; `outlet` is v(0) − e(0) and `outlet_derivative` its derivative. As [`RetardationFilter::behind`] filters e − v(0),
-    /// a constant that grows by −`outlet_derivative` joins e.
+    /// Behind the outlet; `outlet` is v(0) − e(0) and `outlet_derivative` its derivative. As
+    /// [`RetardationFilter::behind`] filters e − v(0), a constant that grows by −`outlet_derivative` joins e.
     fn behind(
         &self,
         filter: &RetardationFilter,

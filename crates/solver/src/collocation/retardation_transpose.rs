@@ -12,9 +12,9 @@ pub struct Taken<'a> {
 }
 
 impl RetardationFilter {
-    /// Adds what Σ `slope` v′ over the film's Gauss points and Σ `behind` (v − v(0)) over those behind the outlet take of what
-    /// goes into the filter: the transpose of [`RetardationFilter::slope`] and [`RetardationFilter::behind`]. The filter runs from
-    /// right to left, so this runs from left to right. `behind` may be empty.
+    /// Adds what Σ `slope` v′ over the film's Gauss points and Σ `behind` (v − v(0)) over those behind the outlet take
+    /// of what goes into the filter: the transpose of [`RetardationFilter::slope`] and [`RetardationFilter::behind`].
+    /// The filter runs from right to left, so this runs from left to right. `behind` may be empty.
     pub fn transposed(&self, discretisation: &Discretisation, slope: &[f64], behind: &[f64], taken: Taken<'_>) {
         let degree = discretisation.reference.degree;
         let first = discretisation.film().start;

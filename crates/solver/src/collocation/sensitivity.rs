@@ -12,8 +12,9 @@ use crate::model::{CavityShear, Sensitivities};
 
 /// The derivatives of F_v and F_h of a solution on its mesh with respect to ln α, ln β and ln f (T49).
 ///
-/// They are those of the discrete equations, panels and their ends being fixed in y: one factorisation, and one solution of the
-/// transposed system for each friction. `system` and `factors` are buffers.
+/// They are those of the discrete equations, panels and their ends being fixed in y: one factorisation, and one
+/// solution of the transposed system for each friction. `system` and `factors` are buffers,
+/// which with the operands of the equations makes six arguments.
 pub fn sensitivities(
     system: &mut System,
     factors: &mut Factorisation,
@@ -45,7 +46,8 @@ pub fn sensitivities(
     }
 }
 
-/// A parameter of the substrate is in the film equation, u + W p = …, in the retarded slope and in the gap behind the outlet.
+/// A parameter of the substrate is in the film equation, u + W p = …, in the retarded slope and in the gap behind the
+/// outlet.
 fn with_substrate(of: &Partials, multipliers: &Multipliers, derivatives: &DisplacementDerivatives) -> f64 {
     dot(&of.retarded_slope, &derivatives.retarded_slope) + dot(&of.behind, &derivatives.behind)
         - dot(&multipliers.film, &derivatives.film)

@@ -22,7 +22,7 @@ use crate::model::{Output, Parameters};
 
 /// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
 const THICK: f64 = 0.01;
-/// Newton's method leaves this part of the tolerance.
+/// Newton's method stops at this part of the tolerance.
 const NEWTON: f64 = 1e-3;
 /// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
 const ROUGH: f64 = 1e-3;
@@ -38,8 +38,8 @@ const AIM: f64 = 0.15;
 /// The next case gets a new mesh if the error over the tolerance was below the first or above the second of these.
 const IDLE: f64 = 0.001;
 const CLOSE: f64 = 0.45;
-/// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what lies beyond
-/// a mesh.
+/// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what
+/// lies beyond a mesh.
 const SHORT: f64 = 0.8;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
@@ -48,8 +48,8 @@ const MOST_PANELS: usize = *Settings::PANELS.end();
 /// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
 /// thousand times at a steep inlet.
 const THINNEST: f64 = 1e-11;
-/// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be trusted,
-/// for they may happen to be alike on two meshes.
+/// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be
+/// trusted, for they may happen to be alike on two meshes.
 const ROUNDING: f64 = 5e-17;
 
 /// The collocation solver with given settings.
@@ -100,8 +100,8 @@ impl CollocationSolver {
         Ok(())
     }
 
-    /// The panels that would bring the error from so many times the tolerance to [`AIM`] times. Friction and flow converge
-    /// faster than the pressure, about as the power 3d/2 of the number of panels.
+    /// The panels that would bring the error from so many times the tolerance to [`AIM`] times. Friction and flow
+    /// converge faster than the pressure, about as the power 3d/2 of the number of panels.
     fn panels(&self, present: usize, error: f64) -> usize {
         let factor = (error / AIM).powf(1.0 / (1.5 * self.settings.degree as f64)).clamp(0.6, 1.8);
         let wanted = (present as f64 * factor).round() as usize;
@@ -157,7 +157,8 @@ impl CaseSolver for CollocationSolver {
         Ok((thick_film::state(workspace.coarse.displacement(), parameters.beta), Seed::ThickFilm))
     }
 
-    /// The nearest solution rescaled to the case; with two, as much more as the rescaled far one failed to predict the near one.
+    /// The nearest solution rescaled to the case; with two, as much more as the rescaled far one failed to predict the
+    /// near one.
     fn predict(&self, workspace: &mut Workspace, solved: &[(Parameters, State)], parameters: &Parameters) -> State {
         workspace.enter(parameters);
         let scaling = |at: &Parameters| {
@@ -220,8 +221,8 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<Solution, SolveError> {
         let beta = parameters.beta;
         let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
-        if let Some(panels) = self.panels {
-            return self.evaluate_on(panels, workspace, parameters, state, output, context);
+        if self.panels.is_some() {
+            return self.evaluate_on_fixed_panels(workspace, parameters, state, output, context);
         }
         let rounding = ROUNDING / state.c;
         if rounding > ACCEPTED * self.settings.tolerance {
@@ -236,7 +237,7 @@ impl CaseSolver for CollocationSolver {
             context.note_error(unknowns(workspace.coarse.displacement()), acceptance.error);
             check_tension(acceptance.tension)?;
             if acceptance.is_accepted() {
-                return Ok(complete(workspace, beta, state, solution, output, context));
+                return Ok(complete(workspace, (beta, state), solution, output, context));
             }
             stalled = if acceptance.excess() > GAIN * least { stalled + 1 } else { 0 };
             least = least.min(acceptance.excess());
@@ -251,7 +252,8 @@ impl CaseSolver for CollocationSolver {
 }
 
 impl CollocationSolver {
-    /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as columns.
+    /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as
+    /// columns.
     pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
         workspace.enter(parameters);
         workspace.prepare_coarse(&state.mesh, &mut Effort::default());
@@ -264,8 +266,8 @@ impl CollocationSolver {
         tension(&self.coarse, state).0
     }
 
-    /// A guess on a mesh on which a solution should do better. A little tension is an oscillation about p′ = 0 at the outlet,
-    /// which a shorter first panel resolves; all else takes more panels.
+    /// A guess on a mesh on which a solution should do better. A little tension is an oscillation about p′ = 0 at the
+    /// outlet, which a shorter first panel resolves; all else takes more panels.
     fn refined(&self, parameters: &Parameters, state: &State, acceptance: &Acceptance, reach: f64) -> State {
         let mut panels = state.mesh.panels();
         let mut state = state.clone();

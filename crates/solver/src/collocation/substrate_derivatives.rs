@@ -1,4 +1,5 @@
-//! How the displacement of a given pressure changes with the substrate, and what sums over it take of the pressure.
+//! Derivatives of the displacement of a given pressure with respect to the substrate, and transposed sums over the
+//! displacement.
 
 use super::displacement::{Along, Displacement};
 use super::retardation_derivatives::FilterDerivatives;
@@ -6,17 +7,17 @@ use super::retardation_transpose::Taken;
 
 /// Derivatives of the displacement of one pressure along the mesh with respect to the logarithm of a parameter.
 pub struct DisplacementDerivatives {
-    /// Of w less w(0) at the film's Gauss points.
+    /// Derivatives of w − w(0) at the film's Gauss points.
     pub film: Vec<f64>,
-    /// Of Σ f_j/(1+f) v_j′ there.
+    /// Derivatives of Σ f_j/(1+f) v_j′ at the same points.
     pub retarded_slope: Vec<f64>,
-    /// Of w less w(0) at the Gauss points behind the outlet.
+    /// Derivatives of w − w(0) at the Gauss points behind the outlet.
     pub behind: Vec<f64>,
 }
 
 impl Displacement {
-    /// Derivatives with respect to ln α, all modes' rates together (T50); 0 without retardation. `along` is that of the pressure,
-    /// what is behind the outlet included.
+    /// Derivatives with respect to ln α, all modes' rates together (T50); 0 without retardation. `along` is that of the
+    /// pressure, what is behind the outlet included.
     pub fn derivatives_with_alpha(&self, pressure: &[f64], along: &Along) -> DisplacementDerivatives {
         let discretisation = &self.discretisation;
         let points = discretisation.film_points();
@@ -44,8 +45,8 @@ impl Displacement {
         sum
     }
 
-    /// Derivatives with respect to ln f at fixed shares: (w − e)/(1 + f), and the retarded part alike (T51); 0 in the relaxed
-    /// elastic limit.
+    /// Derivatives with respect to ln f at fixed shares: (w − e)/(1 + f), and the retarded part alike (T51); 0 in the
+    /// relaxed elastic limit.
     pub fn derivatives_with_f(&self, pressure: &[f64], along: &Along) -> DisplacementDerivatives {
         let discretisation = &self.discretisation;
         let mut displaced = vec![0.0; discretisation.film_points()];
@@ -59,8 +60,8 @@ impl Displacement {
         }
     }
 
-    /// What Σ `slope` Σ_j f_j/(1+f) v_j′ over the film's Gauss points and Σ `behind` (w − w(0)) over those behind the outlet take
-    /// of p at the nodes. Either may be empty.
+    /// What Σ `slope` Σ_j f_j/(1+f) v_j′ over the film's Gauss points and Σ `behind` (w − w(0)) over those behind the
+    /// outlet take of p at the nodes. Either may be empty.
     pub fn transposed(&self, slope: &[f64], behind: &[f64]) -> Vec<f64> {
         let discretisation = &self.discretisation;
         let mut e: Vec<f64> = behind.iter().map(|weight| self.elastic_weight * weight).collect();

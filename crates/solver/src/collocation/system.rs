@@ -15,9 +15,9 @@ pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f6
 
 /// The system of one case on one mesh, linearised about a state.
 ///
-/// Unknowns are p at the nodes, u at the Gauss points, c and x_out. p is 0 at the outlet, and at Y that of the [`Inlet`].
-/// With u = c at the outlet (T5) the film equation (T12) is u = c + x_out y + y²/2 − W p, W being the displacement relative to
-/// the outlet. It is linear: it gives δu, and what is left is
+/// Unknowns are p at the nodes, u at the Gauss points, c and x_out. p is 0 at the outlet, and at Y that of the
+/// [`Inlet`]. With u = c at the outlet (T5) the film equation (T12) is u = c + x_out y + y²/2 − W p, W being the
+/// displacement relative to the outlet. It is linear: it gives δu, and what is left is
 ///
 /// ```text
 ///             δp (m·d − 1)                     δc        δx_out
@@ -132,7 +132,8 @@ impl System {
         outlet[points] -= inlet.pressure;
     }
 
-    /// Sets the rows of the flow in a column to a factor times what p at a node does to them.
+    /// Sets the rows of the flow in a column to a factor times what p at a node does to them. Six arguments: the
+    /// operands of the equations, and the place of one column.
     pub fn set_node(
         &self,
         displacement: &Displacement,
@@ -265,8 +266,8 @@ mod tests {
     use crate::continuation::{Interrupt, SolveContext};
     use crate::model::{DisplacementKernel, Parameters};
 
-    /// The matrix times a step against central differences of the residuals, about a solution. The step in p(Y) and u is the
-    /// one that keeps to the inlet and to the film equation.
+    /// The matrix times a step against central differences of the residuals, about a solution. The step in p(Y) and u
+    /// is the one that keeps to the inlet and to the film equation.
     #[test]
     fn matrix_is_the_derivative_of_the_residuals() {
         for (alpha, beta, f) in [(f64::INFINITY, 0.05, 0.0), (1.0, 0.05, 30.0), (0.01, 1.0, 1e3)] {

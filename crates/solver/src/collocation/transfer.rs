@@ -9,8 +9,8 @@ use super::reference::{ReferencePanel, evaluate};
 use super::state::State;
 
 impl State {
-    /// The same state on other panels: p and ln u by their polynomials. (Linear interpolation of p would be an error of the
-    /// size of the film.) Beyond the old mesh p falls as x^{−3}, and u grows as x²/2.
+    /// The same state on other panels: p and ln u by their polynomials. (Linear interpolation of p would be an error of
+    /// the size of the film.) Beyond the old mesh p falls as x^{−3}, and u grows as x²/2.
     pub fn on(&self, reference: &ReferencePanel, mesh: &Arc<Mesh>) -> Self {
         let mut onto = Self {
             mesh: Arc::clone(mesh),
@@ -88,7 +88,8 @@ impl State {
 }
 
 impl State {
-    /// Adds a factor times the difference of two states, all on meshes with as many panels; films and flows as logarithms.
+    /// Adds a factor times the difference of two states, all on meshes with as many panels; films and flows as
+    /// logarithms.
     pub fn add_difference(&mut self, factor: f64, of: &Self, from: &Self) {
         for (p, (of, from)) in self.pressure.iter_mut().zip(of.pressure.iter().zip(&from.pressure)) {
             *p += factor * (of - from);

@@ -15,11 +15,11 @@ use crate::model::{Limits, Output, Parameters};
 
 /// Solves the cases of a chain in their order. A case that fails is reported as such and does not stop the others.
 ///
-/// These seeds are tried in their order: the predictor from the last two solved cases; a walk from the last one, whose first
-/// step is the whole way; from each of the solver's origins, its start there and a walk to the case. The first case has the
-/// origins alone. So every number is a function of the chain, and of nothing that happens elsewhere. A
-/// [conclusive](FailureKind::is_conclusive) failure ends the search. Cases that are not [computable](Parameters::computable)
-/// fail without a try.
+/// These seeds are tried in their order: the predictor from the last two solved cases; a walk from the last one, whose
+/// first step is the whole way; from each of the solver's origins, its start there and a walk to the case. The first
+/// case has the origins alone. So every number is a function of the chain, and of nothing that happens elsewhere. A
+/// [conclusive](FailureKind::is_conclusive) failure ends the search. Cases that are not
+/// [computable](Parameters::computable) fail without a try.
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last case is done; what was solved of the chain is dropped.
@@ -33,10 +33,10 @@ pub fn solve_chain<S: CaseSolver>(
     cases.iter().map(|parameters| chain.solve(parameters)).collect()
 }
 
-/// A chain at work, case by case; [`solve_chain`] says how.
+/// A chain that is solved case by case; [`solve_chain`] tells how.
 pub struct Chain<'a, S: CaseSolver> {
     solver: &'a S,
-    /// What the cases share, once the first one is there.
+    /// The workspace of all cases, made for the first one.
     workspace: Option<Result<S::Workspace, Failure>>,
     solved: Solved<S>,
     output: &'a Output,
@@ -45,29 +45,29 @@ pub struct Chain<'a, S: CaseSolver> {
     traced: bool,
 }
 
-/// The last solved cases, at most two, the nearest last.
+/// The last solved cases, at most two, the nearest one at the end.
 type Solved<S> = Vec<(Parameters, <S as CaseSolver>::State)>;
 
 impl<'a, S: CaseSolver> Chain<'a, S> {
-    /// A chain without any case yet.
+    /// A chain before its first case.
     pub fn new(solver: &'a S, output: &'a Output, interrupt: &'a Interrupt) -> Self {
         let solved = Vec::with_capacity(2);
         Self { solver, workspace: None, solved, output, interrupt, time_limit: None, traced: false }
     }
 
-    /// The chain with a limit to the time that each of its cases may take.
+    /// The same chain with a time limit for each case.
     #[must_use]
     pub fn with_time_limit(self, time_limit: Duration) -> Self {
         Self { time_limit: Some(time_limit), ..self }
     }
 
-    /// From now on the way to each case is recorded, or no longer.
+    /// Turns the [trace](SolvedCase::trace) of the next cases on or off.
     pub fn traced(&mut self, traced: bool) {
         self.traced = traced;
     }
 
-    /// Solves the next case. The first one pays for what the chain shares. A case that takes longer than the time limit fails,
-    /// and so does one whose solver panics: the next one has a workspace of its own then.
+    /// Solves the next case. The first one pays for what the chain shares. A case that takes longer than the time limit
+    /// fails, and so does one whose solver panics: the next one has a workspace of its own then.
     ///
     /// # Errors
     /// [`Interrupted`] if the user asks to stop before it is done.
@@ -194,8 +194,8 @@ impl<S: CaseSolver> SeedSearch<'_, '_, S> {
         path: &mut Path,
         context: &mut SolveContext,
     ) -> Result<(S::State, Solution), SolveError> {
-        let mut corrector = Corrector { solver: self.solver, workspace: self.workspace, context, path };
-        let mut state = converge(&mut corrector, strategy, self.solved, &self.control, case, seed)?;
+        let mut corrector = Corrector { solver: self.solver, workspace: self.workspace, context, path, seed };
+        let mut state = corrector.converge(strategy, self.solved, &self.control, case)?;
         context.note_evaluation();
         let solution = self.solver.evaluate(self.workspace, case, &mut state, self.output, context);
         context.note_end(solution.as_ref().map(drop));
@@ -208,43 +208,44 @@ fn solved_case(outcome: Result<Solution, Failure>, seed: Seed, path: Path, mut c
     SolvedCase { outcome, limits: Limits::UNKNOWN, seed, path, trace, effort }
 }
 
-/// The converged state of a case from one seed, which is told in `seed`.
-fn converge<S: CaseSolver>(
-    corrector: &mut Corrector<'_, '_, S>,
-    strategy: SeedStrategy,
-    solved: &[(Parameters, S::State)],
-    control: &StepControl,
-    case: &Parameters,
-    seed: &mut Seed,
-) -> Result<S::State, SolveError> {
-    match strategy {
-        SeedStrategy::Predictor => {
-            *seed = Seed::Predictor;
-            let guess = corrector.predict(solved, case);
-            Ok(corrector.solve(case, guess)?.0)
-        }
-        SeedStrategy::Neighbour => {
-            let nearest = &solved[solved.len() - 1..];
-            let way = distance(&nearest[0].0, case);
-            let mut points = 0;
-            let reached = corrector.walk(Cow::Borrowed(nearest), case, way, control, &mut points);
-            *seed = if points == 0 { Seed::Neighbour } else { Seed::Intermediate(points) };
-            reached
-        }
-        SeedStrategy::Origin(origin) if origin == *case => {
-            *seed = Seed::None;
-            let (guess, from) = corrector.solver.start(corrector.workspace, case, corrector.context)?;
-            *seed = from;
-            Ok(corrector.solve(case, guess)?.0)
-        }
-        SeedStrategy::Origin(origin) => {
-            *seed = Seed::March(0);
-            let state = corrector.begin(&origin, case)?;
-            let mut points = 1;
-            let solved = Cow::Owned(vec![(origin, state)]);
-            let reached = corrector.walk(solved, case, control.first, control, &mut points);
-            *seed = Seed::March(points);
-            reached
+impl<S: CaseSolver> Corrector<'_, '_, S> {
+    /// The converged state of a case from one seed.
+    fn converge(
+        &mut self,
+        strategy: SeedStrategy,
+        solved: &[(Parameters, S::State)],
+        control: &StepControl,
+        case: &Parameters,
+    ) -> Result<S::State, SolveError> {
+        match strategy {
+            SeedStrategy::Predictor => {
+                *self.seed = Seed::Predictor;
+                let guess = self.predict(solved, case);
+                Ok(self.solve(case, guess)?.0)
+            }
+            SeedStrategy::Neighbour => {
+                let nearest = &solved[solved.len() - 1..];
+                let way = distance(&nearest[0].0, case);
+                let mut points = 0;
+                let reached = self.walk(Cow::Borrowed(nearest), case, way, control, &mut points);
+                *self.seed = if points == 0 { Seed::Neighbour } else { Seed::Intermediate(points) };
+                reached
+            }
+            SeedStrategy::Origin(origin) if origin == *case => {
+                *self.seed = Seed::None;
+                let (guess, from) = self.solver.start(self.workspace, case, self.context)?;
+                *self.seed = from;
+                Ok(self.solve(case, guess)?.0)
+            }
+            SeedStrategy::Origin(origin) => {
+                *self.seed = Seed::March(0);
+                let state = self.begin(&origin, case)?;
+                let mut points = 1;
+                let solved = Cow::Owned(vec![(origin, state)]);
+                let reached = self.walk(solved, case, control.first, control, &mut points);
+                *self.seed = Seed::March(points);
+                reached
+            }
         }
     }
 }

@@ -45,7 +45,7 @@ impl<'a> SolveContext<'a> {
     /// The same context with a time limit that starts now.
     #[must_use]
     pub fn with_time_limit(self, limit: Duration) -> Self {
-        // A moment beyond what a clock can tell is none.
+        // A deadline that the clock cannot represent is no deadline.
         Self { deadline: Instant::now().checked_add(limit), ..self }
     }
 
@@ -76,7 +76,7 @@ impl<'a> SolveContext<'a> {
         }
     }
 
-    /// Notes the estimated error of a solution with so many unknowns, over the tolerance.
+    /// Notes the number of unknowns of a solution, and its estimated error over the tolerance.
     pub fn note_error(&mut self, unknowns: usize, error: f64) {
         if let Some(trace) = &mut self.trace {
             trace.error(unknowns, error);
@@ -101,7 +101,7 @@ impl<'a> SolveContext<'a> {
         }
     }
 
-    /// What was recorded; empty if nothing was to be.
+    /// Takes the record; empty without [`SolveContext::traced`].
     pub(super) fn take_trace(&mut self) -> Trace {
         self.trace.take().unwrap_or_default()
     }

@@ -192,7 +192,8 @@ pub enum FailureKind {
     NewtonBrokeDown,
     /// Newton's method did not converge.
     #[error(
-        "Newton's method did not converge in {iterations} iterations: the last step changed the film by {step:.1e} of itself"
+        "Newton's method did not converge in {iterations} iterations: the last step changed the film by {step:.1e} \
+         of itself"
     )]
     NewtonStalled {
         /// The iterations done.
@@ -202,7 +203,8 @@ pub enum FailureKind {
     },
     /// The pressure of the solution is negative somewhere.
     #[error(
-        "Newton's method found a film under tension, {ratio:.1e} of the largest pressure: not a solution with cavitation"
+        "Newton's method found a film under tension, {ratio:.1e} of the largest pressure: \
+         not a solution with cavitation"
     )]
     Tension {
         /// The smallest pressure over the largest.
@@ -257,8 +259,8 @@ pub enum FailureKind {
     },
     /// The dip of the film at the outlet falls between two points.
     #[error(
-        "the grid does not resolve the film: its dip at the outlet is narrower than a step (smallest film {ratio:.2} c); \
-         use more points"
+        "the grid does not resolve the film: its dip at the outlet is narrower than a step \
+         (smallest film {ratio:.2} c); use more points"
     )]
     NarrowDip {
         /// The smallest film over c.
@@ -368,7 +370,8 @@ const WORDS: [(&str, &str); 21] = [
     ("the iteration stalls", "stalled"),
 ];
 
-/// The [name](FailureKind::name) of the kind of a failure whose text is all that was stored; `other` if no kind has such a text.
+/// The [name](FailureKind::name) of the kind of a failure whose text is all that was stored; `other` if no kind has
+/// such a text.
 pub fn kind_name_of_text(text: &str) -> &'static str {
     // what a panic said may be anything
     let text = text.split_once(" panicked: ").map_or(text, |(before, _)| &text[..before.len() + " panicked".len()]);
@@ -440,8 +443,8 @@ mod tests {
         let (case, here) = (Parameters::new(1.0, 100.0, 10.0), Parameters::new(1.0, 5.0, 10.0));
         let first = Failure::from(FailureKind::NewtonBrokeDown).from_seed(Seed::None);
         let last = Failure::from(FailureKind::FlowLost).at(&here, &case).from_seed(Seed::March(2)).after(vec![first]);
-        let expected = "no first guess: Newton's method broke down: a step is not finite; from march-2: at beta = 5.0000e0: the \
-                        iteration ends in a state that does not conserve the flow at all; use more points";
+        let expected = "no first guess: Newton's method broke down: a step is not finite; \
+                        from march-2: at beta = 5.0000e0: the iteration ends in a state that does not conserve the flow at all; use more points";
         assert_eq!(last.to_string(), expected);
     }
 }

@@ -78,7 +78,8 @@ pub fn distance(a: &Parameters, b: &Parameters) -> f64 {
     displacement(a, b).into_iter().fold(0.0, |largest, part| f64::max(largest, part.abs()))
 }
 
-/// The factor t of the secant predictor `near + t (near − far)`: `target` projected on the line through `far` and `near`.
+/// The factor t of the secant predictor `near + t (near − far)`: `target` projected on the line through `far` and
+/// `near`.
 ///
 /// 0, the state at `near` as it is, where `far` and `near` do not make a line.
 pub fn secant(far: &Parameters, near: &Parameters, target: &Parameters) -> f64 {

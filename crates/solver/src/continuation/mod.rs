@@ -38,7 +38,7 @@ pub use trace::{Event, Trace};
 pub struct Interrupt(AtomicBool);
 
 impl Interrupt {
-    /// Not asked to stop.
+    /// An interrupt that is not requested yet.
     pub const fn new() -> Self {
         Self(AtomicBool::new(false))
     }
@@ -54,36 +54,36 @@ impl Interrupt {
     }
 }
 
-/// What a case cost.
+/// The cost of a case.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Effort {
-    /// Passes (relaxation) or Newton iterations (collocation), failed attempts included.
+    /// Passes (relaxation) or Newton iterations (collocation), including those of failed attempts.
     pub iterations: u64,
     /// Matrix factorisations.
     pub factorisations: u64,
-    /// Meshes that a displacement was computed for (collocation).
+    /// Meshes for which a displacement was computed (collocation).
     pub meshes: u64,
-    /// Numbers that the solution consists of: unknowns of its system (collocation) or points of its grid (relaxation).
+    /// Size of the solution: unknowns of its system (collocation) or points of its grid (relaxation).
     pub unknowns: usize,
     /// Wall-clock seconds.
     pub seconds: f64,
 }
 
-/// What came of one case of a chain.
+/// The result of one case of a chain.
 #[derive(Clone, Debug)]
 pub struct SolvedCase {
     /// The solution, or why there is none.
     pub outcome: Result<Solution, Failure>,
-    /// The limits beside the solution, known whether or not the case converged. [`Solver`](crate::Solver) computes them where
-    /// they are asked for; a [`Chain`] alone leaves them unknown.
+    /// The limits beside the solution, known whether or not the case converged. [`Solver`](crate::Solver) computes them
+    /// where they are asked for; a [`Chain`] alone leaves them unknown.
     pub limits: Limits,
-    /// The seed that led to the outcome (for a failure: the last one tried).
+    /// The seed that led to the solution; of a failed case the last seed that was tried.
     pub seed: Seed,
     /// How it was reached.
     pub path: Path,
     /// How it was reached in detail; empty unless the chain is [traced](Chain::traced).
     pub trace: Trace,
-    /// What it cost.
+    /// The cost.
     pub effort: Effort,
 }
 
@@ -114,14 +114,15 @@ pub struct Solution {
     pub sensitivities: Option<Sensitivities>,
 }
 
-/// A chain that was given up because the user asked to stop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The user asked to stop; the results of the chain in hand are dropped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("interrupted")]
 pub struct Interrupted;
 
 /// A method that takes a case from a first guess to its solution.
 ///
-/// A chain is a list of cases on a straight [`Line`] with the same substrate; those of a plan have the same f and α, and
-/// ascending β.
+/// A chain is a list of cases on a straight [`Line`] with the same substrate; those of a plan have the same f and α,
+/// and ascending β.
 pub trait CaseSolver: Sync {
     /// What the cases of a chain share, and the buffers of the solver: one for each chain, used by one thread.
     type Workspace;
@@ -139,13 +140,13 @@ pub trait CaseSolver: Sync {
         Line::new(from, to).is_ok()
     }
 
-    /// Places from which a case can be reached when no neighbour helps, best first; the first may be the case itself.
+    /// Cases from which a case can be reached when no neighbour helps, best first; the first may be the case itself.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters>;
 
     /// How long the steps between cases may be.
     fn step_control(&self) -> StepControl;
 
-    /// A first guess that needs no neighbour, and where it came from.
+    /// A first guess that needs no neighbour, and its seed.
     ///
     /// # Errors
     /// [`SolveError`] if there is none.
@@ -167,8 +168,8 @@ pub trait CaseSolver: Sync {
     /// The solution near a first guess.
     ///
     /// # Errors
-    /// [`SolveError`] if the method does not converge or is interrupted. A conclusive [`Failure`] ends the search for the case
-    /// in hand, also if it is met at a point on the way.
+    /// [`SolveError`] if the method does not converge or is interrupted. A conclusive [`Failure`] ends the search for
+    /// the case in hand, also if it is met at a point on the way.
     fn solve(
         &self,
         workspace: &mut Self::Workspace,
@@ -177,10 +178,11 @@ pub trait CaseSolver: Sync {
         context: &mut SolveContext,
     ) -> Result<Self::State, SolveError>;
 
-    /// What is to be known of a solution. May first improve the state until it is as accurate as wanted.
+    /// Computes the numbers, fields and errors of a solution. May first improve the state until it is as accurate as
+    /// wanted.
     ///
     /// # Errors
-    /// [`SolveError`] if there is nothing to be known after all, or the user asks to stop.
+    /// [`SolveError`] if the solution is not accurate enough after all, or the user asks to stop.
     fn evaluate(
         &self,
         workspace: &mut Self::Workspace,

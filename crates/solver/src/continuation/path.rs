@@ -13,12 +13,12 @@ pub struct PathPoint {
     pub f: f64,
     /// Iterations of the solver.
     pub iterations: u64,
-    /// Whether it converged.
+    /// Whether the solver converged.
     pub accepted: bool,
 }
 
-/// The points at which the solver was tried for one case, in their order, those of failed attempts included. Empty if the
-/// first guess of all led to the solution. It is a function of the chain alone.
+/// The points at which the solver was tried for one case, in their order, those of failed attempts included. Empty if
+/// the first guess of all led to the solution. It is a function of the chain alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Path {
     /// The points.

@@ -6,13 +6,13 @@ use std::str::FromStr;
 /// Where the first guess of a case came from; recorded with the case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seed {
-    /// There was no first guess at all.
+    /// No first guess was found.
     None,
     /// Hertz pressure on the dry contact.
     Hertz,
     /// Dry pressure, and the film of the elastic (EHL) solution at ā²β on the dry contact of half width ā.
     Elastic,
-    /// The same where the dry contact is nearer to that of the instantaneous modulus.
+    /// As [`Seed::Elastic`], where the dry contact is nearer to the contact of the instantaneous modulus.
     RescaledElastic,
     /// The film under a rigid cylinder on a rigid plane, at the case itself.
     ThickFilm,
@@ -20,9 +20,10 @@ pub enum Seed {
     Neighbour,
     /// Extrapolated from the last two cases of the chain.
     Predictor,
-    /// The neighbour, by way of so many intermediate points that are not published.
+    /// The neighbour, by way of this number of intermediate points, which are not published.
     Intermediate(usize),
-    /// The start of another case where films are thicker, by way of so many cases that are not published, this one included.
+    /// The start of another case where films are thicker, by way of so many cases that are not published, this one
+    /// included.
     March(usize),
 }
 

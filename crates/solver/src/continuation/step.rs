@@ -9,9 +9,9 @@ pub struct StepControl {
     pub largest: f64,
     /// No failed step is followed by one shorter than this.
     pub smallest: f64,
-    /// Nor by one shorter than this part of the whole way.
+    /// No failed step is followed by one shorter than this part of the whole way.
     pub smallest_part: f64,
-    /// Length of a step over that of the failed one before it.
+    /// Length of a step over the length of the failed step before it.
     pub reduction: f64,
     /// Iterations of the corrector that make a step neither too long nor too short; `None` if a solver's iterations say
     /// nothing about the step, which then stays as it is.
@@ -19,7 +19,7 @@ pub struct StepControl {
 }
 
 impl StepControl {
-    /// The step after one that took so many iterations: longer if they were few, shorter if many.
+    /// The next step after one that took `iterations`: longer if these were few, shorter if they were many.
     pub fn after_success(&self, step: f64, iterations: u64) -> f64 {
         let Some(wanted) = self.iterations else { return step };
         let scaled = step * (wanted / iterations as f64).clamp(0.5, 3.0);

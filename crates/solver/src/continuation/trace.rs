@@ -5,7 +5,7 @@ use crate::model::Parameters;
 
 /// Iterations of an attempt whose residuals are all kept; of later ones ever fewer are.
 const KEPT: u64 = 40;
-/// A later residual is kept if its iteration is this many times that of the one kept before it.
+/// A later residual is kept if its iteration number is this many times that of the residual kept before it.
 const SPACING: f64 = 1.3;
 
 /// The events on the way to a case, in their order. Like the path it is a function of the chain alone.
@@ -18,7 +18,7 @@ pub struct Trace {
 /// Something that happened on the way to a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Event {
-    /// The solver was set to work at a point.
+    /// The solver starts at a point.
     Attempt {
         /// α there.
         alpha: f64,
@@ -42,7 +42,7 @@ pub enum Event {
         /// The largest of the estimates over the tolerance: at most 0.9 is accepted.
         error: f64,
     },
-    /// What is to be known of the solution is computed, its errors among it.
+    /// The numbers, fields and errors of the solution are computed.
     Evaluation,
     /// The attempt, or the evaluation, succeeded.
     Solved,

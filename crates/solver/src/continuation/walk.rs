@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{CaseSolver, FailureKind, Line, Path, SolveContext, SolveError, StepControl};
+use super::{CaseSolver, FailureKind, Line, Path, Seed, SolveContext, SolveError, StepControl};
 use crate::model::Parameters;
 
 /// A remainder of less than this part of a step is added to it.
@@ -14,6 +14,8 @@ pub(super) struct Corrector<'a, 'w, S: CaseSolver> {
     pub(super) workspace: &'a mut S::Workspace,
     pub(super) context: &'a mut SolveContext<'w>,
     pub(super) path: &'a mut Path,
+    /// The seed of the attempt, and how far it went.
+    pub(super) seed: &'a mut Seed,
 }
 
 impl<S: CaseSolver> Corrector<'_, '_, S> {
@@ -49,8 +51,8 @@ impl<S: CaseSolver> Corrector<'_, '_, S> {
     /// last). `points` counts those that were solved on the way.
     ///
     /// # Errors
-    /// [`SolveError`] if there is no line, a step that would be too short is needed, a failure on the way is conclusive, or the
-    /// user asks to stop.
+    /// [`SolveError`] if there is no line, a step that would be too short is needed, a failure on the way is
+    /// conclusive, or the user asks to stop.
     pub(super) fn walk(
         &mut self,
         mut solved: Cow<'_, [(Parameters, S::State)]>,

@@ -6,18 +6,19 @@ use super::position::Position;
 use super::root::bracketed_root;
 use crate::model::gauss::integrate;
 
-/// Dips of p′ to within these parts of what a film can carry make the film nearly end there, or end for a short way only.
+/// Dips of p′ to within these parts of what a film can carry make the film nearly end there, or end for a short way
+/// only.
 const CRITICAL: (f64, f64) = (0.8, 1.25);
 /// Panels next to such a place, each a quarter as long as the one after it.
 const GRADED_PANELS: i32 = 8;
 
-/// ∫ (c/u − ⅔)(c/u) s²/4 dη over the parts of the contact that carry a film, s = sin θ and η = ln tan(θ/2): with p′ from
-/// (T2), F_h over 4ā/(πβc).
+/// ∫ (c/u − ⅔)(c/u) s²/4 dη over the parts of the contact that carry a film, s = sin θ and η = ln tan(θ/2): with p′
+/// from (T2), F_h over 4ā/(πβc).
 ///
-/// `number` is βc², which times p′ is the one number in the cubic for u/c. A film ends where that is −4/27, with a square
-/// root. Panels of the table that are clear of such ends are summed over their own points; next to an end the coordinate
-/// takes care of the root. Where p′ has a dip that a film can just carry, or just not, the root is nearly double, and the
-/// quadrature is graded towards it.
+/// `number` is βc², which times p′ is the one number in the cubic for u/c. A film ends where that is −4/27, with a
+/// square root. Panels of the table that are clear of such ends are summed over their own points; next to an end the
+/// coordinate takes care of the root. Where p′ has a dip that a film can just carry, or just not, the root is nearly
+/// double, and the quadrature is graded towards it.
 pub(super) fn carried_shear(table: &DryGradient, number: f64) -> f64 {
     let critical = |gradient: f64| (CRITICAL.0..CRITICAL.1).contains(&(-number * gradient / STEEPEST));
     let graded = table.places.iter().any(|place| place.dip && critical(place.gradient));
@@ -70,8 +71,8 @@ impl Integral<'_> {
         End { eta, smooth: false }
     }
 
-    /// The integral over one part: panels that are at least the length of one away from an end that is not smooth, and what
-    /// is left beside them.
+    /// The integral over one part: panels that are at least the length of one away from an end that is not smooth, and
+    /// what is left beside them.
     fn part(&self, start: End, end: End) -> f64 {
         let first = self.table.panel(start.eta) + if start.smooth { 0 } else { 2 };
         let last = if end.smooth { self.table.panels.len() } else { self.table.panel(end.eta).saturating_sub(1) };

@@ -45,7 +45,8 @@ impl DryContact {
             let k = (1.0 + f) * alpha * half_width;
             (k, k0_over_k1(alpha * half_width), i2_over_i1(k))
         };
-        // The half width (T14) in ln ā. It is not positive at the instantaneous half width and not negative at the relaxed one.
+        // The half width (T14) in ln ā. It is not positive at the instantaneous half width and not negative at the
+        // relaxed one.
         let residual = |ln_half_width: f64| {
             let (k, q, t) = ratios(ln_half_width.exp());
             2.0 * ln_half_width + (2.0 * f / (2.0 + k * (q + t))).ln_1p()

@@ -22,8 +22,8 @@ const WIDTHS: (f64, f64) = (0.5, 2.0);
 /// dP/dη = (ξ − k s²) P − kΓ₁ + kΓ₂ ξ − k s² ξ
 /// ```
 ///
-/// It is solved from the leading to the trailing edge, panel by panel, by collocation at Chebyshev–Lobatto points; these
-/// damp what a stiff equation (k → ∞) damps.
+/// It is solved from the leading to the trailing edge, panel by panel, by collocation at Chebyshev–Lobatto points;
+/// these damp what a stiff equation (k → ∞) damps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DryGradient {
     points: [f64; POINTS],

@@ -13,10 +13,10 @@ const RATES: (f64, f64) = (1e-100, 1e100);
 
 /// The dry contact of a rigid cylinder that slides to +x on a half space with several retardation times (T40–T46).
 ///
-/// In the contact the material relaxes at the rates ρ_m of its relaxation spectrum, and ahead of it it creeps at the rates α_j.
-/// An orthogonal matrix U turns one into the other, and with T_m = I₁/I₀(ρ_m ā), Q_j = K₀/K₁(α_j ā), both from 0 to 1, what is
-/// left is one symmetric system whose eigenvalues lie between 1 and 2: no digits are lost for any α_j and f_j.
-/// With one mode this is [`DryContact`](super::DryContact), which knows the pressure too.
+/// In the contact the material relaxes at the rates ρ_m of its relaxation spectrum, and ahead of it it creeps at the
+/// rates α_j. An orthogonal matrix U turns one into the other, and with T_m = I₁/I₀(ρ_m ā), Q_j = K₀/K₁(α_j ā), both
+/// from 0 to 1, what is left is one symmetric system whose eigenvalues lie between 1 and 2: no digits are lost for any
+/// α_j and f_j. With one mode this is [`DryContact`](super::DryContact), which knows the pressure too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrySliding {
     half_width: f64,

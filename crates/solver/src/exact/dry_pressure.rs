@@ -49,8 +49,8 @@ impl DryContact {
 
     /// Where the pressure is largest, and its value there.
     ///
-    /// There may be two maxima, one of the body of the contact and one in the layer of width 1/k at the leading edge. In
-    /// ln tan(θ/2) both are wide: the highest of a row of points there is refined by golden section.
+    /// There may be two maxima, one of the body of the contact and one in the layer of width 1/k at the leading edge.
+    /// In ln tan(θ/2) both are wide: the highest of a row of points there is refined by golden section.
     pub fn peak(&self) -> (f64, f64) {
         if self.elastic {
             return (self.centre(), self.half_width().recip());
@@ -140,8 +140,8 @@ impl DryContact {
         self.k * sin * sin + 2.0 * self.slope * cos_half * cos_half - self.trailing_slope
     }
 
-    /// ∫ e^{−k(cos φ − cos θ)} g(θ − φ) dφ over φ from `right` to `here` (at angle θ), cut where the exponential is below
-    /// rounding. In the distance d = θ − φ, so that a layer of width 1/k is resolved for any k.
+    /// ∫ e^{−k(cos φ − cos θ)} g(θ − φ) dφ over φ from `right` to `here` (at angle θ), cut where the exponential is
+    /// below rounding. In the distance d = θ − φ, so that a layer of width 1/k is resolved for any k.
     fn retarded(&self, right: Position, here: Position, g: impl Fn(f64) -> f64) -> f64 {
         let angle = here.angle();
         let integrand = |d: f64| {

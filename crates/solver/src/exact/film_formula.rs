@@ -18,11 +18,12 @@ const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 
 /// c from a formula for one retardation time, (T34) to (T39) of `docs/theory.md`; `None` for several.
 ///
-/// The film is made in the inlet. What matters of the contact is the slope S of the dry gap ahead of its leading edge, u′ ≈
-/// S√d, and the dry pressure P√d behind it. A film fills a length ℓ there, with β P S² ℓ^{5/2} = 1, and c is S ℓ^{3/2} times a
-/// number; P is (1 + f)S at places that are passed before the stress relaxes, and less further away. S and both ends of P
-/// are exact, from [`DryContact`]; thirteen coefficients describe the elastic film and the ways in between. They are
-/// fitted to collocation solutions with a tolerance of 1e-7, by `scripts/fit_film.py` to `sweeps/film.toml`.
+/// The film is made in the inlet. What matters of the contact is the slope S of the dry gap ahead of its leading edge,
+/// u′ ≈ S√d, and the dry pressure P√d behind it. A film fills a length ℓ there, with β P S² ℓ^{5/2} = 1, and c is S
+/// ℓ^{3/2} times a number; P is (1 + f)S at places that are passed before the stress relaxes, and less further away. S
+/// and both ends of P are exact, from [`DryContact`]; thirteen coefficients describe the elastic film and the ways in
+/// between. They are fitted to collocation solutions with a tolerance of 1e-7, by `scripts/fit_film.py` to
+/// `sweeps/film.toml`.
 ///
 /// | over | largest error | rms |
 /// | --- | --- | --- |
@@ -30,9 +31,10 @@ const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 /// | any α, f up to 10⁴, β from 10 to 10⁸ (the range that was fitted) | 1.6 % | 0.4 % |
 /// | any α, f up to 10⁶, β from 10⁻⁴ to 10¹⁰ | 5 % near α = 1 and β = 0.3, 2 % elsewhere | 0.4 % |
 ///
-/// on cases that were not fitted (`cargo run --release -p stribeck-solver --example film_formula`). Two limits are exact
-/// at any α and f: 1/(πβ) for β → 0, and for β → ∞ the power −3/5 with its factor, but for the five digits of 0.44583. For α → 0 (instantaneous
-/// modulus) and α → ∞ (relaxed) it becomes the formula of the elastic film, with the errors of the first row.
+/// on cases that were not fitted (`cargo run --release --example film_formula`). Two limits are exact at any α and f:
+/// 1/(πβ) for β → 0, and for β → ∞ the power −3/5 with its factor, but for the five digits of 0.44583. For α → 0
+/// (instantaneous modulus) and α → ∞ (relaxed) it becomes the formula of the elastic film, with the errors of the first
+/// row.
 ///
 /// # Panics
 /// If β is not a positive finite number, α or f negative or not a number, or f infinite.

@@ -10,27 +10,28 @@ use crate::model::Parameters;
 
 /// c of the elastic film at large β, 0.197/√β + 0.951/β (Eq. 34).
 ///
-/// A fit to solutions, good to about 0.1 % at β = 100 to 1000. It is no asymptote: elastic films fall as β^{−3/5}, so that the
-/// fit is 3.5 % too thick at β = 2000 and 16 % at 10⁴.
+/// A fit to solutions, good to about 0.1 % at β = 100 to 1000. It is no asymptote: elastic films fall as β^{−3/5}, so
+/// that the fit is 3.5 % too thick at β = 2000 and 16 % at 10⁴.
 pub fn approx_elastic_c(beta: f64) -> f64 {
     0.197 / beta.sqrt() + 0.951 / beta
 }
 
-/// u of the elastic film at large β, c (1 + 0.197² x + 3·0.197⁴ x²) for |x| < 1 (Eq. 36): the cubic (T2) with the Hertzian
-/// gradient near the middle, to second order.
+/// u of the elastic film at large β, c (1 + 0.197² x + 3·0.197⁴ x²) for |x| < 1 (Eq. 36): the cubic (T2) with the
+/// Hertzian gradient near the middle, to second order.
 pub fn approx_elastic_film(beta: f64, x: f64) -> f64 {
     let slope = 0.197 * 0.197;
     approx_elastic_c(beta) * (1.0 + slope * x + 3.0 * slope * slope * x * x)
 }
 
-/// The large-β approximation for one retardation time: pressure and F_v of dry sliding, c from a fit, the film from (T2).
+/// The large-β approximation for one retardation time: pressure and F_v of dry sliding, c from a fit, the film from
+/// (T2).
 ///
 /// # The root of the cubic
-/// β p′u³ + u − c = 0 with the dry p′ at x. Where p′ ≥ 0 there is one real root, 0 < u ≤ c; it falls to 0 at the trailing
-/// edge, where p′ is infinite. Where p′ < 0 there are two positive roots as long as β|p′| ≤ 4/(27c²). The smaller one, c ≤ u
-/// ≤ 3c/2, continues the film from p′ = 0 and is taken. Close to the leading edge p′ is steeper than any film can carry,
-/// and there is no positive root: there u = 3c/2 is kept, the film at the steepest gradient that can be carried. Its shear
-/// (1/(πβu))(c/u − ⅔) is zero, so what is chosen for that strip does not enter F_h.
+/// β p′u³ + u − c = 0 with the dry p′ at x. Where p′ ≥ 0 there is one real root, 0 < u ≤ c; it falls to 0 at the
+/// trailing edge, where p′ is infinite. Where p′ < 0 there are two positive roots as long as β|p′| ≤ 4/(27c²). The
+/// smaller one, c ≤ u ≤ 3c/2, continues the film from p′ = 0 and is taken. Close to the leading edge p′ is steeper than
+/// any film can carry, and there is no positive root: there u = 3c/2 is kept, the film at the steepest gradient that
+/// can be carried. Its shear (1/(πβu))(c/u − ⅔) is zero, so what is chosen for that strip does not enter F_h.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LargeBeta {
     contact: DryContact,
@@ -76,8 +77,8 @@ impl LargeBeta {
 
     /// F_h, the shear ∫ [p′u/π + 1/(3πβu)] dx over the dry contact (Eq. 20).
     ///
-    /// With p′ from (T2) the integrand is (1/(πβu))(c/u − ⅔). Most of the work is in p′, which does not depend on β: use
-    /// [`ChainLimits`](super::ChainLimits) for many β.
+    /// With p′ from (T2) the integrand is (1/(πβu))(c/u − ⅔). Most of the work is in p′, which does not depend on β:
+    /// use [`ChainLimits`](super::ChainLimits) for many β.
     pub fn approx_mu_h(&self) -> f64 {
         self.shear(&DryGradient::new(&self.contact))
     }
@@ -97,8 +98,8 @@ impl LargeBeta {
 /// Largest −βc²p′ that a film can carry.
 pub(super) const STEEPEST: f64 = 4.0 / 27.0;
 
-/// The root v = u/c of s v³ + v − 1 = 0 that is 1 at s = 0, by the trisection of an angle; 3/2 below s = −4/27, where it
-/// has ended; 0 for s = +∞.
+/// The root v = u/c of s v³ + v − 1 = 0 that is 1 at s = 0, by the trisection of an angle; 3/2 below s = −4/27, where
+/// it has ended; 0 for s = +∞.
 pub(super) fn film_ratio(steepness: f64) -> f64 {
     if steepness <= -STEEPEST {
         return 1.5;

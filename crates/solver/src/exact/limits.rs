@@ -41,8 +41,8 @@ impl Dry {
 }
 
 impl ChainLimits {
-    /// The limits of a case; [`Limits::UNKNOWN`] if double precision cannot represent the case, or their computation panics. The
-    /// shear is NaN for several retardation times, where the dry pressure is not at hand.
+    /// The limits of a case; [`Limits::UNKNOWN`] if double precision cannot represent the case, or their computation
+    /// panics. The shear is NaN for several retardation times, where the dry pressure is not at hand.
     pub fn of(&mut self, case: &Parameters) -> Limits {
         if case.computable().is_err() {
             return Limits::UNKNOWN;

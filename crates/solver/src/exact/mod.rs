@@ -9,7 +9,8 @@
 //! | any β | c from a formula fitted to solutions, no limit | [`fitted_c`] |
 //! | β → 0 | a rigid cylinder on a rigid plane | [`RigidFilm`] |
 //!
-//! Dry sliding with several retardation times needs the relaxation spectrum that goes with them, which [`Spectrum`] finds.
+//! Dry sliding with several retardation times needs the relaxation spectrum that goes with them, which [`Spectrum`]
+//! finds.
 
 mod bessel_ratio;
 mod bounds;

@@ -16,10 +16,11 @@ pub struct Line {
 
 /// Lines in ascending order of their places, no two at the same.
 ///
-/// Creep compliance and relaxation modulus are each other's reciprocal, Ĉ Ê = 1, and each is a sum of simple fractions: 1/E₀ and
-/// the f_j with poles at the retardation rates, E∞ and the E_i with poles at the relaxation rates. So the rates of one are the
-/// zeros of the other (T40), and its strengths the residues there (T41). In strengths over the weakest response (f_j over the
-/// compliance at once, E_i over the relaxed modulus) and with rates for creep but times for relaxation, both ways are the same map.
+/// Creep compliance and relaxation modulus are each other's reciprocal, Ĉ Ê = 1, and each is a sum of simple fractions:
+/// 1/E₀ and the f_j with poles at the retardation rates, E∞ and the E_i with poles at the relaxation rates. So the
+/// rates of one are the zeros of the other (T40), and its strengths the residues there (T41). In strengths over the
+/// weakest response (f_j over the compliance at once, E_i over the relaxed modulus) and with rates for creep but times
+/// for relaxation, both ways are the same map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
     lines: Vec<Line>,
@@ -28,11 +29,11 @@ pub struct Spectrum {
 /// What [`Spectrum::conjugate`] gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Conjugate {
-    /// The spectrum of the other response, with places in the same unit: relaxation rates of retardation rates, retardation
-    /// times of relaxation times. It has as many lines, and its strengths have the same sum.
+    /// The spectrum of the other response, with places in the same unit: relaxation rates of retardation rates,
+    /// retardation times of relaxation times. It has as many lines, and its strengths have the same sum.
     pub spectrum: Spectrum,
-    /// x_m/p_j − 1 for each line m of it and each line j of the spectrum it was made from: to full relative accuracy, also where
-    /// it is next to nothing.
+    /// x_m/p_j − 1 for each line m of it and each line j of the spectrum it was made from: to full relative accuracy,
+    /// also where it is next to nothing.
     pub distances: Vec<Vec<f64>>,
 }
 
@@ -65,7 +66,8 @@ impl Spectrum {
         self.lines.iter().map(|line| line.strength).sum()
     }
 
-    /// The spectrum of the other response: places x_m (T40), one above each line and below the next, and strengths (T41).
+    /// The spectrum of the other response: places x_m (T40), one above each line and below the next, and strengths
+    /// (T41).
     pub fn conjugate(&self) -> Conjugate {
         let ratio = 1.0 + self.total();
         let distances: Vec<Vec<f64>> = (0..self.lines.len()).map(|m| self.distances_of_root(m)).collect();
@@ -80,8 +82,8 @@ impl Spectrum {
 
     /// x/p_j − 1 for the root of (T40) above line `m`.
     ///
-    /// What is solved for is the logarithm of the distance to the nearer of the two lines around, which is tiny for a weak line,
-    /// and a Newton step turns its absolute into relative accuracy.
+    /// What is solved for is the logarithm of the distance to the nearer of the two lines around, which is tiny for a
+    /// weak line, and a Newton step turns its absolute into relative accuracy.
     fn distances_of_root(&self, m: usize) -> Vec<f64> {
         let weight: f64 = self.lines.iter().map(|line| line.strength * line.place).sum();
         let (line, next) = (self.lines[m], self.lines.get(m + 1));

@@ -32,7 +32,8 @@ impl DisplacementKernel {
     /// The kernel K − level with the level such that its mean at ±`length` is zero.
     ///
     /// A constant in K moves the whole surface in proportion to the load, and h₀ absorbs it (T3). At small α it is
-    /// large, about ln(1/α): an iteration that holds h₀ would answer any change of load with a film of another thickness.
+    /// large, about ln(1/α): an iteration that holds h₀ would answer any change of load with a film of another
+    /// thickness.
     pub fn levelled(self, length: f64) -> Self {
         let mean =
             |&(weight, rate): &(f64, f64)| 0.5 * weight * (retarded_mode(rate, length) + retarded_mode(rate, -length));
@@ -52,13 +53,14 @@ impl DisplacementKernel {
             + retarded.map(|&(weight, rate)| weight * cell_average_retarded_log(rate * x, rate * width)).sum::<f64>()
     }
 
-    /// The weight of ln|x| in K where x → 0: the instantaneous compliance over the relaxed one. What is left of K is bounded.
+    /// The weight of ln|x| in K where x → 0: the instantaneous compliance over the relaxed one. What is left of K is
+    /// bounded.
     pub fn singular_weight(&self) -> f64 {
         self.log_weight - self.retarded.iter().map(|(weight, _)| weight).sum::<f64>()
     }
 
-    /// The retarded modes, (f_j/(1+f), α_j) each, with K(x) = `singular_weight` ln|x| + Σ_j (f_j/(1+f)) I(α_j, x) − level and
-    /// the bounded I of [`retarded_mode`].
+    /// The retarded modes, (f_j/(1+f), α_j) each, with K(x) = `singular_weight` ln|x| + Σ_j (f_j/(1+f)) I(α_j, x) −
+    /// level and the bounded I of [`retarded_mode`].
     pub fn retarded(&self) -> &[(f64, f64)] {
         &self.retarded
     }

@@ -19,8 +19,8 @@ pub fn retarded_log(z: f64) -> f64 {
     }
 }
 
-/// Ei(y) = γ + ln|y| + Σ_{k≥1} y^k/(k·k!), for −2.5 ≤ y ≤ 50; to the right of its zero all terms are positive, and to the
-/// left of −1 it loses little more than a digit but is faster than the continued fraction.
+/// Ei(y) = γ + ln|y| + Σ_{k≥1} y^k/(k·k!), for −2.5 ≤ y ≤ 50; to the right of its zero all terms are positive, and to
+/// the left of −1 it loses little more than a digit but is faster than the continued fraction.
 fn ei_series(y: f64) -> f64 {
     EULER_GAMMA + y.abs().ln() + ei_sum(y)
 }

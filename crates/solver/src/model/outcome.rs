@@ -24,13 +24,13 @@ impl Friction {
         self.viscoelastic + self.hydrodynamic()
     }
 
-    /// What the relative error of F_v is relative to; see [`viscoelastic_error_scale`].
+    /// The scale of the relative error of F_v; see [`viscoelastic_error_scale`].
     pub fn viscoelastic_error_scale(&self) -> f64 {
         viscoelastic_error_scale(self.viscoelastic, self.total())
     }
 }
 
-/// What the relative error of μ_v is relative to: max(|μ_v|, μ_tot/1000).
+/// The scale of the relative error of μ_v: max(|μ_v|, μ_tot/1000).
 ///
 /// μ_v vanishes on an elastic substrate, where an error relative to μ_v itself would mean nothing.
 pub fn viscoelastic_error_scale(mu_v: f64, mu_tot: f64) -> f64 {

@@ -101,7 +101,8 @@ pub struct Parameters {
 pub enum OutOfRange {
     /// α of a retardation mode.
     #[error(
-        "alpha of a mode = {0:e} is beyond what double precision can be used with: it must be 0, inf, or between {least:e} and {most:e}",
+        "alpha of a mode = {0:e} is beyond what double precision can be used with: \
+         it must be 0, inf, or between {least:e} and {most:e}",
         least = Parameters::MAGNITUDES.start(),
         most = Parameters::MAGNITUDES.end()
     )]
@@ -155,8 +156,8 @@ impl Parameters {
         modes.map(|mode| Retardation { strength: mode.share * self.f, rate: self.alpha / mode.time }).collect()
     }
 
-    /// The range of α, β and 1 + f in which products of parameters, lengths and films stay within double precision. It has no
-    /// physical meaning: solvers give up long before.
+    /// The range of α, β and 1 + f in which products of parameters, lengths and films stay within double precision. It
+    /// has no physical meaning: solvers give up long before.
     pub const MAGNITUDES: RangeInclusive<f64> = 1e-50..=1e50;
 
     /// Checks that α, β and f lie in the range that double precision can represent: β and the α of each mode within

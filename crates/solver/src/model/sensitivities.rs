@@ -1,14 +1,15 @@
 //! How friction changes with the parameters of a case.
 
-/// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order (T49).
+/// Derivatives dF/d ln θ of friction forces over N a₀/R with respect to the logarithms of θ = α, β and f, in this order
+/// (T49).
 ///
-/// α stands for all modes: their rates change together. f changes at fixed shares. Where a parameter means nothing (α and f of a
-/// relaxed elastic substrate, α = 0) the derivative is 0.
+/// α stands for all modes: their rates change together. f changes at fixed shares. Where a parameter means nothing (α
+/// and f of a relaxed elastic substrate, α = 0) the derivative is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivities {
-    /// Of F_v.
+    /// Derivatives of F_v.
     pub viscoelastic: [f64; 3],
-    /// Of F_h, the cavity included.
+    /// Derivatives of F_h, the cavity included.
     pub hydrodynamic: [f64; 3],
 }
 
@@ -23,13 +24,13 @@ impl Sensitivities {
         [a, b, c, d, e, f]
     }
 
-    /// The sensitivities of such a row; `None` if one of them is NaN, as it is where there are none.
+    /// The sensitivities from the values of a row; `None` if one of them is NaN, as in a row without sensitivities.
     pub fn from_row([a, b, c, d, e, f]: [f64; 6]) -> Option<Self> {
         let sensitivities = Self { viscoelastic: [a, b, c], hydrodynamic: [d, e, f] };
         sensitivities.row().iter().all(|value| !value.is_nan()).then_some(sensitivities)
     }
 
-    /// Of F_tot = F_v + F_h.
+    /// Derivatives of F_tot = F_v + F_h.
     pub fn total(&self) -> [f64; 3] {
         std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic[i])
     }

@@ -8,8 +8,9 @@ use std::f64::consts::PI;
 /// σ_yy = −(2/π) ∫ p(s) y³/((x − s)² + y²)² ds
 /// ```
 ///
-/// It does not depend on the material. The pressure, given at the ascending `x`, is taken to be linear between them and zero
-/// outside; its integrals are exact, so that depths far below the distance of the points are no harder than others.
+/// It does not depend on the material. The pressure, given at the ascending `x`, is taken to be linear between them and
+/// zero outside; its integrals are exact, so that depths far below the distance of the points are no harder than
+/// others.
 ///
 /// # Panics
 /// If `x` and `pressure` differ in length.

@@ -1,4 +1,5 @@
-//! Which cases a grid can hold, before the first pass, and which converged states are solutions, after the last.
+//! Checks whether a grid can hold and resolve the film: of a case before the first pass, of a converged state after the
+//! last.
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -13,7 +14,8 @@ use crate::model::Parameters;
 
 /// Largest error of the flow at mid-points that a grid may leave: beyond it the grid does not resolve the film.
 const MOST_UNRESOLVED: f64 = 0.1;
-/// Smallest film over c: 0.74 to 1 in all solutions known. A dip at the outlet that falls between the points of a grid has left it.
+/// Smallest film over c: 0.74 to 1 in all solutions known. A dip at the outlet that falls between the points of a grid
+/// has left it.
 const FILM_MIN: RangeInclusive<f64> = 0.65..=1.0;
 /// Outlet and largest pressure lie at least so many points inside the grid.
 const NEAREST_TO_AN_END: usize = 4;
@@ -25,19 +27,20 @@ pub fn elastic_film(beta: f64) -> f64 {
     0.4458 * beta.powf(-0.6) + (PI * beta).recip()
 }
 
-/// A guess at c of any film, for the compliance ā² of the dry contact. No film is thicker; where the inlet is so short that it
-/// finds the substrate stiffer than the contact does, films are up to 200 times thinner.
+/// A guess at c of any film, for the compliance ā² of the dry contact. No film is thicker; where the inlet is so short
+/// that it finds the substrate stiffer than the contact does, films are up to 200 times thinner.
 pub fn film_on_contact(parameters: &Parameters) -> f64 {
     let half_width = contact_bounds(parameters).2;
     let compliance = half_width * half_width;
     compliance * elastic_film(compliance * parameters.beta)
 }
 
-/// Checks that the film of a case is neither longer than the grid nor so thin that no iteration on the grid can solve it.
+/// Checks that the film of a case is neither longer than the grid nor so thin that no iteration on the grid can solve
+/// it.
 ///
-/// A film so thick that the substrate hardly yields reaches from x_out to −x_out of the rigid film (T17), about the centre
-/// of the dry contact at the farthest; yielding lengthens it. A film so thin that the number by which the displacement outweighs
-/// the flow in a cell is large has its inlet and outlet within a step.
+/// A film so thick that the substrate hardly yields reaches from x_out to −x_out of the rigid film (T17), about the
+/// centre of the dry contact at the farthest; yielding lengthens it. A film so thin that the number by which the
+/// displacement outweighs the flow in a cell is large has its inlet and outlet within a step.
 ///
 /// # Errors
 /// [`FailureKind::FilmLongerThanGrid`], [`FailureKind::FilmThinnerThanGrid`].

@@ -81,8 +81,8 @@ impl Anderson {
         }
     }
 
-    /// Takes the column after the last of Q into the factorisation, as the first column. Where it adds nothing to the others,
-    /// the oldest of them go.
+    /// Takes the column after the last of Q into the factorisation, as the first column. Where it adds nothing to the
+    /// others, the oldest of them go.
     fn put_in_front(&mut self) {
         let Self { depth, orthonormal, triangle, used, weights, .. } = self;
         let (depth, mut count) = (*depth, *used);
@@ -185,8 +185,8 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// Whatever the contraction, the mixed iterate is never farther from the fixed point than plain iteration gets in as
-        /// many steps, and stays there: the same map, its fixed point as start.
+        /// Whatever the contraction, the mixed iterate is never farther from the fixed point than plain iteration gets
+        /// in as many steps, and stays there: the same map, its fixed point as start.
         #[test]
         fn a_contraction_ends_at_its_fixed_point(
             rates in proptest::collection::vec(-0.95..0.95_f64, 8),

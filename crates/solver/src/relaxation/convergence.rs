@@ -10,7 +10,7 @@ use crate::continuation::{FailureKind, Iterations, SolveContext, SolveError};
 
 /// λ over the number that limits it where the film is thin, κ of [`Relaxation::Local`].
 const THIN_FILM: f64 = 0.1;
-/// The same for a factor that is uniform, and so kept small everywhere by the thinnest place.
+/// The same number for a uniform factor, which the thinnest place keeps small everywhere.
 const THINNEST_PLACE: f64 = 1.0;
 /// ω where the film is thick.
 const OVER_RELAXATION: f64 = 1.8;
@@ -27,9 +27,11 @@ const MOST_DIVERGENCES: usize = 40;
 const LEAST_REDUCTION: f64 = 1e-3;
 /// Passes over the points of the grid after which the iteration that acceleration falls back on is given up.
 const MOST_LOCAL_PASSES: usize = 60;
-/// A plain iteration with local factors stalls if it does not halve its residual in so many passes over the points of the grid.
+/// A plain iteration with local factors stalls if it does not halve its residual in so many passes over the points of
+/// the grid.
 const STALL_LOCAL: u64 = 15;
-/// The same for a uniform factor, over the square of the points: its slowest error is smooth and takes O(n²) passes.
+/// The same limit for a uniform factor, over the square of the points: its slowest error is smooth and takes O(n²)
+/// passes.
 const STALL_UNIFORM: f64 = 0.5;
 /// How often acceleration may run away before it is given up.
 const MOST_RESTARTS: i32 = 5;
@@ -51,9 +53,9 @@ pub struct Target {
 
 /// Iterates until the residuals of the discrete equations are within the tolerance.
 ///
-/// `stiffness` is M of [`Relaxation::Local`]. With [`Acceleration::Anderson`] a runaway or a stall ends the acceleration,
-/// and the iteration starts again from where it began without it: what acceleration may cost is bounded, and what it
-/// ends on is judged like any other state.
+/// `stiffness` is M of [`Relaxation::Local`]. With [`Acceleration::Anderson`] a runaway or a stall ends the
+/// acceleration, and the iteration starts again from where it began without it: what acceleration may cost is bounded,
+/// and what it ends on is judged like any other state.
 ///
 /// # Errors
 /// [`SolveError::Failed`] says why there is no solution, the others that the work is not to go on. The iteration then
@@ -227,8 +229,8 @@ impl Convergence<'_, '_, '_> {
         Ok(false)
     }
 
-    /// True if the film closed, or if residuals or load left the neighbourhood of the best state so far. A cylinder that
-    /// floats off has small residuals of flow, but no load.
+    /// True if the film closed, or if residuals or load left the neighbourhood of the best state so far. A cylinder
+    /// that floats off has small residuals of flow, but no load.
     fn ran_away(&self, size: f64, least: f64) -> bool {
         let carried = self.iteration.load_residual().abs() <= f64::max(FLOATING, 10.0 * least);
         let near = size < DIVERGED * least && self.iteration.film_min() > 0.0;

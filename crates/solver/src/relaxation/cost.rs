@@ -1,4 +1,4 @@
-//! What a case is expected to cost on this machine.
+//! The expected cost of a case on this machine.
 
 use std::time::Instant;
 

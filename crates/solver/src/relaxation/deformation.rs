@@ -173,8 +173,8 @@ mod tests {
         (0..80).map(panel).sum()
     }
 
-    /// Kernel (T10) and filter (T8) are two ways to the same displacement (T9). Cells of constant pressure are of second
-    /// order: a quarter of the error on half the cells.
+    /// Kernel (T10) and filter (T8) are two ways to the same displacement (T9). Cells of constant pressure are of
+    /// second order: a quarter of the error on half the cells.
     #[test]
     fn kernel_and_filter_agree_for_a_smooth_pressure() {
         for (alpha, f) in [(0.3, 1.0), (2.0, 10.0), (20.0, 3.0)] {

@@ -101,9 +101,9 @@ fn tail(kernel: &DisplacementKernel, x: f64, end: f64, power: i32) -> f64 {
 
 /// J_k = ∫_X^∞ (X/s)^k I(x − s) ds with the bounded I of [`retarded_mode`].
 ///
-/// I varies on the scale 1/α. Where that is not small against X, quadrature in t = X/s does. Where it is, I is nearly the
-/// logarithm, and integration by parts gives J_k = ∫ (X/s)^k ln|x − s| ds + [I(x − X) − (k/X) J_{k+1}]/α; three times
-/// over, an error of the quadrature counts no more.
+/// I varies on the scale 1/α. Where that is not small against X, quadrature in t = X/s does. Where it is, I is nearly
+/// the logarithm, and integration by parts gives J_k = ∫ (X/s)^k ln|x − s| ds + [I(x − X) − (k/X) J_{k+1}]/α; three
+/// times over, an error of the quadrature counts no more.
 fn retarded_tail(rate: f64, x: f64, end: f64, power: i32, depth: usize) -> f64 {
     const SMOOTH: f64 = 8.0;
     if depth == 3 || rate * end < SMOOTH {

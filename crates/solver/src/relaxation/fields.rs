@@ -4,8 +4,8 @@ use super::far_field::FarField;
 use super::iteration::Iteration;
 use crate::model::{Fields, Output};
 
-/// The fields asked for. On the grid they are interpolated by cubics, which adds less than the scheme's own error; beyond
-/// it the displacement is that of the pressure on the grid, and p falls as x⁻³ ahead and is zero behind.
+/// The fields asked for. On the grid they are interpolated by cubics, which adds less than the scheme's own error;
+/// beyond it the displacement is that of the pressure on the grid, and p falls as x⁻³ ahead and is zero behind.
 ///
 /// `beyond` holds the points of the output that are not on the grid, in their order.
 pub fn fields(state: &Iteration, beyond: &FarField, output: &Output) -> Fields {

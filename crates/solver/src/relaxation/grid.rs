@@ -70,7 +70,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Both interpolations hit the points; the linear one is exact for lines, the cubic one for cubics, up to the ends.
+        /// Both interpolations hit the points; the linear one is exact for lines, the cubic one for cubics, up to the
+        /// ends.
         #[test]
         fn interpolation_is_exact_for_its_polynomials(
             coefficients in prop::array::uniform4(-2.0..2.0),

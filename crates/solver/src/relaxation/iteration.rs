@@ -1,4 +1,4 @@
-//! The iterate and what moves it: film, pass, load balance.
+//! The iteration: film, pass, load balance.
 
 use std::f64::consts::PI;
 
@@ -15,7 +15,7 @@ pub const PASSES_PER_BALANCE: usize = 5;
 /// λ_h1 of Eq. 43 over c.
 pub const LOAD_GAIN: f64 = 0.1;
 
-/// What all cases of one (α, f) share on one grid: computed once per chain.
+/// The matrices that all cases of one (α, f) share on one grid; computed once per chain.
 pub struct Discretisation {
     /// The grid.
     pub grid: Grid,
@@ -74,7 +74,7 @@ impl Residuals {
 
 /// The state of the iteration for one case: arrays of n points.
 pub struct Iteration<'a> {
-    /// What the case shares with others.
+    /// The matrices that the case shares with others.
     pub shared: &'a Discretisation,
     /// β.
     pub beta: f64,
@@ -88,7 +88,7 @@ pub struct Iteration<'a> {
     pub separation: f64,
     /// Load of the film ahead of the grid.
     pub tail_load: f64,
-    /// Passes made.
+    /// Number of passes done.
     pub passes: u64,
     /// True if `space` holds the convolution of the present `p`.
     convolved: bool,
@@ -117,7 +117,7 @@ impl<'a> Iteration<'a> {
         iteration
     }
 
-    /// Back to a state.
+    /// Goes back to a state.
     pub fn restore(&mut self, state: &State) {
         self.tail_load = state.tail_load;
         self.replace(&state.pressure, state.separation);
@@ -179,8 +179,8 @@ impl<'a> Iteration<'a> {
         self.separation += gain * self.c() * self.load_residual();
     }
 
-    /// The film at the largest pressure: c, where the pressure is near its solution. A continuous function of the state:
-    /// taken at the nearest point it would jump, and the iteration with it.
+    /// The film at the largest pressure: c, where the pressure is near its solution. A continuous function of the
+    /// state: taken at the nearest point it would jump, and the iteration with it.
     pub fn c(&self) -> f64 {
         let i = index_of_largest(&self.p).clamp(1, self.p.len() - 2);
         let t = vertex(&self.p[i - 1..=i + 1]);
@@ -192,7 +192,7 @@ impl<'a> Iteration<'a> {
         self.u.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// What h₀ and w have in common and the iteration leaves out of both: the level of the kernel times load/π.
+    /// The part of h₀ and w that the iteration leaves out of both: the level of the kernel times load/π.
     pub fn level(&self) -> f64 {
         self.shared.level * self.load() / PI
     }
@@ -249,7 +249,7 @@ impl<'a> Iteration<'a> {
     }
 }
 
-/// Where the largest value stands.
+/// The index of the largest value.
 pub fn index_of_largest(values: &[f64]) -> usize {
     (0..values.len()).fold(0, |best, i| if values[i] > values[best] { i } else { best })
 }

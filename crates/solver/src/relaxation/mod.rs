@@ -1,8 +1,15 @@
 //! The paper's solver (Sec. 3, Eqs. 37–44): Gauss–Seidel relaxation of Reynolds' equation on a uniform grid.
 //!
-//! `reynolds.rs` holds the discrete equation and the pass, `deformation.rs` the displacement, `far_field.rs` what lies
-//! beyond the grid, `iteration.rs` one round of passes and the load balance, `convergence.rs` when to stop and what to do
-//! when it does not converge, `acceptance.rs` what a grid can hold, `solver.rs` the seeds, `quantities.rs` and `fields.rs` what comes out, `jacobian.rs` the derivatives of the equations.
+//! | file | what it holds |
+//! | --- | --- |
+//! | `reynolds.rs` | Reynolds' equation on the grid, and the Gauss–Seidel pass |
+//! | `grid.rs`, `state.rs` | the grid, and a solution on it |
+//! | `deformation.rs`, `far_field.rs` | the displacement on the grid, and beyond it |
+//! | `iteration.rs` | a round of passes, and the load balance |
+//! | `convergence.rs`, `anderson.rs`, `stiffness.rs` | when to stop, how to accelerate, how large steps may be |
+//! | `acceptance.rs` | which films a grid can hold and resolve |
+//! | `quantities.rs`, `fields.rs`, `jacobian.rs` | the numbers, the fields, and the derivatives of the equations |
+//! | `solver.rs`, `settings.rs`, `cost.rs` | the method as a [`CaseSolver`](crate::continuation::CaseSolver) |
 
 mod acceptance;
 mod anderson;

@@ -100,7 +100,7 @@ fn crossing_part(u: &[f64], i: usize, c: f64) -> f64 {
     t
 }
 
-/// What the film ahead of the grid adds to the integrals of section 7, by quadrature to infinity.
+/// Contributions of the film ahead of the grid to the integrals of section 7, by quadrature to infinity.
 struct Inlet {
     /// ∫ p w′ dx.
     hysteresis: f64,
@@ -197,8 +197,8 @@ mod tests {
     use crate::continuation::{CaseSolver, Interrupt, SolveContext};
     use crate::model::{FieldSelection, Output, Parameters};
 
-    /// F_drag = F_h + (2/π) ∫ p x dx on the cylinder, F_v + F_h − (2/π) ∫ p′u dx on the substrate: equal up to the error
-    /// of the grid, which falls by four when Δx is halved.
+    /// F_drag = F_h + (2/π) ∫ p x dx on the cylinder, F_v + F_h − (2/π) ∫ p′u dx on the substrate: equal up to the
+    /// error of the grid, which falls by four when Δx is halved.
     #[test]
     fn drag_is_the_same_by_both_routes() {
         let output = Output { fields: FieldSelection::default(), ..Output::default() };

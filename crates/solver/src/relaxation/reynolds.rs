@@ -12,8 +12,8 @@ pub fn row(u: [f64; 3], beta: f64, dx: f64) -> [f64; 4] {
     [scale * (here - slope), -2.0 * scale * here, scale * (here + slope), -(ahead - behind) / (2.0 * beta * dx)]
 }
 
-/// Derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (Eq. 38) with respect to the film thicknesses at i−1, i, i+1, for the
-/// pressures `p` there.
+/// Derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (Eq. 38) with respect to the film thicknesses at i−1, i, i+1, for
+/// the pressures `p` there.
 pub fn film_derivatives(p: [f64; 3], u: [f64; 3], beta: f64, dx: f64) -> [f64; 3] {
     let [behind, here, ahead] = u;
     let slope = 0.75 * (ahead - behind);
@@ -26,7 +26,7 @@ pub fn film_derivatives(p: [f64; 3], u: [f64; 3], beta: f64, dx: f64) -> [f64; 3
 /// How far a pass moves a pressure towards its equation, λ_p of Eq. 42.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Relaxation {
-    /// The same factor everywhere, as the paper has it.
+    /// The same factor everywhere, as in the paper.
     Uniform(f64),
     /// A factor for each point, between over-relaxation where the film is thick and what is stable where it is thin.
     ///
@@ -41,7 +41,7 @@ pub enum Relaxation {
     },
 }
 
-/// Space for a pass over n points: what each new pressure is, but for the part of its new neighbour, and that part.
+/// Space for a pass over n points: each new pressure without the part of its new neighbour, and that part.
 #[derive(Clone, Debug)]
 pub struct PassSpace {
     target: Vec<f64>,
@@ -49,14 +49,14 @@ pub struct PassSpace {
 }
 
 impl PassSpace {
-    /// For n points.
+    /// Space for n points.
     pub fn new(points: usize) -> Self {
         Self { target: vec![0.0; points], weight: vec![0.0; points] }
     }
 }
 
 /// One Gauss–Seidel pass over the pressures `p` with the film `u`, projected on p ≥ 0 (Eq. 42): new values to the left,
-/// old ones to the right. The first and the last pressure stay.
+/// old ones to the right. The first and the last pressure stay. Six arguments: the operands of Eq. 42, and a buffer.
 pub fn pass(p: &mut [f64], u: &[f64], beta: f64, dx: f64, relaxation: Relaxation, space: &mut PassSpace) {
     match relaxation {
         Relaxation::Uniform(factor) => prepare(p, u, beta, dx, |b| factor / b, space),
@@ -75,8 +75,8 @@ pub fn pass(p: &mut [f64], u: &[f64], beta: f64, dx: f64, relaxation: Relaxation
     }
 }
 
-/// What of a pass does not wait for the new value to the left: p_i + s (D − B p_i − C p_{i+1}) and s A with s = λ_p/B.
-/// Apart from the recurrence, so that the compiler can do several points at once.
+/// The part of a pass that does not need the new value to the left: p_i + s (D − B p_i − C p_{i+1}) and s A with s =
+/// λ_p/B. Apart from the recurrence, so that the compiler can do several points at once.
 #[inline]
 fn prepare(p: &[f64], u: &[f64], beta: f64, dx: f64, step: impl Fn(f64) -> f64, space: &mut PassSpace) {
     let n = p.len();
@@ -96,8 +96,8 @@ fn prepare(p: &[f64], u: &[f64], beta: f64, dx: f64, step: impl Fn(f64) -> f64, 
 /// on, times βΔx, is the error q of the flow there. Unlike the change of p per pass it does not look small because λ_p
 /// is small or the error smooth, and unlike the flow at mid-points it has no floor of the scheme's own.
 ///
-/// It is taken relative to the film, q/u. Where the film is so thick that the pressure which drives q is worth less,
-/// q ℓ/(βu³) over c, with the half width ℓ of the contact, it is taken so: far ahead q is no more than the rounding error
+/// It is taken relative to the film, q/u. Where the film is so thick that the pressure which drives q is worth less, q
+/// ℓ/(βu³) over c, with the half width ℓ of the contact, it is taken so: far ahead q is no more than the rounding error
 /// of p times βu³.
 pub fn flow_residual(p: &[f64], u: &[f64], beta: f64, dx: f64, c: f64) -> f64 {
     let half_width = HALF_WIDTHS.recip() * dx * (p.len() - 1) as f64;
@@ -118,7 +118,7 @@ pub fn flow_residual(p: &[f64], u: &[f64], beta: f64, dx: f64, c: f64) -> f64 {
     largest
 }
 
-/// Largest |β p′u³ + u − c|/u at mid-points between points under pressure (T2): what the scheme fails to conserve.
+/// Largest |β p′u³ + u − c|/u at mid-points between points under pressure (T2): the error of conservation.
 pub fn conservation_error(p: &[f64], u: &[f64], beta: f64, dx: f64, c: f64) -> f64 {
     let mut largest = 0.0;
     for i in 1..p.len() - 1 {

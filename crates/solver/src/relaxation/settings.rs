@@ -35,7 +35,7 @@ impl fmt::Display for Domain {
     }
 }
 
-/// What speeds the iteration up.
+/// How the iteration is accelerated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Acceleration {
@@ -72,12 +72,12 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Grid points that make sense: enough for a film, few enough for a computer.
+    /// Numbers of grid points from the fewest that resolve a film to the most that a computer can handle.
     pub const POINTS: RangeInclusive<usize> = 51..=20_001;
-    /// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101 points
-    /// it is of no use.
+    /// Fewest grid points with which errors can be estimated: the second grid has half as many intervals, and below 101
+    /// points it is of no use.
     pub const ESTIMATE_POINTS: usize = 201;
-    /// Tolerances that double precision can meet and that deserve the name.
+    /// Tolerances that double precision can meet and that are small enough to be of use.
     pub const TOLERANCE: RangeInclusive<f64> = 1e-12..=1e-2;
 }
 

@@ -17,11 +17,11 @@ use crate::continuation::{
     CaseSolver, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
 };
 use crate::exact;
-use crate::model::{FieldSelection, Output, Parameters, Quantities, RelativeErrors};
+use crate::model::{CavityShear, FieldSelection, Output, Parameters, Quantities, RelativeErrors};
 
 /// Passes after which the plain iteration is given up.
 const MOST_PASSES: u64 = 2_000_000;
-/// The same for a first guess on a coarse grid.
+/// Passes after which the plain iteration for a first guess on a coarse grid is given up.
 const ROUGH_PASSES: u64 = 20_000;
 /// Decades of β below a case from which it is reached by way of thicker films when its own start fails.
 const MARCH_DECADES: [i32; 2] = [1, 2];
@@ -30,7 +30,7 @@ const MARCH_STEPS: f64 = 4.0;
 /// The largest [`thin_film_number`] of a grid that is of use for a first guess.
 const COARSEST: f64 = 20.0;
 
-/// The paper's solver with given settings. Elastic solutions that start chains are solved once and shared.
+/// The relaxation solver with given settings. Elastic solutions that start chains are solved once and shared.
 pub struct RelaxationSolver {
     settings: Settings,
     /// Elastic solutions by the bits of their β; a thread that needs one being solved by another waits for it.
@@ -40,10 +40,19 @@ pub struct RelaxationSolver {
 /// An elastic solution and the grid it lives on.
 type ElasticSeed = Arc<(Grid, State)>;
 
-/// An elastic solution, or why there is none, once the first thread that asked has solved it; the others wait.
+/// An elastic solution, or its failure, once the first thread that needs it has solved it; the other threads wait.
 type SharedSeed = Mutex<Option<Result<ElasticSeed, Failure>>>;
 
-/// What the cases of one (α, f) share: the cases of a chain for this solver differ in β alone.
+/// The discrete equations of a case on one of the grids.
+#[derive(Clone, Copy)]
+struct Equations<'a> {
+    level: &'a Discretisation,
+    /// M of [`super::reynolds::Relaxation::Local`].
+    stiffness: f64,
+    beta: f64,
+}
+
+/// The data that the cases of one (α, f) share: the cases of a chain for this solver differ in β alone.
 pub struct Workspace {
     /// Finest grid first, each of half the intervals of the one before.
     levels: Vec<Discretisation>,
@@ -54,9 +63,13 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// The grid of the solution, and what lives on it.
+    /// The grid of the solution, with its matrices.
     pub(super) fn finest(&self) -> &Discretisation {
         &self.levels[0]
+    }
+
+    fn equations<'a>(&self, level: &'a Discretisation, beta: f64) -> Equations<'a> {
+        Equations { level, stiffness: self.stiffness, beta }
     }
 
     /// See [`check_resolvable`].
@@ -122,7 +135,7 @@ impl RelaxationSolver {
                 continue;
             }
             let coarse = guess.on(&finest.grid, level);
-            match self.solve_on(level, workspace.stiffness, beta, &coarse, rough, context) {
+            match self.solve_equations(workspace.equations(level, beta), &coarse, rough, context) {
                 Ok(state) => guess = state.on(&level.grid, finest),
                 Err(SolveError::Failed(_)) => {}
                 Err(error) => return Err(error),
@@ -131,11 +144,9 @@ impl RelaxationSolver {
         Ok(guess)
     }
 
-    fn solve_on(
+    fn solve_equations(
         &self,
-        level: &Discretisation,
-        stiffness: f64,
-        beta: f64,
+        Equations { level, stiffness, beta }: Equations,
         guess: &State,
         target: Target,
         context: &mut SolveContext,
@@ -146,21 +157,20 @@ impl RelaxationSolver {
         result.map(|()| iteration.state())
     }
 
-    /// Richardson's estimate of the errors, from the same case on the grid of half as many intervals; unknown if there is no
-    /// such grid or it does not resolve the film.
+    /// Richardson's estimate of the errors, from the same case on the grid of half as many intervals; unknown if there
+    /// is no such grid or it does not resolve the film.
     fn estimate(
         &self,
         workspace: &Workspace,
-        parameters: &Parameters,
-        state: &State,
-        fine: &Quantities,
-        output: &Output,
+        beta: f64,
+        (state, fine): (&State, &Quantities),
+        cavity_shear: CavityShear,
         context: &mut SolveContext,
     ) -> Result<RelativeErrors, SolveError> {
         let Some(level) = workspace.levels.get(1) else { return Ok(RelativeErrors::UNKNOWN) };
         let guess = state.on(&workspace.finest().grid, level);
-        let coarse = match self.solve_on(level, workspace.stiffness, parameters.beta, &guess, self.target(), context) {
-            Ok(coarse) => quantities(&Iteration::new(level, parameters.beta, &coarse), output.cavity_shear),
+        let coarse = match self.solve_equations(workspace.equations(level, beta), &guess, self.target(), context) {
+            Ok(coarse) => quantities(&Iteration::new(level, beta, &coarse), cavity_shear),
             Err(SolveError::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
             Err(error) => return Err(error),
         };
@@ -205,7 +215,8 @@ impl RelaxationSolver {
         let pressure = (0..grid.points).map(|i| hertz(grid.x(i))).collect();
         let guess = State::resting(workspace.finest(), pressure, elastic_film(beta));
         let guess = self.refine(&workspace, beta, guess, context)?;
-        let state = self.solve_on(workspace.finest(), workspace.stiffness, beta, &guess, self.target(), context)?;
+        let equations = workspace.equations(workspace.finest(), beta);
+        let state = self.solve_equations(equations, &guess, self.target(), context)?;
         Ok((grid, state))
     }
 }
@@ -215,7 +226,8 @@ fn hertz(x: f64) -> f64 {
     (1.0 - x * x).max(0.0).sqrt()
 }
 
-/// The nearest β of those at which elastic solutions are shared: a quarter of a decade apart, so that chains share them.
+/// The nearest β of those at which elastic solutions are shared: a quarter of a decade apart, so that chains share
+/// them.
 fn shared_beta(beta: f64) -> f64 {
     const PER_DECADE: f64 = 4.0;
     10_f64.powf((PER_DECADE * beta.log10()).round() / PER_DECADE)
@@ -246,8 +258,8 @@ impl CaseSolver for RelaxationSolver {
         iter::once(parameters.clone()).chain(thicker).collect()
     }
 
-    /// A march never cuts its steps, and a way between neighbours is cut into four at most: a solve that fails costs as much
-    /// as many that succeed. Passes say nothing about a step.
+    /// A march never cuts its steps, and the way between neighbours is cut into four at most: a solve that fails costs
+    /// as much as many that succeed. Passes say nothing about a step.
     fn step_control(&self) -> StepControl {
         StepControl {
             first: LN_10 / MARCH_STEPS,
@@ -259,9 +271,10 @@ impl CaseSolver for RelaxationSolver {
         }
     }
 
-    /// The dry pressure of the case, plus what a film adds to that of an elastic contact: p(ξ) − √(1−ξ²) over ā, with
-    /// x = b + āξ (centre b, half width ā), of the elastic solution for the compliance ā², at ā²β. Without the film's part if that has no solution on its
-    /// grid. For several retardation times, whose dry contact has no closed form, the elastic pressure alone.
+    /// The dry pressure of the case, plus what a film adds to that of an elastic contact: p(ξ) − √(1−ξ²) over ā, with x
+    /// = b + āξ (centre b, half width ā), of the elastic solution for the compliance ā², at ā²β. Without the film's
+    /// part if that has no solution on its grid. For several retardation times, whose dry contact has no closed form,
+    /// the elastic pressure alone.
     fn start(
         &self,
         workspace: &mut Workspace,
@@ -322,7 +335,8 @@ impl CaseSolver for RelaxationSolver {
         context: &mut SolveContext,
     ) -> Result<State, SolveError> {
         workspace.check_resolvable(parameters)?;
-        self.solve_on(workspace.finest(), workspace.stiffness, parameters.beta, &guess, self.target(), context)
+        let equations = workspace.equations(workspace.finest(), parameters.beta);
+        self.solve_equations(equations, &guess, self.target(), context)
     }
 
     fn evaluate(
@@ -337,7 +351,7 @@ impl CaseSolver for RelaxationSolver {
         let fine = Iteration::new(workspace.finest(), parameters.beta, state);
         let quantities = quantities(&fine, output.cavity_shear);
         let errors = match self.settings.estimate {
-            true => self.estimate(workspace, parameters, state, &quantities, output, context)?,
+            true => self.estimate(workspace, parameters.beta, (state, &quantities), output.cavity_shear, context)?,
             false => RelativeErrors::UNKNOWN,
         };
         let fields = fields(&fine, &workspace.beyond, output);

@@ -21,7 +21,8 @@ pub struct State {
 
 impl State {
     /// A guess: a pressure, and the h₀ that makes the film c thick under its largest value, but nowhere thinner than a
-    /// part of that: a pressure that does not fit its film would make it so thin that the iteration starts with a shock.
+    /// part of that: a pressure that does not fit its film would make it so thin that the iteration starts with a
+    /// shock.
     pub fn resting(shared: &Discretisation, pressure: Vec<f64>, c: f64) -> Self {
         let mut displacement = vec![0.0; pressure.len()];
         // as if the pressure fell as x⁻³ ahead of the grid
@@ -33,7 +34,7 @@ impl State {
         Self { separation, pressure, tail_load, c }
     }
 
-    /// The same on another grid.
+    /// The same state on another grid.
     pub fn on(&self, from: &Grid, to: &Discretisation) -> Self {
         let pressure = (0..to.grid.points).map(|i| from.interpolate(&self.pressure, to.grid.x(i))).collect();
         Self::resting(to, pressure, self.c)

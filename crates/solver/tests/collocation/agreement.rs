@@ -44,8 +44,8 @@ fn relaxed(points: usize, case: &Parameters) -> Quantities {
     outcome.unwrap_or_else(|why| panic!("{case:?}, {points} points: {why}")).quantities
 }
 
-/// Three grids, Richardson's extrapolation from the two finest: the two solvers differ by less than the error which the grids
-/// show of themselves. What the ends of the domain leave, no grid shows: 1e-5 of F_drag or of the number.
+/// Three grids, Richardson's extrapolation from the two finest: the two solvers differ by less than the error which the
+/// grids show of themselves. What the ends of the domain leave, no grid shows: 1e-5 of F_drag or of the number.
 ///
 /// c and F_h, whose errors are cleanly of second order, converge to the numbers of the collocation solver grid by grid.
 #[test]

@@ -62,8 +62,8 @@ pub fn relative(a: f64, b: f64) -> f64 {
     (a / b - 1.0).abs()
 }
 
-/// The largest relative difference of c, u_min, p_max, F_v, F_h, its part in the cavity, and F_drag, the forces over the
-/// drag; and of x_out over the width of the film under pressure (from it to the largest pressure).
+/// The largest relative difference of c, u_min, p_max, F_v, F_h, its part in the cavity, and F_drag, the forces over
+/// the drag; and of x_out over the width of the film under pressure (from it to the largest pressure).
 pub fn difference(found: &Quantities, exact: &Quantities) -> f64 {
     let (friction, exactly) = (&found.friction, &exact.friction);
     let forces = [

@@ -11,7 +11,8 @@ use crate::collocation::cases::{fields_at, numbers, settings, solution};
 use crate::collocation::forces::{Sampled, cases};
 use crate::collocation::measure::EXACT;
 
-/// Behind the outlet, in the contact, ahead of it and far away on both sides: u is the gap (T3), p is 0 behind the outlet.
+/// Behind the outlet, in the contact, ahead of it and far away on both sides: u is the gap (T3), p is 0 behind the
+/// outlet.
 #[test]
 fn the_film_is_the_gap() {
     cases().par_iter().for_each(|case| {
@@ -37,8 +38,8 @@ fn the_film_is_the_gap() {
     });
 }
 
-/// Where the film is so thin that the displacement between the Gauss points is not known to a hundredth of it: no field falls
-/// below the smallest film, which the points know.
+/// Where the film is so thin that the displacement between the Gauss points is not known to a hundredth of it: no field
+/// falls below the smallest film, which the points know.
 #[test]
 fn very_thin_films_are_not_torn() {
     let cases = [
@@ -100,8 +101,8 @@ fn flow_error(settings: Settings, case: &Parameters) -> f64 {
     steps.iter().enumerate().map(error).fold(0.0, f64::max)
 }
 
-/// It falls with the tolerance. It is larger than that: friction and flow are means, in which its oscillations cancel; how
-/// much larger depends on where the panels happen to end.
+/// It falls with the tolerance. It is larger than that: friction and flow are means, in which its oscillations cancel;
+/// how much larger depends on where the panels happen to end.
 #[test]
 fn the_flow_is_conserved_between_the_points() {
     cases().par_iter().for_each(|case| {
@@ -139,8 +140,8 @@ fn displacement_by_cells(case: &Parameters, settings: Settings, places: &[f64], 
     places.iter().map(at).collect()
 }
 
-/// The filter (T8) and the kernel (T10) are two ways to the same displacement, extrapolated from cells of two sizes: they agree
-/// to six digits, and better than either size of cells by itself.
+/// The filter (T8) and the kernel (T10) are two ways to the same displacement, extrapolated from cells of two sizes:
+/// they agree to six digits, and better than either size of cells by itself.
 #[test]
 fn the_displacement_is_that_of_the_kernel() {
     cases().par_iter().for_each(|case| {

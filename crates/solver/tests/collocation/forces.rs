@@ -11,7 +11,8 @@ use stribeck_solver::{Parameters, Quantities};
 use crate::collocation::cases::{fields_at, numbers, settings, solution};
 use crate::collocation::measure::EXACT;
 
-/// A solution on places of its own: Gauss points of panels that gather at the outlet and at the inlet, and reach far ahead.
+/// A solution on places of its own: Gauss points of panels that gather at the outlet and at the inlet, and reach far
+/// ahead.
 pub struct Sampled {
     pub parameters: Parameters,
     pub quantities: Quantities,
@@ -85,9 +86,9 @@ pub fn cases() -> Vec<Parameters> {
     single.chain([crate::collocation::cases::with_modes(1.0, 100.0, 30.0, &[(0.7, 1.0), (0.3, 100.0)])]).collect()
 }
 
-/// F_v two ways that have no field in common but the solution: the published one is the work of the pressure on the retarded
-/// slope of the surface; here it is what the balance of the drag leaves, F_v = F_drag − F_h + (2/π) ∫ p′u dx (T27), with u
-/// from the published film and p′ from that by (T2).
+/// F_v two ways that have no field in common but the solution: the published one is the work of the pressure on the
+/// retarded slope of the surface; here it is what the balance of the drag leaves, F_v = F_drag − F_h + (2/π) ∫ p′u dx
+/// (T27), with u from the published film and p′ from that by (T2).
 fn balance_error(settings: Settings, case: &Parameters) -> f64 {
     let sampled = Sampled::new(settings, case);
     let end = sampled.x[sampled.x.len() - 1];
@@ -122,7 +123,8 @@ fn elastic_substrates_do_not_dissipate() {
     }
 }
 
-/// The drag is the shear on the cylinder and the moment of the load, both from the published fields, and the load is π/2.
+/// The drag is the shear on the cylinder and the moment of the load, both from the published fields, and the load is
+/// π/2.
 #[test]
 fn shear_load_and_moment_are_those_of_the_fields() {
     cases().par_iter().for_each(|case| {

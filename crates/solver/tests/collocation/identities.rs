@@ -5,8 +5,8 @@ use stribeck_solver::{Parameters, Quantities};
 use crate::collocation::cases::{difference, numbers, quantities, settings, solution, with_modes};
 use crate::collocation::measure::worst;
 
-/// At α = 0 the solution is the elastic one at β/(1+f): lengths along x times a = 1/√(1+f), films times a², p over a, and
-/// with them forces times a.
+/// At α = 0 the solution is the elastic one at β/(1+f): lengths along x times a = 1/√(1+f), films times a², p over a,
+/// and with them forces times a.
 #[test]
 fn strength_rescales_the_frozen_substrate() {
     for (f, beta) in [(1.0_f64, 10.0), (100.0, 1e3), (1e4, 1e5)] {
@@ -78,8 +78,9 @@ fn modes_may_be_listed_in_any_order() {
     assert!(error < 1e-12, "{error:.1e}");
 }
 
-/// Two modes six decades apart: the quick one has relaxed and the slow one has not begun, so that the substrate is elastic,
-/// with a modulus between. Neither leaves a trace but its modulus, up to the ratio of its time to that of the contact.
+/// Two modes six decades apart: the quick one has relaxed and the slow one has not begun, so that the substrate is
+/// elastic, with a modulus between. Neither leaves a trace but its modulus, up to the ratio of its time to that of the
+/// contact.
 #[test]
 fn modes_six_decades_apart_are_solved() {
     for beta in [1.0, 100.0, 1e4] {

@@ -5,12 +5,12 @@ use stribeck_solver::{Parameters, Quantities, RelativeErrors};
 
 /// The tolerances that a solution is tried with.
 pub const TOLERANCES: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
-/// The settings whose solution counts as exact. Panels of a higher degree than usual, so that meshes and errors have little
-/// in common with what is judged.
+/// The settings whose solution counts as exact. Panels of a higher degree than usual, so that meshes and errors have
+/// little in common with what is judged.
 pub const EXACT: Settings = Settings { tolerance: 1e-10, degree: 12 };
 
-/// The numbers of a row of the reference after f, α and β: c, u_min, p_max, x_out, F_v, F_h,film, F_h,cavity with a full
-/// gap and with streamers, F_drag.
+/// The numbers of a row of the reference after f, α and β: c, u_min, p_max, x_out, F_v, F_h,film, F_h,cavity with a
+/// full gap and with streamers, F_drag.
 pub type Columns = [f64; 9];
 
 /// The rows of `tests/reference/single_mode.csv`, α = ∞ where f = 0.
@@ -25,8 +25,8 @@ pub fn reference() -> Vec<(Parameters, Columns)> {
     records.map(|record| row(record.expect("a row"))).collect()
 }
 
-/// The error that a tolerance is about: the largest relative one of μ_v, μ_h and c, of μ_v relative to μ_tot/1000 where it
-/// is below that.
+/// The error that a tolerance is about: the largest relative one of μ_v, μ_h and c, of μ_v relative to μ_tot/1000 where
+/// it is below that.
 pub fn true_error(found: &Quantities, exact: &Quantities) -> f64 {
     let (friction, exactly) = (&found.friction, &exact.friction);
     let scale = exactly.viscoelastic_error_scale();

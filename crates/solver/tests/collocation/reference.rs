@@ -28,18 +28,19 @@ fn columns(case: &Parameters) -> (Quantities, Columns) {
     (full, columns)
 }
 
-/// Rows whose p_max the reference has less exactly than its other numbers: the peak is at the inlet, narrow, and lies between the
-/// points of the reference's panels. That the error is the reference's is shown below.
+/// Rows whose p_max the reference has less exactly than its other numbers: the peak is at the inlet, narrow, and lies
+/// between the points of the reference's panels. That the error is the reference's is shown below.
 fn has_a_narrow_peak(case: &Parameters) -> bool {
     [(100.0, 10.0, 1e4), (1000.0, 10.0, 1e3)].contains(&(case.f, case.alpha, case.beta))
 }
 
 /// Every column within 1e-7, u_min within 1e-6. Where that needs a word:
 ///
-/// - F_v vanishes at f = 0; elsewhere at β = 10 it is as far off as 7e-8, which is what the end of the reference's mesh leaves.
+/// - F_v vanishes at f = 0; elsewhere at β = 10 it is as far off as 7e-8, which is what the end of the reference's mesh
+///   leaves.
 /// - x_out passes through 0. Its error is taken over the distance from there to the largest pressure.
-/// - The shear in the cavity is a small part of F_h, and the tolerance is about F_h: its error is taken over that. Over itself
-///   it is bounded by 3e-7.
+/// - The shear in the cavity is a small part of F_h, and the tolerance is about F_h: its error is taken over that. Over
+///   itself it is bounded by 3e-7.
 #[test]
 fn every_column_of_every_row_is_met() {
     let rows = reference();

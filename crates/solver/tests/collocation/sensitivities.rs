@@ -29,9 +29,9 @@ fn scaled(case: &Parameters, theta: usize, by: f64) -> Parameters {
     Parameters { alpha, beta, f, ..case.clone() }
 }
 
-/// The largest difference between the sensitivities of a case at tolerance 1e-9 and central differences of fourth order of
-/// solutions at this tolerance, each on a mesh of its own, over the friction; of F_v over a thousandth of F_tot where it is
-/// below that, which is what the tolerance promises.
+/// The largest difference between the sensitivities of a case at tolerance 1e-9 and central differences of fourth order
+/// of solutions at this tolerance, each on a mesh of its own, over the friction; of F_v over a thousandth of F_tot
+/// where it is below that, which is what the tolerance promises.
 fn error(case: &Parameters, cavity_shear: CavityShear) -> f64 {
     const STEP: f64 = 1e-2;
     let mut worst: f64 = 0.0;
@@ -124,8 +124,8 @@ fn elastic_cases_depend_on_what_they_know() {
     assert_eq!((frozen.viscoelastic, frozen.hydrodynamic[0]), ([0.0; 3], 0.0));
 }
 
-/// At α = 0, F_h(β, f) = (1+f)^{−1/2} H(β/(1+f)), so that ∂F_h/∂ln f = −f/(1+f) (F_h/2 + ∂F_h/∂ln β). A very small α is close
-/// to it.
+/// At α = 0, F_h(β, f) = (1+f)^{−1/2} H(β/(1+f)), so that ∂F_h/∂ln f = −f/(1+f) (F_h/2 + ∂F_h/∂ln β). A very small α is
+/// close to it.
 #[test]
 fn a_frozen_substrate_ties_f_to_beta() {
     for cavity_shear in [CavityShear::Full, CavityShear::Streamers, CavityShear::None] {

@@ -12,7 +12,8 @@ use stribeck_solver::{Failure, Fields, Friction, Output, Parameters, Quantities,
 /// A solver whose state is ln β of the solution. A guess converges if it is within `reach` of the case.
 pub struct Fake {
     pub reach: f64,
-    /// Whether two solved cases are extrapolated, as if the next were as far again; the last one is taken as it is if not.
+    /// Whether two solved cases are extrapolated, as if the next were as far again; the last one is taken as it is if
+    /// not.
     pub extrapolates: bool,
     /// Whether the start is a good guess.
     pub start_helps: bool,

@@ -55,7 +55,8 @@ fn friction_is_the_moment_of_the_pressure() {
     }
 }
 
-/// Largest pressures printed by CONTACT, to their four digits (see tests/reference/README.md), and the closed form's own.
+/// Largest pressures printed by CONTACT, to their four digits (see tests/reference/README.md), and the closed form's
+/// own.
 #[test]
 fn largest_pressure_is_that_of_contact() {
     let (radius, load, speed, instantaneous_modulus, f) = (50.0, 600.0, 1000.0, 1905.0, 1.0);
@@ -182,7 +183,8 @@ proptest! {
         let load = over_dry_contact(&contact, |_| 1.0);
         prop_assert!((load / FRAC_PI_2 - 1.0).abs() < 1e-8, "load {load}");
         let moment = over_dry_contact(&contact, |x| 2.0 / PI * x);
-        prop_assert!((moment - contact.friction()).abs() < 1e-8 * a, "moment {moment}, friction {}", contact.friction());
+        let friction = contact.friction();
+        prop_assert!((moment - friction).abs() < 1e-8 * a, "moment {moment}, friction {friction}");
         let x: Vec<f64> = (-300..=300).map(|i| b + a * f64::from(i) / 250.0).collect();
         let p = contact.pressure_on(&x);
         let peak = contact.max_pressure();

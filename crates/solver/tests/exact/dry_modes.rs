@@ -102,8 +102,8 @@ fn a_fast_mode_is_a_lower_modulus_at_once() {
     }
 }
 
-/// A mode that never creeps leaves the relaxed modulus at E₀/(1+f₁): larger than E∞ by r = (1+f₁+f₂)/(1+f₁), so that the
-/// contact length is a₀/√r, and α = a₀/(Vτ) and all lengths with it.
+/// A mode that never creeps leaves the relaxed modulus at E₀/(1+f₁): larger than E∞ by r = (1+f₁+f₂)/(1+f₁), so that
+/// the contact length is a₀/√r, and α = a₀/(Vτ) and all lengths with it.
 #[test]
 fn a_slow_mode_is_a_higher_relaxed_modulus() {
     for (alpha, f, slow) in [(1.0, 10.0, 3.0), (0.1, 1e2, 1.0), (30.0, 1.0, 1.0), (1.0, 1.0, 10.0)] {
@@ -129,8 +129,8 @@ fn elastic_limits_are_hertz() {
     }
 }
 
-/// The slope at x for a pressure that is 1 at the middle one of three places and 0 at the others, piecewise linear: (T10) with
-/// the antiderivatives of (T11), apart from the solution.
+/// The slope at x for a pressure that is 1 at the middle one of three places and 0 at the others, piecewise linear:
+/// (T10) with the antiderivatives of (T11), apart from the solution.
 fn slope_of_hat(modes: &[Retardation], compliance: f64, hat: [f64; 3], x: f64) -> f64 {
     let integral = |z: f64| {
         let part = |mode: &Retardation| mode.strength / mode.rate * retarded_log_integral(mode.rate * z);
@@ -141,8 +141,8 @@ fn slope_of_hat(modes: &[Retardation], compliance: f64, hat: [f64; 3], x: f64) -
     (rise * (integral(x - left) - integral(x - middle)) - fall * (integral(x - middle) - integral(x - right))) / PI
 }
 
-/// In the contact w′ = x. For a half width, that is a linear system for the pressure, zero at both ends, and the centre; the load
-/// must then come out as π/2 and the moment as the friction.
+/// In the contact w′ = x. For a half width, that is a linear system for the pressure, zero at both ends, and the
+/// centre; the load must then come out as π/2 and the moment as the friction.
 #[test]
 fn the_surface_follows_the_cylinder() {
     for modes in [

@@ -86,8 +86,8 @@ fn shear_by_cells(approximation: &LargeBeta, cells: u32) -> f64 {
     terms.sum()
 }
 
-/// F_h against the shear (Eq. 20) by another quadrature. The last four have a dip of p′ behind the leading edge that a film
-/// can just carry, or just not.
+/// F_h against the shear (Eq. 20) by another quadrature. The last four have a dip of p′ behind the leading edge that a
+/// film can just carry, or just not.
 #[test]
 fn shear_is_the_integral_over_the_contact() {
     let cases = [(1.0, 100.0, 0.0), (1.0, 100.0, 10.0), (0.1, 1e3, 100.0), (10.0, 1e4, 10.0)];
@@ -100,8 +100,8 @@ fn shear_is_the_integral_over_the_contact() {
     }
 }
 
-/// Eq. 36 is the cubic with the Hertzian gradient, to second order in x. Its coefficient 0.197² stands for βc², so it is
-/// compared where the second term of Eq. 34 is small.
+/// Eq. 36 is the cubic with the Hertzian gradient, to second order in x. Its coefficient 0.197² stands for βc², so it
+/// is compared where the second term of Eq. 34 is small.
 #[test]
 fn elastic_film_is_the_cubic_near_the_middle() {
     let beta = 1e12;
@@ -113,8 +113,8 @@ fn elastic_film_is_the_cubic_near_the_middle() {
     }
 }
 
-/// α → 0 is an elastic problem at β/(1+f), with u in units of 1/(1+f): the first term of Eq. 49 keeps this law, the second
-/// does not.
+/// α → 0 is an elastic problem at β/(1+f), with u in units of 1/(1+f): the first term of Eq. 49 keeps this law, the
+/// second does not.
 #[test]
 fn first_term_of_c_scales_with_the_instantaneous_modulus() {
     let (beta, f) = (1e10, 8.0);

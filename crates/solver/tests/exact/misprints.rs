@@ -1,5 +1,5 @@
-//! Each correction of a printed equation that this module stands on: the corrected form keeps a law that the printed one
-//! breaks (table "printed and right" in `docs/theory.md`).
+//! Each correction of a printed equation that this module stands on: the corrected form keeps a law that the printed
+//! one breaks (table "printed and right" in `docs/theory.md`).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -29,9 +29,9 @@ fn load(contact: &DryContact, pressure: impl Fn(f64) -> f64) -> f64 {
     contact.half_width() * (0..cells).map(|i| pressure(angle(i)) * angle(i).sin() * step).sum::<f64>()
 }
 
-/// Eq. 24: the rate in the exponents is k = (1+f)αā, with the sign that fades towards larger s, and s runs from ξ to the
-/// leading edge. Only so does the pressure end at the trailing edge and carry the load; another rate, sign or limit in the
-/// printed formula does not.
+/// Eq. 24: the rate in the exponents is k = (1+f)αā, with the sign that fades towards larger s, and s runs from ξ to
+/// the leading edge. Only so does the pressure end at the trailing edge and carry the load; another rate, sign or limit
+/// in the printed formula does not.
 #[test]
 fn equation_24_has_its_exponents_and_limit() {
     for (alpha, f) in CASES {

@@ -85,7 +85,8 @@ fn far_ahead_the_pressure_falls_as_the_cube() {
     }
 }
 
-/// Eq. 20 by quadrature, and the drag by both routes of the force balance: the misprint of Eq. 50 leaves out as much as F_h.
+/// Eq. 20 by quadrature, and the drag by both routes of the force balance: the misprint of Eq. 50 leaves out as much as
+/// F_h.
 #[test]
 fn friction_by_quadrature_and_drag_by_force_balance() {
     let beta = 0.02;

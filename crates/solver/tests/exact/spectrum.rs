@@ -7,8 +7,8 @@ fn spectrum(lines: &[(f64, f64)]) -> Spectrum {
     Spectrum::new(lines.iter().map(|&(strength, place)| Line { strength, place }))
 }
 
-/// A line of strength s at 3 beside one of strength 1 at 1: 1 − 1/(x − 1) = s/(x/3 − 1) has a root at 3(1 + 2s); at 6/5, where
-/// the left side is −4, at 6/5 (1 − s/4).
+/// A line of strength s at 3 beside one of strength 1 at 1: 1 − 1/(x − 1) = s/(x/3 − 1) has a root at 3(1 + 2s); at
+/// 6/5, where the left side is −4, at 6/5 (1 − s/4).
 #[test]
 fn the_distance_from_a_weak_line_has_all_its_digits() {
     for strength in [1e-17, 1e-40, 1e-150, 1e-290] {
@@ -49,7 +49,8 @@ proptest! {
             prop_assert!(from[m].place <= to[m].place && from.get(m + 1).is_none_or(|next| to[m].place <= next.place));
             for k in 0..to.len() {
                 let product: f64 = (0..from.len()).map(|j| u(j, m) * u(j, k)).sum();
-                prop_assert!((product - if m == k { 1.0 } else { 0.0 }).abs() < 1e-12, "columns {m} and {k}: {product}");
+                let unity = if m == k { 1.0 } else { 0.0 };
+                prop_assert!((product - unity).abs() < 1e-12, "columns {m} and {k}: {product}");
             }
         }
     }

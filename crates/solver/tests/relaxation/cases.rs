@@ -225,8 +225,8 @@ pub fn solve_reference(points: usize, wanted: impl Fn(&Parameters) -> bool) -> O
     OnGrid { solved, failed }
 }
 
-/// The range that the tests compare with the reference: β up to 1000, and f up to 100 where α is below 1 (beyond, the film
-/// is thick: `failure::a_film_longer_than_its_grid_is_a_failure_that_says_so`).
+/// The range that the tests compare with the reference: β up to 1000, and f up to 100 where α is below 1 (beyond, the
+/// film is thick: `failure::a_film_longer_than_its_grid_is_a_failure_that_says_so`).
 pub fn is_compared(case: &Parameters) -> bool {
     case.beta <= 1000.0 && (case.alpha >= 1.0 || case.f <= 100.0)
 }

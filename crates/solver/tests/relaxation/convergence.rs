@@ -67,8 +67,8 @@ fn the_range_of_the_paper_converges() {
     are_solved(pairs_of_the_paper(), 801, &betas(5));
 }
 
-/// Over the same range the numbers are those of collocation to 1e-6: c within 10 %, as is asked of the method, and an order of magnitude
-/// better than that, for its errors are known (`docs/relaxation.md`).
+/// Over the same range the numbers are those of collocation to 1e-6: c within 10 %, as is asked of the method, and an
+/// order of magnitude better than that, for its errors are known (`docs/relaxation.md`).
 #[test]
 fn the_range_of_the_paper_is_that_of_collocation() {
     const ASKED: f64 = 0.1;

@@ -8,8 +8,8 @@ use stribeck_solver::relaxation::{Acceleration, RelaxationSolver, Settings};
 
 use crate::relaxation::cases::{chain, no_fields, outcomes, settings};
 
-/// The passes of a small sweep, seeds included: half as many again as the solver needed when this was written. More means
-/// that something in it has become worse.
+/// The passes of a small sweep, seeds included: half as many again as the solver needed when this was written. More
+/// means that something in it has become worse.
 #[test]
 fn a_small_sweep_needs_no_more_passes_than_it_did() {
     const MOST: u64 = 26_000;

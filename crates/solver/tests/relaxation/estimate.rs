@@ -45,7 +45,8 @@ fn a_thin_film_alone_has_an_estimate() {
     assert!(error / 3.0 < estimate && estimate < 3.0 * error, "{estimate:.1e} for {error:.1e}");
 }
 
-/// No estimate unless asked for, and none, but a solution, where there is no second grid or it does not resolve the film.
+/// No estimate unless asked for, and none, but a solution, where there is no second grid or it does not resolve the
+/// film.
 #[test]
 fn an_estimate_needs_a_second_grid() {
     let case = [Parameters::new(1.0, 10.0, 1.0)];

@@ -49,8 +49,8 @@ fn is_sane(parameters: &Parameters, case: &SolvedCase, part: f64) {
     }
 }
 
-/// What no grid of so many points resolves is refused before the first pass; what it nearly resolves (inlets and outlets are as
-/// wide as β^{−2/5}) by its flow.
+/// What no grid of so many points resolves is refused before the first pass; what it nearly resolves (inlets and
+/// outlets are as wide as β^{−2/5}) by its flow.
 #[test]
 fn a_film_that_the_grid_does_not_resolve_is_a_failure_with_a_reason() {
     for points in [51, 101, 201] {
@@ -77,8 +77,8 @@ fn a_domain_that_does_not_hold_the_contact_is_a_failure_that_says_so() {
     }
 }
 
-/// A film so thick that its outlet lies behind the grid, or its largest pressure ahead of it: f = 0, and the same for the
-/// instantaneous modulus, at β/(1+f).
+/// A film so thick that its outlet lies behind the grid, or its largest pressure ahead of it: f = 0, and the same for
+/// the instantaneous modulus, at β/(1+f).
 #[test]
 fn a_film_longer_than_its_grid_is_a_failure_that_says_so() {
     let cases = [(f64::INFINITY, 0.01, 0.0), (f64::INFINITY, 1e-3, 0.0), (0.01, 10.0, 1000.0), (0.1, 10.0, 1000.0)];
@@ -127,8 +127,8 @@ fn extreme_parameters_end_soon() {
     }
 }
 
-/// No wrong answer says converged, in a box that is much larger than the method's range: c of every case that is accepted is
-/// that of collocation within 5 %, the rest has a reason.
+/// No wrong answer says converged, in a box that is much larger than the method's range: c of every case that is
+/// accepted is that of collocation within 5 %, the rest has a reason.
 #[test]
 fn what_is_accepted_far_outside_is_right() {
     let judged: Vec<bool> = far_cases(120)

@@ -5,8 +5,8 @@ use stribeck_solver::{Parameters, RetardationMode, Substrate};
 /// Decades of α, β and f.
 const BOX: [[f64; 2]; 3] = [[-8.0, 8.0], [-4.0, 10.0], [-2.0, 6.0]];
 
-/// Cases spread evenly over ln α, ln β and ln f of the box, by the additive recurrence whose ratios are powers of the root of
-/// x⁴ = x + 1. Every other one has two retardation times six decades apart.
+/// Cases spread evenly over ln α, ln β and ln f of the box, by the additive recurrence whose ratios are powers of the
+/// root of x⁴ = x + 1. Every other one has two retardation times six decades apart.
 pub fn far_cases(count: usize) -> Vec<Parameters> {
     const ROOT: f64 = 1.220_744_084_605_759_6;
     let two_times = [1e-3, 1e3].map(|time| RetardationMode { share: 0.5, time });

@@ -40,8 +40,8 @@ fn the_pressure_carries_the_load() {
     }
 }
 
-/// (T2) between the points of the grid and with the fields as they are published, at places that have nothing to do with
-/// the grid: the error is that of the scheme, of second order.
+/// (T2) between the points of the grid and with the fields as they are published, at places that have nothing to do
+/// with the grid: the error is that of the scheme, of second order.
 #[test]
 fn the_flow_is_conserved_between_the_points() {
     for (alpha, beta, f) in [(1.0, 10.0, 0.0), (1.0, 100.0, 10.0), (10.0, 100.0, 100.0)] {
@@ -67,8 +67,8 @@ fn the_flow_is_conserved_between_the_points() {
     }
 }
 
-/// (T27): shear on the cylinder and pressure on it, against dissipation in the substrate and in the film. The two routes use
-/// different fields, so they agree within the error of the scheme alone.
+/// (T27): shear on the cylinder and pressure on it, against dissipation in the substrate and in the film. The two
+/// routes use different fields, so they agree within the error of the scheme alone.
 #[test]
 fn both_routes_to_the_drag_agree() {
     let difference = |case: &Solved| {

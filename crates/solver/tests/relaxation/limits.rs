@@ -91,8 +91,8 @@ fn little_creep_is_little_friction() {
     assert!(relative(friction[0], friction[1]) < 2e-2, "{friction:?}");
 }
 
-/// F_v = 0 on an elastic substrate. On the grid the kernel is even and the sum vanishes to rounding; what is left is how far the
-/// tail ahead of the grid, of the size 2/(3βX²), is from its own displacement.
+/// F_v = 0 on an elastic substrate. On the grid the kernel is even and the sum vanishes to rounding; what is left is
+/// how far the tail ahead of the grid, of the size 2/(3βX²), is from its own displacement.
 #[test]
 fn an_elastic_substrate_has_no_friction() {
     for case in on_any_grid().filter(|case| case.reference.parameters.f == 0.0) {

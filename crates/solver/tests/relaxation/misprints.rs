@@ -9,8 +9,8 @@ use stribeck_solver::{CavityShear, Output};
 
 use crate::relaxation::cases::{ON_401, chain, no_fields, reference, relative, settings, solutions};
 
-/// Eq. 41 uses ln|x_i − x_k|, infinite at i = k. With the average over the cell the surface under Hertz pressure follows the
-/// cylinder to second order; with the infinite term left out, to first order only.
+/// Eq. 41 uses ln|x_i − x_k|, infinite at i = k. With the average over the cell the surface under Hertz pressure
+/// follows the cylinder to second order; with the infinite term left out, to first order only.
 #[test]
 fn equation_41_needs_the_average_over_the_cell() {
     let printed = |m: f64, _: f64| m.abs().ln();
@@ -33,8 +33,8 @@ fn equation_41_needs_the_average_over_the_cell() {
     assert!(first[1] > 5.0 * second[1] && first[1] > first[0] / 7.0, "{first:?} beside {second:?}");
 }
 
-/// Eq. 44 moves h₀ by the absolute value of the load residual. The load of a rigid film, 1/(2βc) with c in proportion to h₀, is
-/// then found from below only: a cylinder that carries too little is lifted, and never carries its load.
+/// Eq. 44 moves h₀ by the absolute value of the load residual. The load of a rigid film, 1/(2βc) with c in proportion
+/// to h₀, is then found from below only: a cylinder that carries too little is lifted, and never carries its load.
 #[test]
 fn equation_44_must_lower_the_cylinder_too() {
     const BETA: f64 = 0.1;
@@ -63,8 +63,8 @@ fn equation_22_dissipates() {
     }
 }
 
-/// Eq. 50: F_v + F_h is not what holds the cylinder back. At f = 0 and β = 10 the missing term is as large as F_h, at 100 nearly half of
-/// it.
+/// Eq. 50: F_v + F_h is not what holds the cylinder back. At f = 0 and β = 10 the missing term is as large as F_h, at
+/// 100 nearly half of it.
 #[test]
 fn equation_50_is_not_the_drag() {
     for (beta, part) in [(10.0, 1.0), (100.0, 0.44)] {
@@ -81,8 +81,8 @@ fn equation_50_is_not_the_drag() {
     }
 }
 
-/// Eq. 20 integrated over all x takes the gap behind the outlet as full. Streamers that keep the flow conduct a third of that shear,
-/// and the choice is not a detail: it is a quarter of F_h at β = 10.
+/// Eq. 20 integrated over all x takes the gap behind the outlet as full. Streamers that keep the flow conduct a third
+/// of that shear, and the choice is not a detail: it is a quarter of F_h at β = 10.
 #[test]
 fn equation_20_does_not_say_what_fills_the_cavity() {
     let row = reference().into_iter().find(|row| row.parameters.f == 0.0 && row.parameters.beta == 10.0).unwrap();

@@ -7,7 +7,8 @@ use crate::relaxation::cases::{
     ON_401, ON_801, Solved, on_both_grids, quantities, reference, relative, settings, solve_reference,
 };
 
-/// F_v, F_h, c, u_min, the four whose errors `docs/relaxation.md` shows; relative, F_v of an elastic substrate over F_tot.
+/// F_v, F_h, c, u_min, the four whose errors `docs/relaxation.md` shows; relative, F_v of an elastic substrate over
+/// F_tot.
 fn errors(case: &Solved) -> [f64; 4] {
     let (found, reference) = (case.quantities(), &case.reference);
     let total = reference.viscoelastic + reference.hydrodynamic();
@@ -35,8 +36,8 @@ fn only_a_film_that_is_not_resolved_fails() {
     assert!(same.is_resolved() && same.flow_error() > 0.02, "{}", same.flow_error());
 }
 
-/// What no refinement removes at α < 1, of F_v: the domain, half widths of a narrow contact, is short for a film that is
-/// thick at β/(1+f).
+/// What no refinement removes at α < 1, of F_v: the domain, half widths of a narrow contact, is short for a film that
+/// is thick at β/(1+f).
 fn left_by_the_domain(case: &Parameters) -> f64 {
     if case.alpha < 1.0 { 2e-4 * (1.0 + case.f) / case.beta } else { 0.0 }
 }
@@ -46,8 +47,8 @@ fn floors(case: &Parameters) -> [f64; 4] {
     [1.0, 0.15, 0.15, 0.15].map(|part| part * left_by_the_domain(case))
 }
 
-/// The bounds are about twice the errors of a resolved film and grow with β as the film gets thin. A missing inlet (0.3 %
-/// of the load at β = 10), a wrong sign or a first-order term is above them.
+/// The bounds are about twice the errors of a resolved film and grow with β as the film gets thin. A missing inlet (0.3
+/// % of the load at β = 10), a wrong sign or a first-order term is above them.
 #[test]
 fn numbers_are_those_of_the_reference() {
     for (solved, refinement) in [(&ON_401.solved, 1.0), (&ON_801.solved, 0.25)] {
@@ -98,8 +99,8 @@ fn pressure_outlet_and_drag_are_those_of_the_reference() {
     }
 }
 
-/// Twice the points, a quarter of the error: never more than 0.35 of it, save what does not shrink: the lag of a layer that
-/// is thinner than the grid (F_v at α = 100), and the place of the smallest film between two points.
+/// Twice the points, a quarter of the error: never more than 0.35 of it, save what does not shrink: the lag of a layer
+/// that is thinner than the grid (F_v at α = 100), and the place of the smallest film between two points.
 #[test]
 fn twice_the_points_leave_a_third_of_the_error_at_most() {
     const FLOOR: [f64; 4] = [1.2e-4, 1e-5, 2e-5, 5e-4];

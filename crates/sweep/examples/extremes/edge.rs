@@ -9,7 +9,8 @@ use crate::cases::outcome;
 /// The largest exponent of β.
 const LAST: i32 = 18;
 
-/// The largest power of ten up to which β is solved, each case alone, with c there, and the reason of the failure after it.
+/// The largest power of ten up to which β is solved, each case alone, with c there, and the reason of the failure after
+/// it.
 fn edge(settings: Settings, alpha: f64, f: f64) -> (f64, f64, String) {
     let mut last = (f64::NAN, f64::NAN, "none fails".to_owned());
     for exponent in 6..=LAST {

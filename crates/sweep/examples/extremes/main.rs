@@ -4,8 +4,9 @@
 //! cargo run --release -p stribeck-sweep --example extremes -- [--sample N] [--edge]
 //! ```
 //!
-//! One row for each of the shipped sets, and with `--sample` one for so many cases out of the whole box. Cases that fail, and those whose
-//! error is above the tolerance, are listed below the table. `--edge` looks for the β from which on cases fail.
+//! One row for each of the shipped sets, and with `--sample` one for so many cases out of the whole box. Cases that
+//! fail, and those whose error is above the tolerance, are listed below the table. `--edge` looks for the β from which
+//! on cases fail.
 
 #[allow(dead_code, reason = "shared with tests, which need the rest of it")]
 #[path = "../../tests/extremes/cases.rs"]

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use super::{MergedCatalog, Pending};
-use crate::store::Holdings;
+use crate::store::Catalog;
 use crate::{Field, Method, Plan, Sweep};
 use stribeck_solver::{Interrupt, Solver, relaxation};
 
@@ -85,8 +85,8 @@ pub enum CaseSeconds {
 }
 
 impl CaseSeconds {
-    /// From the log if cases of this sweep were solved there, else measured here and now: relaxation takes long, so that
-    /// only its passes are timed, while a collocation case is solved in about the time that a guess would take.
+    /// From the log if cases of this sweep were solved there, else measured here and now: relaxation takes long, so
+    /// that only its passes are timed, while a collocation case is solved in about the time that a guess would take.
     fn expected(sweep: &Sweep, plan: &Plan, pending: &Pending, stored: &MergedCatalog<'_>) -> Self {
         let logged = if pending.reused() > 0 { mean_seconds(stored.catalogs()) } else { None };
         logged.map(Self::Logged).unwrap_or_else(|| {
@@ -105,8 +105,8 @@ impl CaseSeconds {
     }
 }
 
-/// Seconds of a case, from some cases of the sweep that are left to do, with the output it asks for. Of each chain tried
-/// the first case is dearer, as it has no neighbour to start from; it counts once for the whole chain.
+/// Seconds of a case, from some cases of the sweep that are left to do, with the output it asks for. Of each chain
+/// tried the first case is dearer, as it has no neighbour to start from; it counts once for the whole chain.
 fn tried_seconds(sweep: &Sweep, plan: &Plan, pending: &Pending) -> f64 {
     let solver = Solver::new(&sweep.solver_settings());
     let tried = TRIED_CHAINS.min(pending.chains.len());
@@ -126,7 +126,7 @@ fn tried_seconds(sweep: &Sweep, plan: &Plan, pending: &Pending) -> f64 {
     (0..tried).map(of_chain).sum::<f64>() / tried as f64
 }
 
-fn mean_seconds(catalogs: &[&Holdings]) -> Option<f64> {
+fn mean_seconds(catalogs: &[&Catalog]) -> Option<f64> {
     let starts = catalogs.iter().flat_map(|catalog| catalog.history().starts()).map(|(_, start)| start);
     let (cases, seconds) = starts.fold((0, 0.0), |(cases, seconds), start| {
         (cases + start.converged + start.failed, seconds + start.case_seconds)

@@ -22,7 +22,7 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
         }
         Err(failure) => {
             let mut reason = failure.to_string();
-            if failure.kind.name() == "panic" {
+            if matches!(failure.kind, FailureKind::Panic { .. } | FailureKind::ChainPanic { .. }) {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
             (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)
@@ -32,7 +32,8 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
     CaseEntry { id, outcome, reason, failure_kind, values, fields, sensitivities, timing }
 }
 
-/// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case alone.
+/// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case
+/// alone.
 pub(super) fn panicked(cases: &[Parameters], output: &Output, message: &str) -> Vec<SolvedCase> {
     let failed = |parameters: &Parameters| {
         let limits = if output.limits { exact::limits(parameters) } else { Limits::UNKNOWN };
@@ -61,8 +62,8 @@ mod tests {
         for (entry, parameters) in entries.iter().zip(&cases) {
             let beta = parameters.beta;
             let expected = format!(
-                "the solver of its chain panicked: index out of bounds; please report it with `stribeck solve --f 10 --alpha 1 \
-                 --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
+                "the solver of its chain panicked: index out of bounds; please report it with `stribeck solve --f 10 \
+                 --alpha 1 --beta {beta} --method collocation --tolerance 1e-5 --cavity-shear full`"
             );
             assert_eq!((&entry.reason, entry.failure_kind.as_deref()), (&expected, Some("panic")));
             assert_eq!(entry.values[Column::DryMuV], exact::limits(parameters).dry_mu_v);

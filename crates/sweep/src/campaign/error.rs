@@ -52,8 +52,8 @@ pub enum CampaignError {
     NothingToMerge,
     /// Directories that were to be merged belong to different sweeps.
     #[error(
-        "{} and {} are not of the same sweep: only runs of one sweep file can be joined; merge the parts of an earlier one and \
-         delete them first",
+        "{} and {} are not of the same sweep: only runs of one sweep file can be joined; merge the parts of an \
+         earlier one and delete them first",
         shown(first),
         shown(other)
     )]
@@ -65,7 +65,8 @@ pub enum CampaignError {
     },
     /// A results directory does not know a case.
     #[error(
-        "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in 100,1,1000",
+        "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in \
+         100,1,1000",
         shown(directory)
     )]
     NoSuchCase {

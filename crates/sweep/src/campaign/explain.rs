@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::stale::{CaseState, Comparison};
+use super::stale::{CaseState, Survey};
 use super::{CampaignError, MergedCatalog, StaleReason, SweepDirectory, read_sweep, sweep_file};
-use crate::store::{CaseEntry, Holdings, Inspection, Origin, Status, StoreError, Warning};
+use crate::store::{CaseEntry, Catalog, Inspection, Origin, Status, StoreError, Warning};
 use crate::{CaseId, Column, Grid, GridIndex, Plan, Sweep, Values};
 use stribeck_lab::Experiment;
 use stribeck_solver::{Failure, Parameters, SolvedCase, Solver};
@@ -24,7 +24,7 @@ pub struct CaseReport {
     /// Its id.
     pub id: CaseId,
     /// What is stored of it.
-    pub found: Found,
+    pub storage: CaseStorage,
     /// Where it is in the sweep; `None` if the sweep has it no more.
     pub place: Option<CasePlace>,
     /// What in the directory is damaged and not used.
@@ -37,7 +37,7 @@ pub struct CaseReport {
 
 /// What is stored of a case.
 #[derive(Debug)]
-pub enum Found {
+pub enum CaseStorage {
     /// The case is stored.
     Stored {
         /// The case as it was stored.
@@ -73,16 +73,16 @@ pub struct CasePlace {
 
 /// A case that was solved again.
 #[derive(Debug)]
-pub struct Repeated {
+pub struct SolvedAgain {
     /// The case, with a trace of how it was reached.
     pub case: SolvedCase,
     /// Whether it is what is stored.
-    pub repetition: Repetition,
+    pub comparison: Comparison,
 }
 
 /// How a case that was solved again compares with what is stored.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Repetition {
+pub enum Comparison {
     /// It failed when it was stored, and converges now.
     ConvergesNow,
     /// It converged when it was stored, and fails now.
@@ -114,57 +114,58 @@ pub fn explain(directory: &Path, name: CaseName) -> Result<CaseReport, CampaignE
         (None, CaseName::Id(id)) if stored.holder(id).is_some() => id,
         (None, _) => return Err(CampaignError::NoSuchCase { directory: directory.to_owned() }),
     };
-    let comparison = Comparison::new(&sweep, &plan, &stored);
-    let stale = || match comparison.state(id, &place.as_ref()?.parameters) {
+    let survey = Survey::new(&sweep, &plan, &stored);
+    let stale = || match survey.state(id, &place.as_ref()?.parameters) {
         CaseState::Stale(reason) => Some(reason),
         CaseState::Done(_) | CaseState::New => None,
     };
-    let in_store = what_is_stored(id, &stored, stale)?;
+    let storage = what_is_stored(id, &stored, stale)?;
     let warnings = stored.catalogs().iter().flat_map(|catalog| catalog.warnings()).cloned().collect();
-    Ok(CaseReport { id, found: in_store, place, warnings, sweep, plan })
+    Ok(CaseReport { id, storage, place, warnings, sweep, plan })
 }
 
 fn what_is_stored(
     id: CaseId,
     stored: &MergedCatalog<'_>,
     stale: impl Fn() -> Option<StaleReason>,
-) -> Result<Found, StoreError> {
-    let holder: &Holdings = stored.holder(id).unwrap_or(stored.catalogs()[0]);
+) -> Result<CaseStorage, StoreError> {
+    let holder: &Catalog = stored.holder(id).unwrap_or(stored.catalogs()[0]);
     Ok(match (holder.entry(id)?, holder.origin(id)?) {
         (Some(entry), Some(origin)) => {
             let lacks = if holder.holds(id).is_none() { holder.lacks(id) } else { Vec::new() };
-            Found::Stored { entry: Box::new(entry), origin: Box::new(origin), lacks }
+            CaseStorage::Stored { entry: Box::new(entry), origin: Box::new(origin), lacks }
         }
-        _ => Found::Missing { worker: holder.owner()?, stale: stale() },
+        _ => CaseStorage::Missing { worker: holder.owner()?, stale: stale() },
     })
 }
 
 impl CaseReport {
-    /// Solves the chain of the case again up to it, on this thread; `None` if the case is not stored, or not in the sweep.
-    pub fn solve_again(&self) -> Option<Repeated> {
-        let (Found::Stored { entry, .. }, Some(place)) = (&self.found, &self.place) else { return None };
+    /// Solves the chain of the case again up to it, on this thread; `None` if the case is not stored, or not in the
+    /// sweep.
+    pub fn solve_again(&self) -> Option<SolvedAgain> {
+        let (CaseStorage::Stored { entry, .. }, Some(place)) = (&self.storage, &self.place) else { return None };
         let solver = Solver::new(&self.sweep.solver_settings());
         let case = solver.trace_last(&place.chain[..=place.index])?;
-        Some(Repeated { repetition: compare(entry, &case), case })
+        Some(SolvedAgain { comparison: compare(entry, &case), case })
     }
 }
 
 /// Whether a case that is solved again is what is stored.
-fn compare(entry: &CaseEntry, case: &SolvedCase) -> Repetition {
+fn compare(entry: &CaseEntry, case: &SolvedCase) -> Comparison {
     let solution = match (&case.outcome, entry.outcome) {
-        (Ok(_), Status::Failed) => return Repetition::ConvergesNow,
-        (Err(failure), Status::Converged) => return Repetition::FailsNow(failure.clone()),
-        (Err(_), Status::Failed) => return Repetition::FailsAgain,
+        (Ok(_), Status::Failed) => return Comparison::ConvergesNow,
+        (Err(failure), Status::Converged) => return Comparison::FailsNow(failure.clone()),
+        (Err(_), Status::Failed) => return Comparison::FailsAgain,
         (Ok(solution), Status::Converged) => solution,
     };
     let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
     // Limits may not have been asked for when it was stored.
     let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || a.is_nan() || b.is_nan();
     if values.0.iter().zip(&entry.values.0).all(same) {
-        return Repetition::SameNumbers;
+        return Comparison::SameNumbers;
     }
     let difference = |column| (column, (values[column] / entry.values[column] - 1.0).abs());
-    Repetition::OtherNumbers([Column::MuV, Column::MuH, Column::C].map(difference))
+    Comparison::OtherNumbers([Column::MuV, Column::MuH, Column::C].map(difference))
 }
 
 impl CasePlace {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
 use super::MergedCatalog;
-use crate::store::{Holdings, Status, StoreError};
+use crate::store::{Catalog, Status, StoreError};
 use crate::{CaseId, Part, Plan};
 use stribeck_solver::{Parameters, shortest};
 
@@ -33,7 +33,7 @@ impl fmt::Display for FailedCase {
 pub(super) fn first_failures(
     plan: &Plan,
     part: Option<Part>,
-    stored: &Holdings,
+    stored: &Catalog,
     most: usize,
 ) -> Result<Vec<FailedCase>, StoreError> {
     let chains = plan.chains_of(part).into_iter().map(|index| plan.chain(index as usize));
@@ -68,6 +68,8 @@ impl fmt::Display for FailureRegion {
 /// Failures of one kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FailureGroup {
+    /// The name of their kind, as [`FailureKind::name`](stribeck_solver::continuation::FailureKind::name) gives it.
+    pub kind: String,
     /// The number of failures.
     pub cases: u64,
     /// The reason of one of them.
@@ -140,11 +142,8 @@ fn failed_places(plan: &Plan, stored: &MergedCatalog<'_>) -> HashMap<CaseId, [De
 
 /// Counts a failure among those of its kind.
 fn add(kinds: &mut Kinds, kind: &str, reason: &str) {
-    let group = kinds.entry(kind.to_owned()).or_default();
-    if group.cases == 0 {
-        group.example = reason.to_owned();
-    }
-    group.cases += 1;
+    let first = || FailureGroup { kind: kind.to_owned(), cases: 0, example: reason.to_owned() };
+    kinds.entry(kind.to_owned()).or_insert_with(first).cases += 1;
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::publication::publish;
 use super::run::open_store;
 use super::sweep_directory::part_directories;
 use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
-use crate::store::{Ending, Holdings, Inspection, Joined, Published, Store};
+use crate::store::{Catalog, Ending, Inspection, Joined, Published, Store};
 use crate::{Column, Method, Plan, Sweep, Values};
 use stribeck_solver::viscoelastic_error_scale;
 
@@ -47,15 +47,16 @@ pub struct IncompletePart {
     pub state: PartState,
 }
 
-/// Merges results directories of one sweep, their parts included, into `target`, and publishes the sweep if no case is missing.
+/// Merges results directories of one sweep, their parts included, into `target`, and publishes the sweep if no case is
+/// missing.
 ///
-/// Shards are linked, or copied from another file system, so that the sources may be deleted afterwards. `target` may be one of
-/// the sources. A merge that was interrupted is started again.
+/// Shards are linked, or copied from another file system, so that the sources may be deleted afterwards. `target` may
+/// be one of the sources. A merge that was interrupted is started again.
 ///
 /// # Errors
 /// [`CampaignError::OtherSweep`] if the directories are not of one sweep (nothing is written then),
-/// [`StoreError::Disagreement`](crate::store::StoreError::Disagreement) if a case is there twice with numbers that differ by more
-/// than the tolerance, others if a file cannot be read or written.
+/// [`StoreError::Disagreement`](crate::store::StoreError::Disagreement) if a case is there twice with numbers that
+/// differ by more than the tolerance, others if a file cannot be read or written.
 pub fn merge(sources: &[PathBuf], target: &Path, observe: &mut Observer<'_>) -> Result<MergeReport, CampaignError> {
     let (sweep, directories) = one_sweep(sources)?;
     let plan = Plan::new(&sweep);
@@ -74,8 +75,8 @@ pub fn merge(sources: &[PathBuf], target: &Path, observe: &mut Observer<'_>) -> 
     Ok(MergeReport { joined, outcome })
 }
 
-/// Takes over what directories hold, one after the other, so that memory has the cases of one at a time beside those that are
-/// joined.
+/// Takes over what directories hold, one after the other, so that memory has the cases of one at a time beside those
+/// that are joined.
 pub(super) fn join_all(
     directories: impl IntoIterator<Item = PathBuf>,
     sweep: &Sweep,
@@ -84,7 +85,7 @@ pub(super) fn join_all(
 ) -> Result<Joined, CampaignError> {
     let mut all = Joined::default();
     for directory in directories {
-        let catalog = Holdings::read(&directory, &sweep.output, Inspection::Bytes)?;
+        let catalog = Catalog::read(&directory, &sweep.output, Inspection::Bytes)?;
         catalog.warnings().iter().for_each(|warning| observe(Event::Damaged(warning)));
         let Joined { shards, cases, twice } = store.join(&catalog, &|here, there| agree(sweep, here, there))?;
         all = Joined { shards: all.shards + shards, cases: all.cases + cases, twice: all.twice + twice };
@@ -119,7 +120,7 @@ fn one_sweep(directories: &[PathBuf]) -> Result<(Sweep, Vec<PathBuf>), CampaignE
     }
     // The title of a sweep without one is the name of its file, which is not that of the copies in results directories.
     for home in files.iter().filter_map(|file| file.parent()) {
-        if let Some(name) = Holdings::name_of_sweep(home)? {
+        if let Some(name) = Catalog::name_of_sweep(home)? {
             return Ok((Sweep::parse(&name, &sweep.text)?, sources));
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::stale::{CaseState, Comparison};
+use super::stale::{CaseState, Survey};
 use super::{MergedCatalog, StaleReason};
 use crate::store::Status;
 use crate::{Method, Part, Plan, Sweep};
@@ -19,7 +19,7 @@ pub struct Pending {
     /// Cases that were never solved.
     pub new: u64,
     /// Cases that are stored and of no use, by the reason: they are solved again.
-    pub stale: Vec<Stale>,
+    pub stale: Vec<StaleCases>,
     /// Cases that are stored and converged.
     pub converged: u64,
     /// Cases that are stored and failed; they are not tried again.
@@ -30,7 +30,7 @@ pub struct Pending {
 
 /// Stored cases that are of no use for the same reason.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stale {
+pub struct StaleCases {
     /// The reason.
     pub reason: StaleReason,
     /// How many cases there are.
@@ -38,14 +38,14 @@ pub struct Stale {
 }
 
 impl Pending {
-    /// Asks for each case of the plan, or of a part of it, whether it is stored. Where nothing is stored there is nothing to ask,
-    /// which makes the plan of a billion cases quick.
+    /// Asks for each case of the plan, or of a part of it, whether it is stored. Where nothing is stored there is
+    /// nothing to ask, which makes the plan of a billion cases quick.
     pub fn survey(sweep: &Sweep, plan: &Plan, part: Option<Part>, stored: &MergedCatalog<'_>) -> Self {
         let chains = plan.chains_of(part);
         if stored.known() == 0 {
             return Self::all(plan, chains);
         }
-        let comparison = Comparison::new(sweep, plan, stored);
+        let survey = Survey::new(sweep, plan, stored);
         let mut pending = Self::default();
         let mut in_place = 0;
         for index in chains {
@@ -53,8 +53,8 @@ impl Pending {
             let mut missing = 0_u64;
             for (place, parameters) in plan.parameters(&chain).iter().enumerate() {
                 let id = plan.id(parameters);
-                in_place += comparison.forms(id, parameters);
-                let state = comparison.state(id, parameters);
+                in_place += survey.forms(id, parameters);
+                let state = survey.state(id, parameters);
                 missing |= u64::from(!matches!(state, CaseState::Done(_))) << place;
                 pending.count(state);
             }
@@ -84,7 +84,7 @@ impl Pending {
             CaseState::New => self.new += 1,
             CaseState::Stale(reason) => match self.stale.iter_mut().find(|stale| stale.reason == reason) {
                 Some(stale) => stale.cases += 1,
-                None => self.stale.push(Stale { reason, cases: 1 }),
+                None => self.stale.push(StaleCases { reason, cases: 1 }),
             },
         }
     }
@@ -111,8 +111,8 @@ impl Pending {
 
     /// The cases of a pending chain that have to be computed, by their places in it and in their order.
     ///
-    /// These are the missing ones and, where a method is slow to start anew, those before them, which seed them. They keep
-    /// what is stored of them.
+    /// These are the missing ones and, where a method is slow to start anew, those before them, which seed them. They
+    /// keep what is stored of them.
     pub fn places(&self, plan: &Plan, index: u32) -> Vec<usize> {
         let length = plan.chain(index as usize).cases.len();
         let mut missing = (0..length).filter(|&place| self.is_missing(index, place));

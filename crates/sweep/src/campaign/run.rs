@@ -11,7 +11,7 @@ use super::solving::{Solving, group_wait, queue_length};
 use super::sweep_directory::{had_other_sweep, part_directories, part_directory};
 use super::{CampaignError, Event, FailedCase, MergedCatalog, Observer, Pending, SweepDirectory, check_available};
 use crate::engine::Engine;
-use crate::store::{Ending, Holdings, Inspection, Published, Store, StoreError};
+use crate::store::{Catalog, Ending, Inspection, Published, Store, StoreError};
 use crate::{Part, Plan, Sweep};
 use stribeck_solver::Interrupt;
 
@@ -74,12 +74,13 @@ pub enum RunOutcome {
 
 /// Runs a sweep into a results directory, or resumes it: solves the cases that are not stored yet, then publishes.
 ///
-/// Cases are stored soon after they are solved, so that nothing is solved twice after an interruption. The whole sweep takes over
-/// what its parts have solved. A part works in a directory of its own below `directory`, and publishes nothing.
+/// Cases are stored soon after they are solved, so that nothing is solved twice after an interruption. The whole sweep
+/// takes over what its parts have solved. A part works in a directory of its own below `directory`, and publishes
+/// nothing.
 ///
 /// # Errors
-/// [`CampaignError::Stopped`] if the disk or a file ended the run while it worked, other variants if it could not begin. Failed
-/// cases are no error: [`Published::failed`] counts them.
+/// [`CampaignError::Stopped`] if the disk or a file ended the run while it worked, other variants if it could not
+/// begin. Failed cases are no error: [`Published::failed`] counts them.
 pub fn run(
     sweep: &Sweep,
     directory: &Path,
@@ -140,8 +141,8 @@ pub(super) fn open_store(
     Ok(store)
 }
 
-/// What is stored beside the directory of a run. The whole takes it over from its parts, so that nothing is left elsewhere. A part
-/// finds cases of the whole and of other splits; those of its own split are cases of other parts.
+/// What is stored beside the directory of a run. The whole takes it over from its parts, so that nothing is left
+/// elsewhere. A part finds cases of the whole and of other splits; those of its own split are cases of other parts.
 fn stored_elsewhere(
     directory: &Path,
     sweep: &Sweep,
@@ -163,7 +164,7 @@ fn stored_elsewhere(
 }
 
 /// A store and what is stored elsewhere, as one.
-fn with<'a>(store: &'a Store, elsewhere: &[&'a Holdings]) -> MergedCatalog<'a> {
+fn with<'a>(store: &'a Store, elsewhere: &[&'a Catalog]) -> MergedCatalog<'a> {
     MergedCatalog::new(std::iter::once(&**store).chain(elsewhere.iter().copied()).collect())
 }
 

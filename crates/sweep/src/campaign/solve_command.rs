@@ -21,7 +21,8 @@ pub fn solve_command(recipe: &Recipe, case: &Parameters) -> String {
             let domain = settings.domain.to_string().replace(['[', ']', ' '], "");
             let (tolerance, points) = (shortest(settings.tolerance), settings.points);
             format!(
-                " --method relaxation --tolerance {tolerance} --points {points} --domain={domain} --acceleration {} --estimate {}",
+                " --method relaxation --tolerance {tolerance} --points {points} --domain={domain} --acceleration {} \
+                 --estimate {}",
                 settings.acceleration, settings.estimate
             )
         }

@@ -92,7 +92,8 @@ impl Solving<'_> {
         self.pending.places(self.plan, index).into_iter().map(|place| chain[place].clone()).collect()
     }
 
-    /// What is stored of a finished chain. Cases that are stored already seeded the others; they keep the bytes they have.
+    /// What is stored of a finished chain. Cases that are stored already seeded the others; they keep the bytes they
+    /// have.
     fn missing_entries(&self, finished: Finished<'_, u32>) -> Vec<CaseEntry> {
         let index = *finished.chain;
         let chain = self.plan.parameters(&self.plan.chain(index as usize));
@@ -102,8 +103,8 @@ impl Solving<'_> {
     }
 }
 
-/// The number of finished chains that may wait for a slow disk: some for each thread, of a part as many as make a large commit,
-/// fewer where their fields would take much memory.
+/// The number of finished chains that may wait for a slow disk: some for each thread, of a part as many as make a large
+/// commit, fewer where their fields would take much memory.
 pub(super) fn queue_length(threads: NonZeroUsize, part: Option<Part>, output: &Output) -> usize {
     let field_values = MAX_CHAIN * Field::selected(output.fields).count() * output.x.len();
     let chains = WAITING_CHAINS * threads.get();
@@ -111,8 +112,8 @@ pub(super) fn queue_length(threads: NonZeroUsize, part: Option<Part>, output: &O
     chains.min(WAITING_FIELD_VALUES / field_values.max(1))
 }
 
-/// The time for which finished chains of a part wait to be committed together: so long that all parts make about ten commits a
-/// second for the file system they share, but no longer than it may be a pity to lose.
+/// The time for which finished chains of a part wait to be committed together: so long that all parts make about ten
+/// commits a second for the file system they share, but no longer than it may be a pity to lose.
 pub(super) fn group_wait(part: Part) -> Duration {
     (COMMIT_INTERVAL * part.of()).min(LONGEST_WAIT)
 }

@@ -52,7 +52,7 @@ pub(super) enum CaseState {
 }
 
 /// Compares cases of a plan with those that are stored.
-pub(super) struct Comparison<'a> {
+pub(super) struct Survey<'a> {
     stored: &'a MergedCatalog<'a>,
     recipe: Recipe,
     time_limit: f64,
@@ -60,10 +60,10 @@ pub(super) struct Comparison<'a> {
     others: Vec<(Recipe, Fingerprint)>,
 }
 
-impl<'a> Comparison<'a> {
+impl<'a> Survey<'a> {
     pub(super) fn new(sweep: &Sweep, plan: &Plan, stored: &'a MergedCatalog<'a>) -> Self {
-        // A recipe that does not read is one of a method or setting that this version does not know: its cases are of no use,
-        // and no case here can be told to be one of them.
+        // A recipe that does not read is one of a method or setting that this version does not know: its cases are of
+        // no use, and no case here can be told to be one of them.
         let all = stored.catalogs().iter().flat_map(|catalog| catalog.recipes());
         let mut recipes: Vec<Recipe> = Vec::new();
         for recipe in all.filter_map(|recipe| serde_json::from_value(recipe.clone()).ok()) {

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::failures::failure_regions;
 use super::parts::part_states;
 use super::{CampaignError, FailureRegion, PartState, Pending, SweepDirectory, read_sweep, sweep_file};
-use crate::store::{Counts, Holdings, Inspection, Start, StoreError, Warning};
+use crate::store::{Catalog, Counts, Inspection, Start, StoreError, Warning};
 use crate::{Plan, Sweep};
 use stribeck_solver::{FieldSelection, Output};
 
@@ -18,7 +18,8 @@ pub struct StatusReport {
     pub workers: Vec<String>,
     /// True if a process works in the directory itself.
     pub running: bool,
-    /// The runs in the directory itself, oldest first, each with the number of its log; those of its parts are not among them.
+    /// The runs in the directory itself, oldest first, each with the number of its log; those of its parts are not
+    /// among them.
     pub starts: Vec<(u32, Start)>,
     /// Cases per second: of those who work here together, else of the last run that solved cases.
     pub rate: Option<f64>,
@@ -64,7 +65,7 @@ pub fn status(directory: &Path, inspection: Inspection) -> Result<StatusReport, 
     let nothing = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
     let output = sweep.as_ref().map_or(&nothing, |sweep| &sweep.output);
     let found = SweepDirectory::read_existing(directory, output, inspection)?;
-    let owners = found.catalogs().into_iter().map(Holdings::owner).collect::<Result<Vec<_>, _>>()?;
+    let owners = found.catalogs().into_iter().map(Catalog::owner).collect::<Result<Vec<_>, _>>()?;
     let cases = match sweep {
         Ok(sweep) => Ok(planned(sweep, &found)?),
         Err(error) => Err(UnplannedStatus { error, stored: stored(&found) }),
@@ -86,7 +87,7 @@ fn planned(sweep: Sweep, found: &SweepDirectory) -> Result<PlannedStatus, StoreE
         places: plan.cases(),
         problems: plan.problems(),
         pending: Pending::survey(&sweep, &plan, None, &stored),
-        published: found.whole.as_ref().map_or(Ok(false), Holdings::is_published)?,
+        published: found.whole.as_ref().map_or(Ok(false), Catalog::is_published)?,
         parts: part_states(&plan, found, &stored)?,
         failures: failure_regions(&plan, &stored)?,
         sweep,
@@ -94,7 +95,7 @@ fn planned(sweep: Sweep, found: &SweepDirectory) -> Result<PlannedStatus, StoreE
 }
 
 fn stored(found: &SweepDirectory) -> Counts {
-    let counts = found.catalogs().into_iter().map(Holdings::counts);
+    let counts = found.catalogs().into_iter().map(Catalog::counts);
     counts.fold(Counts::default(), |sum, counts| Counts {
         converged: sum.converged + counts.converged,
         failed: sum.failed + counts.failed,
@@ -114,7 +115,7 @@ fn warnings(found: &SweepDirectory, owners: &[Option<String>]) -> Vec<Warning> {
 
 fn rate(found: &SweepDirectory, owners: &[Option<String>]) -> Option<f64> {
     let solves = |start: &Start| start.beginning.as_ref().is_some_and(|beginning| beginning.threads > 0);
-    let last = |catalog: &Holdings| catalog.history().starts().rfind(|(_, start)| solves(start))?.1.rate();
+    let last = |catalog: &Catalog| catalog.history().starts().rfind(|(_, start)| solves(start))?.1.rate();
     let catalogs = found.catalogs();
     let running = catalogs.iter().zip(owners).filter(|(_, owner)| owner.is_some());
     let rates: Vec<f64> = running.filter_map(|(catalog, _)| last(catalog)).collect();

@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::{CampaignError, MergedCatalog};
-use crate::store::{Holdings, Inspection, Store, StoreError, holds_text};
+use crate::store::{Catalog, Inspection, Store, StoreError, holds_text};
 use crate::{Part, Sweep};
 use stribeck_solver::Output;
 
@@ -16,16 +16,16 @@ const PARTS: &str = "parts";
 #[derive(Debug, Default)]
 pub struct SweepDirectory {
     /// What the directory itself holds; `None` if it has no results.
-    pub whole: Option<Holdings>,
+    pub whole: Option<Catalog>,
     /// What its parts hold, in the order of the parts.
-    pub parts: Vec<(Part, Holdings)>,
+    pub parts: Vec<(Part, Catalog)>,
 }
 
 impl SweepDirectory {
     /// Reads a directory and its parts, without locking or changing them. `output` is what counts as done.
     ///
     /// # Errors
-    /// As for [`Holdings::read`]; a directory without results is no error.
+    /// As for [`Catalog::read`]; a directory without results is no error.
     pub fn read(directory: &Path, output: &Output, inspection: Inspection) -> Result<Self, CampaignError> {
         Self::read_parts(directory, output, inspection, |_| true)
     }
@@ -55,7 +55,7 @@ impl SweepDirectory {
     ) -> Result<Self, CampaignError> {
         let mut found = Self::read(directory, output, inspection)?;
         if found.is_empty() {
-            found.whole = Some(Holdings::read(directory, output, inspection)?);
+            found.whole = Some(Catalog::read(directory, output, inspection)?);
         }
         Ok(found)
     }
@@ -66,7 +66,7 @@ impl SweepDirectory {
     }
 
     /// The catalogs of the directory itself, then of its parts.
-    pub fn catalogs(&self) -> Vec<&Holdings> {
+    pub fn catalogs(&self) -> Vec<&Catalog> {
         self.whole.iter().chain(self.parts.iter().map(|(_, catalog)| catalog)).collect()
     }
 
@@ -77,8 +77,8 @@ impl SweepDirectory {
 }
 
 /// What a directory holds; `None` if it has no results.
-fn read(directory: &Path, output: &Output, inspection: Inspection) -> Result<Option<Holdings>, CampaignError> {
-    match Holdings::read(directory, output, inspection) {
+fn read(directory: &Path, output: &Output, inspection: Inspection) -> Result<Option<Catalog>, CampaignError> {
+    match Catalog::read(directory, output, inspection) {
         Ok(catalog) => Ok(Some(catalog)),
         Err(StoreError::NotResults { .. }) => Ok(None),
         Err(error) => Err(error.into()),
@@ -112,8 +112,8 @@ pub(super) fn part_directories(directory: &Path) -> Result<Vec<PathBuf>, Campaig
     Ok(parts(directory)?.into_iter().map(|part| part_directory(directory, part)).collect())
 }
 
-/// The copy of the sweep file that was run last in a results directory or in one of its parts; where there is none, the path at
-/// which it would be.
+/// The copy of the sweep file that was run last in a results directory or in one of its parts; where there is none, the
+/// path at which it would be.
 ///
 /// # Errors
 /// [`CampaignError::Parts`] if the parts cannot be listed.
@@ -137,11 +137,12 @@ pub fn sweep_file(directory: &Path) -> Result<PathBuf, CampaignError> {
 /// The copy keeps the name under which the sweep was run, which is the title of a sweep whose file gives none.
 ///
 /// # Errors
-/// [`CampaignError::Input`] if the file is not a valid sweep, [`CampaignError::Store`] if the log beside a copy cannot be read.
+/// [`CampaignError::Input`] if the file is not a valid sweep, [`CampaignError::Store`] if the log beside a copy cannot
+/// be read.
 pub fn read_sweep(path: &Path) -> Result<Sweep, CampaignError> {
     let sweep = Sweep::read(path)?;
     let home = path.parent().filter(|home| path.ends_with("sweep.toml") && home.join("log").is_dir());
-    let name = match home.map(Holdings::name_of_sweep) {
+    let name = match home.map(Catalog::name_of_sweep) {
         Some(Ok(Some(name))) => name,
         // Other directories than those of results have a directory `log` as well.
         Some(Err(StoreError::NotResults { .. }) | Ok(None)) | None => return Ok(sweep),
@@ -150,13 +151,15 @@ pub fn read_sweep(path: &Path) -> Result<Sweep, CampaignError> {
     Ok(Sweep::parse(&name, &sweep.text)?)
 }
 
-/// Checks that a sweep could be run into a directory: it is no file, and holds no files of others that a run would replace.
+/// Checks that a sweep could be run into a directory: it is no file, and holds no files of others that a run would
+/// replace.
 ///
 /// # Errors
-/// [`CampaignError::NotADirectory`], and [`StoreError::Occupied`] or [`StoreError::NotText`] in [`CampaignError::Store`].
+/// [`CampaignError::NotADirectory`], and [`StoreError::Occupied`] or [`StoreError::NotText`] in
+/// [`CampaignError::Store`].
 pub fn check_available(directory: &Path) -> Result<(), CampaignError> {
     check_directory(directory)?;
-    Ok(Store::may_take(directory)?)
+    Ok(Store::check_available(directory)?)
 }
 
 /// Checks that a path is no file.

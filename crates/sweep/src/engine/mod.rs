@@ -1,7 +1,7 @@
 //! Runs chains in parallel and hands what they yield to one writer, in bounded memory.
 //!
-//! The engine knows neither solver nor store: both are closures. Chains are independent of each other, so their results do
-//! not depend on the number of threads; only the order in which they are committed does.
+//! The engine knows neither solver nor store: both are closures. Chains are independent of each other, so their results
+//! do not depend on the number of threads; only the order in which they are committed does.
 
 mod pool;
 mod progress;

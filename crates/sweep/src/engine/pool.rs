@@ -11,9 +11,9 @@ use stribeck_solver::continuation::{Interrupt, Interrupted, SolvedCase, panic_me
 /// Cases at which a group of finished chains is committed without looking for more.
 const GROUP_CASES: usize = 4096;
 
-/// How long a finished chain waits for others to be committed with, unless [`Engine::with_group_wait`] says otherwise. A commit
-/// waits for the disk several times, however little it brings there; this is the time in which a kill loses more than the
-/// chains at work.
+/// How long a finished chain waits for others to be committed with, unless [`Engine::with_group_wait`] says otherwise.
+/// A commit waits for the disk several times, however little it brings there; this is the time in which a kill loses
+/// more than the chains at work.
 const GROUP_WAIT: Duration = Duration::from_millis(100);
 
 /// A pool of threads that solves chains.
@@ -67,15 +67,15 @@ impl Engine {
         Ok(Self { pool: solver_threads(threads)?, queue_length: threads.get(), group_wait: GROUP_WAIT })
     }
 
-    /// The engine with room for at least `chains` finished chains in its queue: a longer one keeps the solver threads at
-    /// work through longer pauses of the disk.
+    /// The engine with room for at least `chains` finished chains in its queue: a longer one keeps the solver threads
+    /// at work through longer pauses of the disk.
     #[must_use]
     pub fn with_queue(self, chains: usize) -> Self {
         Self { queue_length: self.queue_length.max(chains), ..self }
     }
 
-    /// The engine with another time that a finished chain may wait for others to be committed with. An interruption, and the end
-    /// of the run, end the waiting.
+    /// The engine with another time that a finished chain may wait for others to be committed with. An interruption,
+    /// and the end of the run, end the waiting.
     #[must_use]
     pub fn with_group_wait(self, group_wait: Duration) -> Self {
         Self { group_wait, ..self }
@@ -83,8 +83,8 @@ impl Engine {
 
     /// Number of finished chains that may wait for the writer in its queue.
     ///
-    /// Besides these, each solver thread may hold one that does not fit, and the writer as many as the queue in the group
-    /// it commits: that is all that is ever finished and not committed, however many chains there are.
+    /// Besides these, each solver thread may hold one that does not fit, and the writer as many as the queue in the
+    /// group it commits: that is all that is ever finished and not committed, however many chains there are.
     pub fn queue_length(&self) -> usize {
         self.queue_length
     }
@@ -93,12 +93,11 @@ impl Engine {
     ///
     /// - `solve` is called once for each chain, on a solver thread. It gives up with [`Interrupted`] soon after
     ///   `interrupt` is requested; what it finished nevertheless is committed.
-    /// - `panicked` makes failed cases of a chain whose solver panicked, from the message of the panic. They are committed
-    ///   like any others, and the other chains go on.
-    /// - `commit` is called on the calling thread only, so it needs no lock. It gets the chains that finished since it was
-    ///   called last, in the order of `chains`: at least one, and what is there a tenth of a second (or as long as the engine is
-    ///   told to wait) after the first.
-    ///   Which chains are in one group depends on timing.
+    /// - `panicked` makes failed cases of a chain whose solver panicked, from the message of the panic. They are
+    ///   committed like any others, and the other chains go on.
+    /// - `commit` is called on the calling thread only, so it needs no lock. It gets the chains that finished since it
+    ///   was called last, in the order of `chains`: at least one, and what is there a tenth of a second (or as long as
+    ///   the engine is told to wait) after the first. Which chains are in one group depends on timing.
     ///
     /// # Errors
     /// The first error of `commit`. It ends the run: `interrupt` is requested so that solvers at work give up, and no
@@ -111,8 +110,8 @@ impl Engine {
         panicked: impl Fn(&C, &str) -> Vec<SolvedCase> + Sync,
         mut commit: impl FnMut(Vec<Finished<'_, C>>) -> Result<(), E>,
     ) -> Result<Report, E> {
-        // Rayon gives no order among its jobs and lets a waiting job steal another. So its jobs are not the chains but one
-        // loop for each thread, and the loops share a counter.
+        // Rayon gives no order among its jobs and lets a waiting job steal another. So its jobs are not the chains but
+        // one loop for each thread, and the loops share a counter.
         let next = AtomicUsize::new(0);
         let solver_loop = |finished: SyncSender<_>| {
             while !interrupt.requested() {

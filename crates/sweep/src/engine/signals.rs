@@ -58,11 +58,11 @@ pub struct Signals {
 }
 
 impl Signals {
-    /// From now on the first SIGINT or SIGTERM requests `interrupt` (a moment later, from a thread), and the next one ends the program at once with exit
-    /// code 130. Nothing is printed by either. Call it once in a program.
+    /// From now on the first SIGINT or SIGTERM requests `interrupt` (a moment later, from a thread), and the next one
+    /// ends the program at once with exit code 130. Nothing is printed by either. Call it once in a program.
     ///
-    /// A file that grows beyond the limit of the process (`ulimit -f`) is from now on an error of that write, as on a full
-    /// disk: by default the system ends the program there, before it can say what is saved.
+    /// A file that grows beyond the limit of the process (`ulimit -f`) is from now on an error of that write, as on a
+    /// full disk: by default the system ends the program there, before it can say what is saved.
     ///
     /// # Errors
     /// What the system says if it refuses a handler, or the thread that passes the request on.
@@ -77,7 +77,8 @@ impl Signals {
         }
         #[cfg(unix)]
         flag::register(signal_hook::consts::SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
-        // The interruption is requested by a thread, not by a handler: that needs no promise about what a handler may do.
+        // The interruption is requested by a thread, not by a handler: that needs no promise about what a handler may
+        // do.
         let mut arriving = iterator::Signals::new(StopSignal::ALL.map(StopSignal::number))?;
         let interrupt = Arc::clone(interrupt);
         let request = move || arriving.forever().for_each(|_| interrupt.request());

@@ -14,7 +14,7 @@ use stribeck_solver::{CavityShear, Parameters};
 /// | --- | --- |
 /// | `stribeck case 1\n` | version of this table |
 /// | `collocation\n` or `relaxation\n` | method |
-/// | `u32` | the method's version of results, [`collocation::RESULTS_VERSION`](stribeck_solver::collocation::RESULTS_VERSION) or [`relaxation::RESULTS_VERSION`] |
+/// | `u32` | the version of the method's results: [`collocation::RESULTS_VERSION`] or [`relaxation::RESULTS_VERSION`] |
 /// | the method's settings | see below |
 /// | `u8` | cavity shear: 0 full, 1 streamers, 2 none |
 /// | `f64`, `f64`, `f64` | f, α, β |
@@ -36,6 +36,8 @@ use stribeck_solver::{CavityShear, Parameters};
 /// Where the substrate is elastic what does not matter is left out: f = 0 or α = ∞ counts as f = 0, α = ∞ without
 /// modes, α = 0 as without modes. Title, fields, x and limits of the sweep are not part of it: they say what is kept
 /// of a solution, not what is solved. Nor is the place in the sweep.
+///
+/// [`collocation::RESULTS_VERSION`]: stribeck_solver::collocation::RESULTS_VERSION
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
     settings: Vec<u8>,

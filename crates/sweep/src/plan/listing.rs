@@ -21,11 +21,11 @@ struct Row {
 }
 
 impl Listing {
-    /// Lists a grid of the given shape. `id` is the problem at a place, `limit` the most cases of a chain in the row that begins at a
-    /// place.
+    /// Lists a grid of the given shape. `id` is the problem at a place, `limit` the most cases of a chain in the row
+    /// that begins at a place.
     ///
-    /// A problem belongs to the first place that has it in the order of publication, so that an extension at the end of an axis
-    /// leaves the rows before as they were.
+    /// A problem belongs to the first place that has it in the order of publication, so that an extension at the end of
+    /// an axis leaves the rows before as they were.
     pub(super) fn new(shape: GridShape, id: impl Fn(GridIndex) -> CaseId, limit: impl Fn(GridIndex) -> usize) -> Self {
         let mut seen = HashSet::new();
         let mut listing = Self { rows: Vec::new(), chains: Vec::new() };

@@ -1,7 +1,7 @@
 //! The plan of a sweep: which cases are solved, in what chains, under what ids.
 //!
-//! [`Plan`] turns a sweep into rows, chains and case ids by index arithmetic. A plan of a billion cases is as small as its
-//! axes.
+//! [`Plan`] turns a sweep into rows, chains and case ids by index arithmetic. A plan of a billion cases is as small as
+//! its axes.
 //!
 //! | file | what it holds |
 //! | --- | --- |

@@ -71,7 +71,8 @@ impl FromStr for Part {
     }
 }
 
-/// What the first case of a chain costs beside its others, for each decade of β that it is reached over, in cases; measured.
+/// What the first case of a chain costs beside its others, for each decade of β that it is reached over, in cases;
+/// measured.
 const DECADE: f64 = 5.0;
 /// β from which the first case of a chain is reached.
 const THICK: f64 = 0.01;
@@ -79,7 +80,8 @@ const THICK: f64 = 0.01;
 const ELASTIC: f64 = 0.6;
 
 impl Plan {
-    /// Which part of a split into `of` each chain is in, in the order of [`Plan::chains`]. That depends on the plan alone.
+    /// Which part of a split into `of` each chain is in, in the order of [`Plan::chains`]. That depends on the plan
+    /// alone.
     ///
     /// The chains are dealt like cards, the dearest first, there and back again: the parts differ by about one chain.
     ///

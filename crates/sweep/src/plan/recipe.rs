@@ -7,8 +7,9 @@ use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::{CavityShear, shortest};
 
-/// The method, the version of its results, its settings, and what fills the cavity: together with the parameters all that the
-/// numbers of a case depend on. It is kept with stored cases, so that a later sweep can tell why one of them is of no use.
+/// The method, the version of its results, its settings, and what fills the cavity: together with the parameters all
+/// that the numbers of a case depend on. It is kept with stored cases, so that a later sweep can tell why one of them
+/// is of no use.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Recipe {
     /// The method with its settings.

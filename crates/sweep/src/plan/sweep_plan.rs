@@ -9,14 +9,14 @@ use stribeck_solver::{Parameters, Substrate};
 
 /// What there is to solve for a sweep, and in what pieces.
 ///
-/// A *row* is all cases along β, or along the speed, with the same other numbers. A row is cut into as few *chains* as the
-/// method's [`chain_limit`](crate::Method::chain_limit) lets, with lengths that differ by at most one; short chains
+/// A *row* is all cases along β, or along the speed, with the same other numbers. A row is cut into as few *chains* as
+/// the method's [`chain_limit`](crate::Method::chain_limit) lets, with lengths that differ by at most one; short chains
 /// mean that an interruption loses little.
 ///
-/// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is solved
-/// once; the other rows follow in the order f, then α. Everything is index arithmetic: such a plan is as large as its axes.
-/// Over quantities of the laboratory different places can have the same α, β and f: each problem is solved at the first place
-/// that has it, and rows are listed.
+/// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is
+/// solved once; the other rows follow in the order f, then α. Everything is index arithmetic: such a plan is as large
+/// as its axes. Over quantities of the laboratory different places can have the same α, β and f: each problem is solved
+/// at the first place that has it, and rows are listed.
 ///
 /// Grid points are published in the order f, then α, then β, or f, then the quantities in their order, the speed last.
 #[derive(Clone, Debug)]
@@ -125,7 +125,8 @@ impl Plan {
         }
     }
 
-    /// All chains, row by row in ascending β. They are made as they are asked for: a billion cases have too many to list.
+    /// All chains, row by row in ascending β. They are made as they are asked for: a billion cases have too many to
+    /// list.
     pub fn chains(&self) -> impl ExactSizeIterator<Item = Chain> + DoubleEndedIterator + Clone + '_ {
         (0..self.chain_count()).map(|index| self.chain(index))
     }

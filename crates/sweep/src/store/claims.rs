@@ -1,4 +1,5 @@
-//! Claims: the shards and published files that the logs of a directory name, and how a file is compared with its record.
+//! Claims: the shards and published files that the logs of a directory name, and how a file is compared with its
+//! record.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -36,7 +37,8 @@ pub(super) struct Claim {
 
 /// Opens a shard and compares its cases with its record.
 ///
-/// Its checksum comes first: the HDF5 library gets only bytes that this program has written, for it is not made for others.
+/// Its checksum comes first: the HDF5 library gets only bytes that this program has written, for it is not made for
+/// others.
 pub(super) fn open_checked(path: &Path, record: &ShardRecord) -> Result<ShardReader, StoreError> {
     let damaged = |what: &str| StoreError::Damaged { path: path.to_owned(), what: what.to_owned() };
     if let Some(what) = fault(path, &record.file, Inspection::Bytes)? {

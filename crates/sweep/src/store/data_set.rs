@@ -15,9 +15,11 @@ use crate::grid_index::indices;
 use crate::{Column, Dimension, Field, GridIndex, GridShape};
 use stribeck_lab::LaboratoryQuantity;
 
-/// A published data set. Numbers are read when they are asked for, so that memory does not depend on the size of the fields.
+/// A published data set. Numbers are read when they are asked for, so that memory does not depend on the size of the
+/// fields.
 ///
-/// A *place* is a point of the grid ([`GridIndex`]). Places are counted in the order of the plan, as [`GridShape`] does.
+/// A *place* is a point of the grid ([`GridIndex`]). Places are counted in the order of the plan, as [`GridShape`]
+/// does.
 #[derive(Debug)]
 pub struct DataSet {
     path: PathBuf,
@@ -61,12 +63,12 @@ pub struct Cost {
 impl DataSet {
     /// Opens the data set of a results directory.
     ///
-    /// Where the log is there, every byte is compared with its record before the HDF5 library sees it. A directory that has
-    /// only the published files, as they are passed on to others, is read as it is.
+    /// Where the log is there, every byte is compared with its record before the HDF5 library sees it. A directory that
+    /// has only the published files, as they are passed on to others, is read as it is.
     ///
     /// # Errors
-    /// [`StoreError::Unpublished`] if nothing is published there, [`StoreError::Altered`] if it is not as it was written,
-    /// others if it cannot be read.
+    /// [`StoreError::Unpublished`] if nothing is published there, [`StoreError::Altered`] if it is not as it was
+    /// written, others if it cannot be read.
     pub fn open(path: &Path) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
         if !path.is_dir() {
@@ -180,8 +182,8 @@ impl DataSet {
         self.variable(column.name())
     }
 
-    /// The values of a variable of numbers that is no column, one for each place: of the laboratory's `alpha`, `beta` and
-    /// scales, or a sensitivity.
+    /// The values of a variable of numbers that is no column, one for each place: of the laboratory's `alpha`, `beta`
+    /// and scales, or a sensitivity.
     ///
     /// # Errors
     /// [`StoreError`] if the file has no such variable or cannot be read.

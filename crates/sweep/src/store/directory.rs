@@ -54,10 +54,10 @@ impl Directory {
         self.root.join(name)
     }
 
-    /// An error if a run could not write here, or would replace files that no run has written.
+    /// Checks that a run can write here without replacing files that no run has written.
     ///
     /// [`Directory::create`] comes before the first file of ours, so a start that was killed at any moment left a log.
-    pub(super) fn must_be_ours_or_free(&self) -> Result<(), StoreError> {
+    pub(super) fn check_available(&self) -> Result<(), StoreError> {
         if self.root.to_str().is_none() {
             return Err(StoreError::NotText { path: self.root.clone() });
         }

@@ -49,7 +49,8 @@ pub struct Timing {
     pub iterations: u64,
     /// Matrix factorisations.
     pub factorisations: u64,
-    /// The seed that led to the outcome; `None` if another version of the program recorded a seed that this one has not.
+    /// The seed that led to the outcome; `None` if another version of the program recorded a seed that this one has
+    /// not.
     pub seed: Option<Seed>,
     /// The time limit in seconds at which the case was given up, if that is why it failed; above 0.
     pub time_limit: Option<f64>,

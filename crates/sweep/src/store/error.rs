@@ -80,7 +80,8 @@ pub enum StoreError {
     },
     /// A path that HDF5 cannot take.
     #[error(
-        "{} has bytes that are no UTF-8 text, and HDF5 opens no file under such a name; choose another directory with -o",
+        "{} has bytes that are no UTF-8 text, and HDF5 opens no file under such a name; choose another directory with \
+         -o",
         shown(path)
     )]
     NotText {
@@ -105,8 +106,8 @@ pub enum StoreError {
     },
     /// The same case with different numbers in two directories.
     #[error(
-        "case {case} is in {} and in {} with numbers that differ by more than the tolerance; one of them is wrong: find out by \
-         `stribeck explain`, delete that file, and start again",
+        "case {case} is in {} and in {} with numbers that differ by more than the tolerance; one of them is wrong: find \
+         out by `stribeck explain`, delete that file, and start again",
         shown(first),
         shown(second)
     )]

@@ -19,10 +19,10 @@ const LOCKING: bool = false;
 
 /// A new file that is being written.
 ///
-/// When a write fails (a full disk), HDF5 must not be asked to close what it could not write: closing tries again, fails
-/// again, frees the object, and the next call of the library runs into what was freed. So all data sets stay open until
-/// one flush of the whole file has succeeded, and if there is none they are left open for good: a little memory and a
-/// file descriptor, of a run that ends because of the error.
+/// When a write fails (a full disk), HDF5 must not be asked to close what it could not write: closing tries again,
+/// fails again, frees the object, and the next call of the library runs into what was freed. So all data sets stay open
+/// until one flush of the whole file has succeeded, and if there is none they are left open for good: a little memory
+/// and a file descriptor, of a run that ends because of the error.
 pub(super) struct NewFile {
     file: ManuallyDrop<File>,
     datasets: ManuallyDrop<Vec<Dataset>>,

@@ -29,9 +29,9 @@ pub(super) struct Slot {
 
 /// Shards, and the case that counts for each id.
 ///
-/// If several shards hold a case, the one counts that covers what is asked for, then one where it converged, then the one
-/// that gave it most time, then the one whose name sorts first: a choice that does not depend on the order in which shards
-/// were committed.
+/// If several shards hold a case, the one counts that covers what is asked for, then one where it converged, then the
+/// one that gave it most time, then the one whose name sorts first: a choice that does not depend on the order in which
+/// shards were committed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Index {
     shards: Vec<Shard>,

@@ -1,8 +1,8 @@
 //! Takes over what other results directories of the same sweep hold.
 //!
-//! Shards are immutable and named by their cases, so joining is linking: a shard gets a second name here (or is copied, where
-//! the other directory is on another file system), and its record is written once more. Goes through the other directory
-//! shard by shard; memory grows with the cases here alone.
+//! Shards are immutable and named by their cases, so joining is linking: a shard gets a second name here (or is copied,
+//! where the other directory is on another file system), and its record is written once more. Goes through the other
+//! directory shard by shard; memory grows with the cases here alone.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use super::files::{Staged, synchronise_directory};
 use super::index::{Shard, Slot};
 use super::open_shards::OpenShards;
 use super::record::{Record, ShardRecord};
-use super::{Contents, Holdings, Status, Store, StoreError};
+use super::{Catalog, Contents, Status, Store, StoreError};
 use crate::Values;
 
 /// Shards that are taken over with one wait for the disk.
@@ -35,14 +35,14 @@ pub type Agreement<'a> = dyn Fn(&Values, &Values) -> bool + 'a;
 impl Store {
     /// Takes over all shards of another directory that are as they were written.
     ///
-    /// A case that is here already is fine if both agree. Of two shards with the same cases and other bytes the one whose
-    /// checksum sorts first stays; of a case in several shards one counts as always ([`Holdings::holds`]), whatever the order
-    /// of joining.
+    /// A case that is here already is fine if both agree. Of two shards with the same cases and other bytes the one
+    /// whose checksum sorts first stays; of a case in several shards one counts as always ([`Catalog::holds`]),
+    /// whatever the order of joining.
     ///
     /// # Errors
     /// [`StoreError::Disagreement`] if a case is here with other numbers, others if a file cannot be read, linked or
     /// written. What was taken over before stays.
-    pub fn join(&mut self, other: &Holdings, agree: &Agreement<'_>) -> Result<Joined, StoreError> {
+    pub fn join(&mut self, other: &Catalog, agree: &Agreement<'_>) -> Result<Joined, StoreError> {
         let (mut joined, mut waiting) = (Joined::default(), Vec::new());
         for (_, shard) in other.index.shards() {
             let record = shard_record(&other.directory, shard.record)?;
@@ -107,10 +107,10 @@ impl Store {
         let records: Vec<Record> = shards.iter().cloned().map(Record::Shard).collect();
         let places = self.append_all(&records)?;
         for (place, record) in places.into_iter().zip(shards) {
-            let contents = record.contents().expect("holdings have known contents only");
-            let hash = record.file.blake3.parse().expect("holdings have well-formed hashes only");
+            let contents = record.contents().expect("a catalog has known contents only");
+            let hash = record.file.blake3.parse().expect("a catalog has well-formed hashes only");
             let (name, covers) = (record.file.file.into(), contents.covers(&wanted));
-            let index = &mut self.holdings_mut().index;
+            let index = &mut self.catalog_mut().index;
             let shard = index.add_shard(Shard { name, hash, contents, covers, record: place });
             for (row, case) in (0..).zip(record.cases) {
                 index.add_case(case.case, Slot { shard, row, status: case.status }, case.time_limit);

@@ -8,8 +8,8 @@ use super::files::{files_in, synchronise_directory};
 use super::record::Record;
 use super::{StoreError, Warning};
 
-/// Longest line of a log, its line feed included: 4 kB for each case of the largest commit. A longer one is no record, and
-/// is not kept in memory.
+/// Longest line of a log, its line feed included: 4 kB for each case of the largest commit. A longer one is no record,
+/// and is not kept in memory.
 const LONGEST_LINE: u64 = 16 << 20;
 
 /// Where a record stands.
@@ -335,7 +335,8 @@ mod tests {
             }
             let (found, warnings) = read(&content);
             prop_assert!(found.iter().eq(lines.iter().flatten()));
-            let damaged: Vec<u64> = (1..).zip(&lines).filter_map(|(number, line)| line.is_err().then_some(number)).collect();
+            let damaged = (1..).zip(&lines).filter_map(|(number, line)| line.is_err().then_some(number));
+            let damaged: Vec<u64> = damaged.collect();
             prop_assert_eq!(warned(&warnings), damaged);
         }
 

@@ -10,14 +10,15 @@
 //! timings.csv     published: what each case cost
 //! ```
 //!
-//! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. Chains are committed in this order: their
-//! shard is written under a temporary name, brought to the disk, renamed, the directory brought to the disk, and only
-//! then a record is appended to the log and brought to the disk. Whatever the moment at which a run is killed, all
-//! chains with a record are whole, and all others are solved again.
+//! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. Chains
+//! are committed in this order: their shard is written under a temporary name, brought to the disk, renamed, the
+//! directory brought to the disk, and only then a record is appended to the log and brought to the disk. Whatever the
+//! moment at which a run is killed, all chains with a record are whole, and all others are solved again.
 //!
-//! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file, data set
-//! and column is described in `docs/output.md`.
+//! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file,
+//! data set and column is described in `docs/output.md`.
 
+mod catalog;
 mod claims;
 mod contents;
 mod damage;
@@ -29,7 +30,6 @@ mod error;
 mod files;
 mod hdf5_file;
 mod history;
-mod holdings;
 mod index;
 mod joining;
 mod log;
@@ -45,6 +45,7 @@ mod verify;
 mod warning;
 mod writing;
 
+pub use catalog::{Catalog, Counts, Origin};
 pub use claims::Inspection;
 pub use contents::Contents;
 pub use data_set::{Cost, DataSet};
@@ -52,7 +53,6 @@ pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
 pub use files::{holds_text, write_whole};
 pub use history::{Beginning, History, Start};
-pub use holdings::{Counts, Holdings, Origin};
 pub use joining::{Agreement, Joined};
 pub use publication::{Point, Publication};
 pub use publish::Published;

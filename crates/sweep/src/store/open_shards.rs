@@ -2,13 +2,13 @@
 
 use std::collections::VecDeque;
 
-use super::holdings::OpenShard;
+use super::catalog::OpenShard;
 use super::index::Slot;
-use super::{Holdings, StoreError};
+use super::{Catalog, StoreError};
 use crate::CaseId;
 
-/// Shards kept open. Who goes through a sweep in its order needs few: a chain runs along β, and a shard holds chains that
-/// finished at about the same time, so neighbours.
+/// Shards kept open. Who goes through a sweep in its order needs few: a chain runs along β, and a shard holds chains
+/// that finished at about the same time, so neighbours.
 const OPEN_SHARDS: usize = 32;
 
 /// Cases of the shards kept open, at some hundred bytes each; a single shard may have more.
@@ -16,13 +16,13 @@ const OPEN_CASES: usize = 1 << 16;
 
 /// The shards used last, newest at the back.
 pub(super) struct OpenShards<'a> {
-    store: &'a Holdings,
+    store: &'a Catalog,
     shards: VecDeque<(u32, OpenShard)>,
 }
 
 impl<'a> OpenShards<'a> {
     /// None open yet.
-    pub(super) fn new(store: &'a Holdings) -> Self {
+    pub(super) fn new(store: &'a Catalog) -> Self {
         Self { store, shards: VecDeque::new() }
     }
 

@@ -12,8 +12,8 @@ pub struct Publication<'a> {
     pub sweep_text: &'a str,
     /// The dimensions of the grid, at least two, the one along the rows last.
     pub dimensions: &'a [Dimension],
-    /// The places of a row, one for each value of the last dimension. Rows are counted with the last dimension before it
-    /// fastest. A case may stand at many places.
+    /// The places of a row, one for each value of the last dimension. Rows are counted with the last dimension before
+    /// it fastest. A case may stand at many places.
     pub row: &'a dyn Fn(usize) -> Vec<Point>,
 }
 
@@ -24,7 +24,8 @@ pub struct Point {
     pub case: CaseId,
     /// Its f, α and β, as they belong to the place.
     pub numbers: [f64; 3],
-    /// The experiment, if quantities of the laboratory are given: results are in SI units then. At all places or at none.
+    /// The experiment, if quantities of the laboratory are given: results are in SI units then. At all places or at
+    /// none.
     pub experiment: Option<Experiment>,
 }
 

@@ -13,7 +13,7 @@ use super::record::{FileRecord, Record};
 use super::results::Results;
 use super::sensitivity_columns::{self, SensitivityColumn};
 use super::tables::{Summary, Timings};
-use super::{Contents, Holdings, PROGRAM, Status, Store, StoreError, clock};
+use super::{Catalog, Contents, PROGRAM, Status, Store, StoreError, clock};
 use crate::{Column, Field, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
@@ -64,13 +64,13 @@ impl Store {
             file.put_in_place()?;
         }
         self.append(&Record::Published { key: key.clone(), files: records.clone(), time: clock() })?;
-        self.holdings_mut().published = Some(LastPublished { key, files: records });
+        self.catalog_mut().published = Some(LastPublished { key, files: records });
         Ok(Published { files, rewritten: true, converged, failed })
     }
 }
 
 /// True if the files of a publication with this key are there, byte for byte.
-fn is_in_place(store: &Holdings, key: &str) -> Result<bool, StoreError> {
+fn is_in_place(store: &Catalog, key: &str) -> Result<bool, StoreError> {
     let Some(last) = store.published.as_ref().filter(|last| last.key == key) else { return Ok(false) };
     for file in &last.files {
         if fault(&store.directory.published(&file.file), file, Inspection::Bytes)?.is_some() {
@@ -88,7 +88,7 @@ struct Survey {
 }
 
 /// Looks up every place of the grid before anything is written.
-fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, StoreError> {
+fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, StoreError> {
     let mut hasher = blake3::Hasher::new();
     for text in [PROGRAM, publication.title, publication.sweep_text] {
         hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
@@ -123,7 +123,7 @@ fn survey(store: &Holdings, publication: &Publication<'_>) -> Result<Survey, Sto
     Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed })
 }
 
-fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
+fn write(store: &Catalog, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
     let mut files = Files::create(store, publication, staged)?;
     let shape = publication.shape();
     let &[.., neighbours, length] = &shape[..] else {
@@ -140,7 +140,7 @@ fn write(store: &Holdings, publication: &Publication<'_>, staged: &[Staged; 3]) 
 
 /// The published files while they are written.
 struct Files<'a> {
-    store: &'a Holdings,
+    store: &'a Catalog,
     publication: &'a Publication<'a>,
     open: OpenShards<'a>,
     results: Results,
@@ -151,7 +151,7 @@ struct Files<'a> {
 
 impl<'a> Files<'a> {
     fn create(
-        store: &'a Holdings,
+        store: &'a Catalog,
         publication: &'a Publication<'a>,
         [results, summary, timings]: &'a [Staged; 3],
     ) -> Result<Self, StoreError> {

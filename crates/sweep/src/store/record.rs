@@ -1,8 +1,8 @@
 //! One line of a log: a record with a checksum.
 //!
-//! A line is `{"crc":"xxxxxxxx","record":{…}}`, where `xxxxxxxx` is the CRC-32 (IEEE) of the text of the record in eight
-//! hexadecimal digits. Any JSON reader can read it; whoever wants to check it takes the text between `"record":` and the
-//! last brace.
+//! A line is `{"crc":"xxxxxxxx","record":{…}}`, where `xxxxxxxx` is the CRC-32 (IEEE) of the text of the record in
+//! eight hexadecimal digits. Any JSON reader can read it; whoever wants to check it takes the text between `"record":`
+//! and the last brace.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -116,8 +116,8 @@ impl CaseRecord {
         Self { case, status, reason, failure_kind, seconds, iterations, factorisations, seed, time_limit }
     }
 
-    /// The name of the kind of failure, which a record of an earlier version tells by its reason alone; `None` if the case
-    /// converged.
+    /// The name of the kind of failure, which a record of an earlier version tells by its reason alone; `None` if the
+    /// case converged.
     pub(super) fn failure_kind(&self) -> Option<&str> {
         match self.status {
             Status::Converged => None,
@@ -167,8 +167,8 @@ impl Record {
         if crc32fast::hash(text) != checksum {
             return Err("the checksum does not fit".to_owned());
         }
-        // A tagged enum is read into a tree first, which takes twice as long. Logs are made of shards, so these are read
-        // as what they are.
+        // A tagged enum is read into a tree first, which takes twice as long. Logs are made of shards, so these are
+        // read as what they are.
         let record = match text.starts_with(SHARD) {
             true => serde_json::from_slice(text).map(Self::Shard),
             false => serde_json::from_slice(text),

@@ -18,7 +18,8 @@ use crate::{Column, Dimension, Field};
 use stribeck_lab::{Experiment, Scales, si_units};
 use stribeck_solver::Output;
 
-/// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f, alpha, beta.
+/// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f,
+/// alpha, beta.
 pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
 
 /// `results.h5` while it is written.
@@ -45,8 +46,8 @@ struct LaboratoryVariables {
 }
 
 impl Results {
-    /// Lays the file out: coordinates, and every variable with its attributes and still without values. With an experiment
-    /// units are SI.
+    /// Lays the file out: coordinates, and every variable with its attributes and still without values. With an
+    /// experiment units are SI.
     pub(super) fn create(
         path: &Path,
         publication: &Publication<'_>,
@@ -55,15 +56,7 @@ impl Results {
         output: &Output,
     ) -> Result<Self> {
         let mut file = NewFile::create(path)?;
-        file.set_text("Conventions", "CF-1.10")?;
-        file.set_text("title", publication.title)?;
-        file.set_text("history", &format!("{PROGRAM}: run sweep.toml"))?;
-        file.set_text(
-            "source",
-            "numerical solution of the lubricated sliding of a rigid cylinder on a viscoelastic half space",
-        )?;
-        file.set_text("sweep", publication.sweep_text)?;
-        file.set_text("stribeck_version", env!("CARGO_PKG_VERSION"))?;
+        describe_file(&file, publication)?;
         let names: Vec<&str> = publication.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
         if experiment.is_some() {
             file.set_text(DIMENSIONS, &names.join(" "))?;
@@ -91,33 +84,12 @@ impl Results {
             .map(|column| layout.number(&mut file, &column.name, "1", &column.long_name))
             .collect::<Result<Vec<_>>>()?;
 
-        let mut fields = [const { None }; Field::ALL.len()];
-        if !output.fields.is_empty() {
-            let place = "position along the surface; the inlet is at x > 0";
-            layout.grid.push(coordinate(&mut file, "x", "a0", place, &output.x)?);
-        }
-        let shape: Vec<usize> = layout.shape.iter().copied().chain([output.x.len()]).collect();
-        let chunk: Vec<usize> = layout.shape.iter().map(|_| 1).chain([output.x.len()]).collect();
-        for field in Field::selected(output.fields) {
-            let variable = file
-                .dataset()
-                .chunk(chunk.as_slice())
-                .shuffle()
-                .deflate(DEFLATE)
-                .fill_value(f64::NAN)
-                .empty::<f64>()
-                .shape(shape.as_slice())
-                .create(field.name())?;
-            let variable = file.keep(variable);
-            layout.describe(&variable, Some(units(field.units())), field.long_name())?;
-            set_fill(&variable)?;
-            fields[field as usize] = Some(variable);
-        }
+        let fields = layout.fields(&mut file, output, units)?;
         Ok(Self { shape: layout.shape, columns, sensitivities, laboratory, case, status, reason, fields, file })
     }
 
-    /// Writes all but the fields of neighbouring rows: those of a range of the last dimension but one, in a block of the
-    /// dimensions before it.
+    /// Writes all but the fields of neighbouring rows: those of a range of the last dimension but one, in a block of
+    /// the dimensions before it.
     pub(super) fn rows(&mut self, block: usize, range: Range<usize>, places: &[Place]) -> Result<()> {
         let write = Write { shape: &self.shape, block, range };
         for (column, variable) in Column::ALL.into_iter().zip(&self.columns) {
@@ -157,6 +129,19 @@ impl Results {
     }
 }
 
+/// Gives the file its attributes: where its numbers come from.
+fn describe_file(file: &NewFile, publication: &Publication<'_>) -> Result<()> {
+    file.set_text("Conventions", "CF-1.10")?;
+    file.set_text("title", publication.title)?;
+    file.set_text("history", &format!("{PROGRAM}: run sweep.toml"))?;
+    file.set_text(
+        "source",
+        "numerical solution of the lubricated sliding of a rigid cylinder on a viscoelastic half space",
+    )?;
+    file.set_text("sweep", publication.sweep_text)?;
+    file.set_text("stribeck_version", env!("CARGO_PKG_VERSION"))
+}
+
 /// The dimensions of the variables, and what describes them beside.
 struct Layout {
     shape: Vec<usize>,
@@ -167,8 +152,8 @@ struct Layout {
 }
 
 impl Layout {
-    /// Lays out what belongs to the quantities of the laboratory: those that are no dimension as numbers, and α, β and the
-    /// scales at each place.
+    /// Lays out what belongs to the quantities of the laboratory: those that are no dimension as numbers, and α, β and
+    /// the scales at each place.
     fn laboratory(
         &mut self,
         file: &mut NewFile,
@@ -191,6 +176,38 @@ impl Layout {
         }
         self.coordinates = Some(names.join(" "));
         Ok(LaboratoryVariables { alpha, beta, scales })
+    }
+
+    /// Lays out the coordinate x and the fields that are asked for, in the order of [`Field::ALL`].
+    fn fields(
+        &mut self,
+        file: &mut NewFile,
+        output: &Output,
+        units: impl Fn(&'static str) -> &'static str,
+    ) -> Result<[Option<Dataset>; Field::ALL.len()]> {
+        let mut fields = [const { None }; Field::ALL.len()];
+        if !output.fields.is_empty() {
+            let place = "position along the surface; the inlet is at x > 0";
+            self.grid.push(coordinate(file, "x", "a0", place, &output.x)?);
+        }
+        let shape: Vec<usize> = self.shape.iter().copied().chain([output.x.len()]).collect();
+        let chunk: Vec<usize> = self.shape.iter().map(|_| 1).chain([output.x.len()]).collect();
+        for field in Field::selected(output.fields) {
+            let variable = file
+                .dataset()
+                .chunk(chunk.as_slice())
+                .shuffle()
+                .deflate(DEFLATE)
+                .fill_value(f64::NAN)
+                .empty::<f64>()
+                .shape(shape.as_slice())
+                .create(field.name())?;
+            let variable = file.keep(variable);
+            self.describe(&variable, Some(units(field.units())), field.long_name())?;
+            set_fill(&variable)?;
+            fields[field as usize] = Some(variable);
+        }
+        Ok(fields)
     }
 
     /// A variable of numbers on the grid, NaN where none is written.

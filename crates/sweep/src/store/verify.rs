@@ -56,7 +56,8 @@ const PUBLISH_AGAIN: &str = "run the sweep again: it is rebuilt from the shards"
 /// Re-reads every shard against its record (size, checksum, cases, shapes) and the published files against theirs.
 ///
 /// # Errors
-/// [`StoreError`] if there is no results directory or it cannot be read. Damage is no error but a problem in the report.
+/// [`StoreError`] if there is no results directory or it cannot be read. Damage is no error but a problem in the
+/// report.
 pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
     let directory = Directory::new(path);
     directory.must_exist()?;

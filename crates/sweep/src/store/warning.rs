@@ -7,7 +7,11 @@ use stribeck_input::shown;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Warning {
     /// A line of a log that is no record, or several in a row.
-    #[error("{}, {}: {what}; what stood there is not used, and its cases are solved again", shown(file), lines(*line, *more))]
+    #[error(
+        "{}, {}: {what}; what stood there is not used, and its cases are solved again",
+        shown(file),
+        lines(*line, *more)
+    )]
     Record {
         /// The log.
         file: PathBuf,

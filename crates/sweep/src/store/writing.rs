@@ -14,14 +14,14 @@ use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
 use super::shard::{shard_name, write_shard};
-use super::{CaseEntry, Contents, Ending, Holdings, PROGRAM, Status, StoreError, clock};
+use super::{CaseEntry, Catalog, Contents, Ending, PROGRAM, Status, StoreError, clock};
 use crate::Field;
 use stribeck_solver::Output;
 
-/// A results directory opened for writing. All that [`Holdings`] tells is here as well.
+/// A results directory opened for writing. All that [`Catalog`] tells is here as well.
 #[derive(Debug)]
 pub struct Store {
-    holdings: Holdings,
+    catalog: Catalog,
     /// The log of this start; made with its first record.
     log: Option<Log>,
     /// What the cases that are committed are solved with.
@@ -31,10 +31,10 @@ pub struct Store {
 }
 
 impl Deref for Store {
-    type Target = Holdings;
+    type Target = Catalog;
 
-    fn deref(&self) -> &Holdings {
-        &self.holdings
+    fn deref(&self) -> &Catalog {
+        &self.catalog
     }
 }
 
@@ -42,37 +42,38 @@ impl Store {
     /// Opens a results directory, making it if it is not there, and takes it for this process.
     ///
     /// Removes what a killed run left half written, writes `sweep.toml`, and compares every shard with its record, byte
-    /// by byte. What is damaged is not used and listed in [`Holdings::warnings`]. `output` is what each case must have.
+    /// by byte. What is damaged is not used and listed in [`Catalog::warnings`]. `output` is what each case must have.
     ///
     /// # Errors
     /// [`StoreError::Locked`] if another process works there, [`StoreError::Occupied`] if files are there that would be
-    /// replaced and no run has written, [`StoreError::NotText`] if HDF5 cannot take the path (nothing is changed then), others if the directory cannot be read or written.
+    /// replaced and no run has written, [`StoreError::NotText`] if HDF5 cannot take the path (nothing is changed then),
+    /// others if the directory cannot be read or written.
     pub fn open(path: &Path, sweep_text: &str, output: &Output) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
-        directory.must_be_ours_or_free()?;
+        directory.check_available()?;
         directory.create()?;
         let lock = directory.lock()?;
         directory.remove_leftovers()?;
         if !holds_text(&directory.sweep(), sweep_text) {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }
-        let holdings = Holdings::load(directory, output, Inspection::Bytes)?;
-        Ok(Self { holdings, log: None, recipe: Value::Null, _lock: lock })
+        let catalog = Catalog::load(directory, output, Inspection::Bytes)?;
+        Ok(Self { catalog, log: None, recipe: Value::Null, _lock: lock })
     }
 
-    /// The store with a description of what the cases that are committed from now on are solved with. It is kept with them
-    /// for those who plan: to the store it means nothing.
+    /// The store with a description of what the cases that are committed from now on are solved with. It is kept with
+    /// them for those who plan: to the store it means nothing.
     #[must_use]
     pub fn solving_with(self, recipe: Value) -> Self {
         Self { recipe, ..self }
     }
 
-    /// Whether [`Store::open`] would take a directory that holds no results yet. Changes nothing.
+    /// Checks that [`Store::open`] could use a directory that holds no results yet. Changes nothing.
     ///
     /// # Errors
     /// [`StoreError::Occupied`] and [`StoreError::NotText`] as for [`Store::open`].
-    pub fn may_take(path: &Path) -> Result<(), StoreError> {
-        Directory::new(path).must_be_ours_or_free()
+    pub fn check_available(path: &Path) -> Result<(), StoreError> {
+        Directory::new(path).check_available()
     }
 
     /// Records that a run of the sweep of this name begins, which sets out to solve so many cases.
@@ -92,8 +93,8 @@ impl Store {
         self.append(&Record::End { ending, time: clock() }).map(drop)
     }
 
-    /// Commits finished chains as one shard: when this returns, their cases survive whatever happens to the process or the
-    /// power. It takes about as long for one case as for a thousand, most of it waiting for the disk.
+    /// Commits finished chains as one shard: when this returns, their cases survive whatever happens to the process or
+    /// the power. It takes about as long for one case as for a thousand, most of it waiting for the disk.
     ///
     /// Fields and sensitivities that the output does not ask for are left out.
     ///
@@ -117,7 +118,7 @@ impl Store {
         let records = cases.iter().map(CaseRecord::of).collect();
         let place =
             self.append(&Record::Shard(ShardRecord::new(file, &contents, self.recipe.clone(), clock(), records)))?;
-        let index = &mut self.holdings.index;
+        let index = &mut self.catalog.index;
         let shard = index.add_shard(Shard { name: name.into(), hash, contents, covers: true, record: place });
         for (row, entry) in (0..).zip(cases) {
             index.add_case(entry.id, Slot { shard, row, status: entry.outcome }, entry.timing.time_limit);
@@ -139,13 +140,13 @@ impl Store {
         let places = log.append(records)?;
         self.log = Some(log);
         for (place, record) in places.iter().zip(records) {
-            self.holdings.history.note(place.log, record);
+            self.catalog.history.note(place.log, record);
         }
         Ok(places)
     }
 
-    pub(super) fn holdings_mut(&mut self) -> &mut Holdings {
-        &mut self.holdings
+    pub(super) fn catalog_mut(&mut self) -> &mut Catalog {
+        &mut self.catalog
     }
 }
 

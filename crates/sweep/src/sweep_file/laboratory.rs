@@ -56,8 +56,8 @@ fn read_strengths(
         (None, Some(values), _) => Ok(values),
         (None, None, Some(f)) => Ok(vec![f]),
         (None, None, None) => {
-            let help = "add f = 10.0, say: f = E0/Einf - 1, the instantaneous modulus over the relaxed one, less 1; or describe \
-                        the material by `relaxation` in [substrate]";
+            let help = "add f = 10.0, say: f = E0/Einf - 1, the instantaneous modulus over the relaxed one, less 1; or \
+                        describe the material by `relaxation` in [substrate]";
             Err(section.fault("[laboratory] needs `f`, which is missing", "`f` is missing", help))
         }
     }

@@ -79,8 +79,8 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
         Some(entry) if settings.estimate && settings.points < ESTIMATE_POINTS => {
             let what = format!("`solver.relaxation.estimate` needs at least {ESTIMATE_POINTS} points");
             let label = format!("not with {} points", settings.points);
-            let help = "errors are estimated from a second grid of half as many intervals: write points = 201 or more, or \
-                        estimate = false";
+            let help = "errors are estimated from a second grid of half as many intervals: write points = 201 or more, \
+                        or estimate = false";
             Err(entry.fault(what, label, help))
         }
         _ => Ok(settings),
@@ -113,8 +113,8 @@ fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
     let ends: Vec<Entry<'_>> = ends.take(3).collect();
     let [left, right] = ends.as_slice() else { return Err(entry.fault(what, "not two numbers", help)) };
     let (x_min, x_max) = (left.number()?, right.number()?);
-    let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on both \
-                sides of it, as in [-3.0, 4.0]";
+    let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on \
+                both sides of it, as in [-3.0, 4.0]";
     let (leftmost, rightmost) = Domain::ENDS.into_inner();
     if !(leftmost..0.0).contains(&x_min) {
         let what = format!("x_min of the domain must be below 0 and at least {leftmost:?}");

@@ -57,8 +57,8 @@ impl Method {
     /// Most cases in one chain, at most [`MAX_CHAIN`](crate::MAX_CHAIN).
     ///
     /// What an interruption throws away is at most one chain per thread. A relaxation case takes long, so its chains
-    /// are short. Collocation cases are quick, save the first one of a chain, which has no neighbour to start from: their
-    /// chains are long.
+    /// are short. Collocation cases are quick, save the first one of a chain, which has no neighbour to start from:
+    /// their chains are long.
     pub fn chain_limit(self) -> usize {
         match self {
             Method::Collocation => 64,

@@ -9,8 +9,8 @@ use stribeck_solver::{RetardationMode, Substrate};
 const MOST_TERMS: usize = 1000;
 
 const MODES: &str = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, time = 100.0 }]";
-const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, { modulus = \"0.1 MPa\", time = \"10 s\" }], \
-                     or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
+const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, \
+                     { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
 
 /// What a material says of itself, for what `[laboratory]` leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -127,8 +127,8 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
     };
     if parts.is_nan() || (fractions > 0 && parts >= 1.0) || relaxed <= 0.0 {
         let what = "the terms of `substrate.relaxation` must leave a relaxed modulus above 0";
-        let help = "the parts of all terms together are less than the instantaneous modulus (less than 1 as fractions): a solid \
-                    keeps a load for ever; what flows at last is no substrate here";
+        let help = "the parts of all terms together are less than the instantaneous modulus (less than 1 as fractions): a \
+                    solid keeps a load for ever; what flows at last is no substrate here";
         return Err(entry.fault(what, "nothing is left", help).unquoted());
     }
     let term = |(part, time): &(Part, f64)| {

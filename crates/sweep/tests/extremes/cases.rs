@@ -83,8 +83,8 @@ pub fn outcome(settings: Settings, case: &Parameters) -> SolvedCase {
     outcomes(settings, std::slice::from_ref(case)).remove(0)
 }
 
-/// The case again with as little in common as possible: alone, on panels of another degree, with a hundredth of the tolerance,
-/// or the least that can be reached from there on.
+/// The case again with as little in common as possible: alone, on panels of another degree, with a hundredth of the
+/// tolerance, or the least that can be reached from there on.
 pub fn again(settings: Settings, case: &Parameters) -> Option<Quantities> {
     let degree = if settings.degree < 10 { 12 } else { 9 };
     let least = *Settings::TOLERANCE.start();
@@ -112,8 +112,8 @@ pub fn verdicts(settings: Settings, chain: &[Parameters]) -> Vec<Verdict> {
 }
 
 impl Verdict {
-    /// Whether the case has a solution whose estimated errors are within the tolerance and all of whose numbers are numbers that
-    /// a film may have.
+    /// Whether the case has a solution whose estimated errors are within the tolerance and all of whose numbers are
+    /// numbers that a film may have.
     pub fn is_sound(&self, tolerance: f64) -> bool {
         let Ok(solution) = &self.solved.outcome else { return false };
         let Quantities { friction, c, film_min, p_max, x_p_max, x_outlet, centroid, separation, load_residual } =

@@ -23,8 +23,8 @@ fn relative(a: f64, b: f64) -> f64 {
     (a / b - 1.0).abs()
 }
 
-/// β → 0: flow, outlet and shear of the rigid film, whatever the substrate; what it yields is of the order of β, for w changes
-/// by about 1 and the film is 0.26/β thick.
+/// β → 0: flow, outlet and shear of the rigid film, whatever the substrate; what it yields is of the order of β, for w
+/// changes by about 1 and the film is 0.26/β thick.
 #[test]
 fn thick_films_are_those_of_a_rigid_plane() {
     for (alpha, f) in [(f64::INFINITY, 0.0), (1.0, 1e6), (1e-8, 10.0), (1e8, 1e3)] {
@@ -158,8 +158,8 @@ fn places(case: &Parameters) -> Vec<f64> {
     x
 }
 
-/// The pressure on the cylinder pulls it back by (2/π) ∫ p x dx; the same must come out of the substrate's friction and the
-/// published fields, F_v − (2/π) ∫ u dp: work done on the substrate and by the flow (T27).
+/// The pressure on the cylinder pulls it back by (2/π) ∫ p x dx; the same must come out of the substrate's friction and
+/// the published fields, F_v − (2/π) ∫ u dp: work done on the substrate and by the flow (T27).
 #[test]
 fn forces_on_cylinder_and_substrate_balance() {
     for (alpha, beta, f) in

@@ -93,8 +93,8 @@ fn films_too_thin_for_double_precision_are_refused() {
     }
 }
 
-/// What of a film is known in double precision: 5e-17/c of it. A tolerance below that is refused for that reason and no other;
-/// one ten times as large is kept.
+/// What of a film is known in double precision: 5e-17/c of it. A tolerance below that is refused for that reason and no
+/// other; one ten times as large is kept.
 #[test]
 fn tolerances_below_the_rounding_errors_of_a_film_are_refused() {
     for (alpha, f) in [(f64::INFINITY, 0.0), (0.01, 10.0), (1.0, 10.0), (100.0, 10.0), (0.01, 1e4), (100.0, 1e4)] {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 use stribeck_sweep::CaseId;
-use stribeck_sweep::store::{Holdings, Inspection, Status, Warning, verify};
+use stribeck_sweep::store::{Catalog, Inspection, Status, Warning, verify};
 use tempfile::{TempDir, tempdir};
 
 use crate::synthetic::{chains, open, output};
@@ -62,7 +62,7 @@ fn signed(line: &[u8]) -> Vec<u8> {
 
 fn judge(store: &Store, lines: &[Vec<u8>]) {
     fs::write(&store.log, lines.join(&b'\n')).expect("written");
-    let held = Holdings::read(store.directory.path(), &output(), Inspection::Bytes).expect("any log is read");
+    let held = Catalog::read(store.directory.path(), &output(), Inspection::Bytes).expect("any log is read");
 
     // Which lines count, found in another way than the program does.
     let records: Vec<Option<&[u8]>> = lines.iter().map(|line| fitting(line)).collect();

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use stribeck_sweep::store::{CaseEntry, Holdings, Inspection, StoreError, Warning, verify};
+use stribeck_sweep::store::{CaseEntry, Catalog, Inspection, StoreError, Warning, verify};
 use tempfile::{TempDir, tempdir};
 
 use crate::synthetic::{chains, open, output};
@@ -75,7 +75,7 @@ fn judge(store: &Store, bytes: &[u8]) {
 
 /// As a run does: only sound shards count, and each other one is named.
 fn read_closely(store: &Store, sound: bool) {
-    let held = Holdings::read(store.directory.path(), &output(), Inspection::Bytes).expect("any shard is judged");
+    let held = Catalog::read(store.directory.path(), &output(), Inspection::Bytes).expect("any shard is judged");
     match held.warnings() {
         [] => assert!(sound),
         [Warning::Shard { file, cases, .. }] => {
@@ -92,7 +92,7 @@ fn read_closely(store: &Store, sound: bool) {
 
 /// As `stribeck plan` does: what is the right size is counted, but not used before it was read.
 fn read_by_size(store: &Store, sound: bool) {
-    let held = Holdings::read(store.directory.path(), &output(), Inspection::Size).expect("any shard is judged");
+    let held = Catalog::read(store.directory.path(), &output(), Inspection::Size).expect("any shard is judged");
     for case in store.lost.iter().filter(|case| held.knows(case.id)) {
         match held.entry(case.id) {
             Ok(_) => assert!(sound && same(&held, case)),
@@ -102,7 +102,7 @@ fn read_by_size(store: &Store, sound: bool) {
 }
 
 /// True if a case comes back with the bits it was stored with.
-fn same(held: &Holdings, case: &CaseEntry) -> bool {
+fn same(held: &Catalog, case: &CaseEntry) -> bool {
     let bits = |values: &[f64]| -> Vec<u64> { values.iter().map(|value| value.to_bits()).collect() };
     let Ok(Some(found)) = held.entry(case.id) else { return false };
     let pressure = |case: &CaseEntry| case.fields.pressure.as_deref().map(bits);

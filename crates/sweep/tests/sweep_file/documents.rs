@@ -1,5 +1,5 @@
-//! Documents put together from the keys of a sweep file, each with a value that may be right, of the wrong type, or out of
-//! range: more of them get past the grammar than of random text.
+//! Documents put together from the keys of a sweep file, each with a value that may be right, of the wrong type, or out
+//! of range: more of them get past the grammar than of random text.
 
 use proptest::prelude::*;
 use proptest::sample::select;

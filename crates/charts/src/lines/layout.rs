@@ -1,0 +1,199 @@
+//! Curves in a plane: where everything lies, and how it is drawn.
+
+use super::{Colour, Curve, Lines, Stroke};
+use crate::axes::Axis;
+use crate::axes::scaled_axis::ScaledAxis;
+use crate::axes::ticks::Ticks;
+use crate::frame::legend::{Entry, Swatch};
+use crate::frame::{self, MARGIN, RIGHT, Side, Style};
+use crate::geometry::polyline::{clipped, dashes};
+use crate::paint::marker::{self, Form};
+use crate::paint::palette::{self, FAILED_CROSS, FRAME, Ink, TEXT};
+use crate::paint::scene::{Area, Point, Scene};
+
+const STYLE: Style = Style::PLOT;
+/// Size of the font of labels, in pixels.
+const EM: f64 = STYLE.em;
+/// Height of the plot.
+const HEIGHT: f64 = 960.0;
+/// Width of a curve.
+const STROKE: f64 = 5.0;
+/// Radius of a marker.
+const MARKER: f64 = 9.0;
+/// All points of a curve are marked if they are at most this many, else about half as many of them.
+const MOST_MARKERS: usize = 24;
+
+/// Where everything lies.
+struct Layout {
+    plot: Area,
+    x: ScaledAxis,
+    y: ScaledAxis,
+    x_ticks: Ticks,
+    y_ticks: Ticks,
+}
+
+impl Layout {
+    /// The largest plot below `top` that leaves room for its labels.
+    fn new(chart: &Lines, top: f64) -> Self {
+        let (x, y) = axes(chart);
+        let y_ticks = y.ticks(HEIGHT, EM, true);
+        let left = STYLE.plot_left(&chart.y.label, HEIGHT, y_ticks.widest(EM));
+        let x_ticks = x.ticks(RIGHT - left, EM, false);
+        // Half of the last label of the horizontal axis may stand out to the right.
+        let (_, out) = frame::overhang(&x, &x_ticks, RIGHT - left, EM);
+        let plot = Area { left, top, right: RIGHT - out.max(0.3 * EM), bottom: top + HEIGHT };
+        Layout { plot, x, y, x_ticks, y_ticks }
+    }
+
+    fn x(&self, value: f64) -> f64 {
+        self.plot.left + self.plot.width() * self.x.share(value)
+    }
+
+    fn y(&self, value: f64) -> f64 {
+        self.plot.bottom - self.plot.height() * self.y.share(value)
+    }
+
+    fn at(&self, (x, y): Point) -> Point {
+        (self.x(x), self.y(y))
+    }
+}
+
+/// The axes that show all points.
+fn axes(chart: &Lines) -> (ScaledAxis, ScaledAxis) {
+    let failed = chart.curves.iter().flat_map(|curve| &curve.failed).copied();
+    let x_room = if chart.curves.iter().any(|curve| curve.marked) { 0.02 } else { 0.0 };
+    let x_values = chart.shown().map(|point| point.0).chain(failed);
+    let x = ScaledAxis::new(x_values, chart.x.logarithmic, chart.x.range, x_room);
+    // What lies outside the horizontal range does not stretch the vertical one.
+    let inside = |value: f64| x.is_special(value) || (-1e-9..=1.0 + 1e-9).contains(&x.share(value));
+    let y_values = || chart.shown().filter(|point| inside(point.0)).map(|point| point.1);
+    let y = ScaledAxis::new(y_values(), chart.y.logarithmic, chart.y.range, 0.05);
+    let y = if chart.y.range.is_none() { y.begun_at_zero(y_values()) } else { y };
+    (x, y)
+}
+
+/// Draws the chart, which has been checked and has something to show.
+pub(crate) fn draw(chart: &Lines) -> Scene {
+    let mut scene = Scene::default();
+    let top = STYLE.heading(&mut scene, &chart.title, &chart.subtitle);
+    let layout = Layout::new(chart, top);
+    let plot = layout.plot;
+    let x = Side { ticks: &layout.x_ticks, at: &|value| layout.x(value) };
+    let y = Side { ticks: &layout.y_ticks, at: &|value| layout.y(value) };
+    STYLE.grid(&mut scene, plot, &x, &y);
+    // What is beyond the ends of the axis is set off.
+    let (from, to) = layout.x.span();
+    for border in [from, to].into_iter().filter(|share| (0.0 < *share) && (*share < 1.0)) {
+        let x = plot.left + plot.width() * border;
+        scene.line((x, plot.top), (x, plot.bottom), 2.0, FRAME);
+    }
+    for (curve, form) in chart.curves.iter().zip(forms(chart)) {
+        draw_line(&mut scene, &layout, chart, curve);
+        draw_markers(&mut scene, &layout, chart, (curve, form));
+    }
+    scene.frame(plot, 3.0, FRAME);
+    STYLE.ticks_below(&mut scene, plot, &x, true);
+    STYLE.ticks_beside(&mut scene, plot, &y, true);
+    let below = STYLE.names(&mut scene, plot, &chart.x.label, &chart.y.label);
+    STYLE.finish(&mut scene, &entries(chart), (MARGIN, below));
+    scene
+}
+
+/// The colour of a curve. The light end of viridis is left out: it is not seen on white.
+fn ink(colour: Colour) -> Ink {
+    match colour {
+        Colour::Kind(index) => palette::line_colour(index),
+        Colour::Family(share) => palette::viridis(0.88 * share.clamp(0.0, 1.0)),
+        Colour::Black => TEXT,
+    }
+}
+
+/// The marker of each curve: those that are marked differ.
+fn forms(chart: &Lines) -> impl Iterator<Item = Form> {
+    chart.curves.iter().scan(0, |marked, curve| {
+        let form = Form::of(*marked);
+        *marked += usize::from(curve.marked);
+        Some(form)
+    })
+}
+
+/// Lengths of dash and gap.
+fn pattern(stroke: Stroke) -> Option<(f64, f64)> {
+    match stroke {
+        Stroke::Solid | Stroke::Points => None,
+        Stroke::Dashed => Some((22.0, 13.0)),
+        Stroke::Dotted => Some((5.0, 9.0)),
+    }
+}
+
+/// Whether a point is joined to its neighbours: it has a place between the ends of the axes.
+fn is_joined(chart: &Lines, layout: &Layout, point: &Point) -> bool {
+    chart.has_place(*point) && !layout.x.is_special(point.0)
+}
+
+/// Draws the line of a curve, and the points that are joined to no other one.
+fn draw_line(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
+    let (ink, plot) = (ink(curve.colour), layout.plot);
+    for run in curve.points.split(|point| !is_joined(chart, layout, point)) {
+        let places: Vec<Point> = run.iter().map(|point| layout.at(*point)).collect();
+        for piece in clipped(&places, &plot).into_iter().filter(|_| curve.stroke != Stroke::Points) {
+            match pattern(curve.stroke) {
+                None => scene.path(piece, STROKE, ink),
+                Some((dash, gap)) => {
+                    dashes(&piece, dash, gap).into_iter().for_each(|dash| scene.path(dash, STROKE, ink));
+                }
+            }
+        }
+        // A point alone is no line.
+        if let [place] = places[..]
+            && !curve.marked
+            && plot.contains(&Area::about(place, 0.0))
+        {
+            marker::marker(scene, Form::Disc, place, 0.8 * MARKER, ink);
+        }
+    }
+}
+
+/// Draws the markers of a curve: values at 0 and ∞, points if these are marked, cases that failed.
+fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, (curve, form): (&Curve, Form)) {
+    let (ink, plot) = (ink(curve.colour), layout.plot);
+    // A known value at 0 or ∞ is a dash there, a solution a marker.
+    for point in curve.points.iter().filter(|point| chart.has_place(**point) && layout.x.is_special(point.0)) {
+        let (x, y) = layout.at(*point);
+        if matches!(curve.stroke, Stroke::Solid | Stroke::Points) {
+            marker::rimmed(scene, form, (x, y), MARKER, ink);
+        } else {
+            scene.line((x - 2.0 * MARKER, y), (x + 2.0 * MARKER, y), STROKE, ink);
+        }
+    }
+    if curve.marked {
+        let thinned = curve.stroke != Stroke::Points && curve.points.len() > MOST_MARKERS;
+        let step = if thinned { curve.points.len().div_ceil(MOST_MARKERS / 2) } else { 1 };
+        let shown = curve.points.iter().step_by(step).filter(|point| is_joined(chart, layout, point));
+        for place in shown.map(|point| layout.at(*point)).filter(|place| plot.contains(&Area::about(*place, 0.0))) {
+            marker::rimmed(scene, form, place, MARKER, ink);
+        }
+    }
+    for x in &curve.failed {
+        marker::cross(scene, (layout.x(*x), plot.bottom - 0.45 * EM), 0.2 * EM, 0.09 * EM, FAILED_CROSS);
+    }
+}
+
+/// The legend: curves with names, and what a cross means if there is one.
+fn entries(chart: &Lines) -> Vec<Entry> {
+    let named = chart.curves.iter().zip(forms(chart)).filter(|(curve, _)| !curve.label.is_empty());
+    let mut entries: Vec<Entry> = named
+        .map(|(curve, form)| {
+            let (marker, ink) = (curve.marked.then_some(form), ink(curve.colour));
+            let swatch = match curve.stroke {
+                Stroke::Points => Swatch::Marker { form, ink },
+                stroke => Swatch::Stroke { pattern: pattern(stroke), form: marker, ink },
+            };
+            Entry { swatch, label: curve.label.clone() }
+        })
+        .collect();
+    if chart.curves.iter().any(|curve| !curve.failed.is_empty()) {
+        entries.push(Entry { swatch: Swatch::Cross { ink: FAILED_CROSS }, label: "failed".to_string() });
+    }
+    entries
+}

@@ -1,0 +1,73 @@
+//! Measured points over the curves of a quantity.
+
+use super::curve_family::CurveFamily;
+use super::sweep_data::SweepData;
+use stribeck_charts::{Colour, Curve, Stroke};
+use stribeck_lab::Measured;
+use stribeck_sweep::Column;
+
+/// The measured points of a column that belong to the curves of a family, with their standard errors: those that were
+/// measured along its axis, and whose other coordinates, as far as the file has them, are those of a member.
+///
+/// Points that belong to one member of several have its colour.
+pub(super) fn measured_points(
+    sweep: &SweepData,
+    family: &CurveFamily,
+    column: Column,
+    colours: &[Colour],
+) -> Vec<Curve> {
+    let Some(measured) = sweep.measured.as_ref().filter(|measured| measured.column == column.name()) else {
+        return Vec::new();
+    };
+    let Some(along) = measured.coordinate(&sweep.axis(family.along).name) else { return Vec::new() };
+    let mut curves = Vec::new();
+    let family_is_known = belongs_by(sweep, measured, family);
+    for (i, member) in family.members.iter().enumerate() {
+        let here: Vec<usize> = (0..along.len()).filter(|row| belongs(sweep, measured, family, *member, *row)).collect();
+        if here.is_empty() {
+            continue;
+        }
+        let colour = if family.members.len() > 1 && family_is_known { colours[i] } else { Colour::Black };
+        let curve = |points: Vec<(f64, f64)>, label: &str, stroke, marked| Curve {
+            label: label.to_owned(),
+            points,
+            failed: vec![],
+            stroke,
+            colour,
+            marked,
+        };
+        for row in here.iter().copied() {
+            if let Some(errors) = &measured.errors {
+                let (x, mu, error) = (along[row], measured.friction[row], errors[row]);
+                curves.push(curve(vec![(x, mu - error), (x, mu + error)], "", Stroke::Solid, false));
+            }
+        }
+        let points = here.iter().map(|row| (along[*row], measured.friction[*row])).collect();
+        let label = if curves.iter().any(|curve: &Curve| !curve.label.is_empty()) { "" } else { "measured" };
+        curves.push(curve(points, label, Stroke::Points, true));
+        if !family_is_known {
+            break;
+        }
+    }
+    curves
+}
+
+/// True if the file says to which member of the family a point belongs.
+fn belongs_by(sweep: &SweepData, measured: &Measured, family: &CurveFamily) -> bool {
+    let names = sweep.dimension_names(family.varied);
+    names.iter().any(|name| measured.coordinate(name).is_some())
+}
+
+/// True if a point's coordinates but that along the curve are those of a member.
+fn belongs(sweep: &SweepData, measured: &Measured, family: &CurveFamily, member: usize, row: usize) -> bool {
+    let indices = family.at(member, family.points[0]);
+    let along = &sweep.axis(family.along).name;
+    let fixed = sweep.data.fixed.iter().map(|(name, value)| (name.as_str(), *value));
+    let known = sweep.coordinate_names().into_iter().zip(sweep.coordinates(indices)).chain(fixed);
+    known.filter(|(name, _)| name != along).all(|(name, value)| match measured.coordinate(name) {
+        // What follows from the quantities of the laboratory changes along the curve.
+        Some(_) if sweep.data.laboratory && (name == "alpha" || name == "beta") => true,
+        Some(values) => Measured::is_same(values[row], value),
+        None => true,
+    })
+}

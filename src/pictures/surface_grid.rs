@@ -1,0 +1,72 @@
+//! The plane of α and β of a sweep, as far as it has a place on logarithmic axes.
+
+use super::maps::why_no_grid;
+use super::request::{Kind, Selection};
+use super::sweep_data::{SweepData, rounded};
+use super::{Axis, PictureError};
+
+/// Indices on the two axes.
+pub(super) struct SurfaceGrid {
+    alphas: Vec<usize>,
+    betas: Vec<usize>,
+    /// Values of α without a place: 0 and ∞.
+    special: Vec<usize>,
+}
+
+impl SurfaceGrid {
+    /// The values chosen that are positive and finite, two or more on each axis.
+    pub(super) fn of(sweep: &SweepData, selection: &Selection, kind: Kind) -> Result<Self, PictureError> {
+        let (alphas, special): (Vec<usize>, Vec<usize>) = selection.on(Axis::Middle).iter().partition(|i_alpha| {
+            let alpha = sweep.value(Axis::Middle, **i_alpha);
+            alpha > 0.0 && alpha.is_finite()
+        });
+        let betas = selection.on(Axis::Inner).to_vec();
+        for (axis, indices) in [(Axis::Middle, &alphas), (Axis::Inner, &betas)] {
+            if indices.len() < 2 {
+                return Err(kind.missing(match sweep.axis(axis).name.as_str() {
+                    "" => why_no_grid(sweep, axis, "surface"),
+                    name => format!(
+                        "{name} has {} value here with a place on a logarithmic axis, and a surface needs two; try \
+                         --what curves",
+                        indices.len()
+                    ),
+                }));
+            }
+        }
+        Ok(Self { alphas, betas, special })
+    }
+
+    /// Values of α.
+    pub(super) fn alphas(&self, sweep: &SweepData) -> Vec<f64> {
+        self.alphas.iter().map(|i| sweep.value(Axis::Middle, *i)).collect()
+    }
+
+    /// Values of β.
+    pub(super) fn betas(&self, sweep: &SweepData) -> Vec<f64> {
+        self.betas.iter().map(|i| sweep.value(Axis::Inner, *i)).collect()
+    }
+
+    /// Indices and place of every point, α fastest.
+    pub(super) fn places<'a>(
+        &'a self,
+        sweep: &'a SweepData,
+        i_f: usize,
+    ) -> impl Iterator<Item = ([usize; 3], usize)> + 'a {
+        self.betas.iter().flat_map(move |i_beta| {
+            self.alphas.iter().map(move |i_alpha| {
+                let indices = [i_f, *i_alpha, *i_beta];
+                (indices, sweep.data.place(indices))
+            })
+        })
+    }
+
+    /// What is not shown, in words; empty if all is.
+    pub(super) fn left_out(&self, sweep: &SweepData) -> String {
+        let values: Vec<String> = self.special.iter().map(|i| rounded(sweep.value(Axis::Middle, *i))).collect();
+        if values.is_empty() {
+            String::new()
+        } else {
+            format!("not shown: {} = {}", sweep.axis(Axis::Middle).symbol, values.join(", "))
+        }
+    }
+}
