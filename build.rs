@@ -1,4 +1,5 @@
-//! Joins the scripts of the page of `stribeck report` into one: `page.js` in the directory of build products.
+//! Makes what the program holds of the page of `stribeck report`: its scripts, joined into one (`page.js`), and Plotly's,
+//! deflated (`plotly.deflate`), both in the directory of build products.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -6,12 +7,15 @@ use std::{env, fs};
 
 #[path = "build/modules.rs"]
 mod modules;
+#[path = "build/plotly.rs"]
+mod plotly;
 
 const SCRIPTS: &str = "assets/report";
 
 fn main() {
     println!("cargo::rerun-if-changed={SCRIPTS}");
     println!("cargo::rerun-if-changed=build");
+    plotly::write();
     let mut files = BTreeMap::new();
     for entry in fs::read_dir(SCRIPTS).expect("assets/report is listed") {
         let path = entry.expect("assets/report is listed").path();

@@ -5,7 +5,7 @@
 """Draws the errors of approximations over β.
 
 Usage:
-    cargo run --release --example where_approximations_hold -- --csv errors.csv
+    cargo run --release -p stribeck-solver --example where_approximations_hold -- --csv errors.csv
     python scripts/plot_approximations.py errors.csv -o docs/figures/approximations.svg
 """
 

@@ -5,7 +5,7 @@
 """Draws the error of the collocation solver over the number of unknowns, one panel for each case.
 
 Usage:
-    cargo run --release --example convergence > convergence.csv
+    cargo run --release -p stribeck-solver --example convergence > convergence.csv
     python scripts/plot_convergence.py convergence.csv -o docs/figures/collocation_convergence.svg
 """
 

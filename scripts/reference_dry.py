@@ -2,7 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
-"""Writes tests/reference/dry_contact.csv: half width, centre and friction of dry sliding at 60 digits.
+"""Writes crates/solver/tests/reference/dry_contact.csv: half width, centre and friction of dry sliding at 60 digits.
 
 The formulas are those of Hunter as Eqs. 25 to 32 have them (b in units of a0), cancellation and all: with 60 digits it
 does no harm.
@@ -44,7 +44,7 @@ def main():
         for f in ["1e-6", "0.01", "1", "10", "1e3", "1e6"]:
             values = dry_contact(mp.mpf(alpha), mp.mpf(f))
             rows.append(",".join([alpha, f, *(mp.nstr(value, 20) for value in values)]))
-    target = Path(__file__).parent.parent / "tests" / "reference" / "dry_contact.csv"
+    target = Path(__file__).parent.parent / "crates/solver/tests/reference" / "dry_contact.csv"
     target.write_text("\n".join(rows) + "\n")
 
 

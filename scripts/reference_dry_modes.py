@@ -2,7 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
-"""Writes tests/reference/dry_modes.csv: half width, centre and friction of dry sliding with several retardation times.
+"""Writes crates/solver/tests/reference/dry_modes.csv: dry sliding with several retardation times, at 60 digits.
 
 The amplitudes of the exponentials follow from the history ahead of the contact (T44), unsymmetric and with all its
 cancellation: with 60 digits it does no harm.
@@ -103,7 +103,7 @@ def main():
         values = dry_contact([(mp.mpf(float(f)), mp.mpf(float(alpha))) for f, alpha in modes])
         lists = (" ".join(mode[part] for mode in modes) for part in (0, 1))
         rows.append(",".join([*lists, *(mp.nstr(value, 20) for value in values)]))
-    target = Path(__file__).parent.parent / "tests" / "reference" / "dry_modes.csv"
+    target = Path(__file__).parent.parent / "crates/solver/tests/reference" / "dry_modes.csv"
     target.write_text("\n".join(rows) + "\n")
 
 

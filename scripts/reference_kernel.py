@@ -2,7 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["mpmath>=1.3"]
 # ///
-"""Writes tests/reference/retarded_log.csv: S(z) = -exp(z) Ei(-z) with 60 digits of working precision.
+"""Writes crates/solver/tests/reference/retarded_log.csv: S(z) = -exp(z) Ei(-z) with 60 digits of working precision.
 
 z is written as the decimal digits of the double itself, so that the table is exact for a program that reads doubles.
 """
@@ -45,7 +45,7 @@ def main():
     rows = ["z,retarded_log"]
     for z in arguments():
         rows.append(f"{z!r},{mp.nstr(retarded_log(mp.mpf(z)), 36)}")
-    target = Path(__file__).parent.parent / "tests" / "reference" / "retarded_log.csv"
+    target = Path(__file__).parent.parent / "crates/solver/tests/reference" / "retarded_log.csv"
     target.write_text("\n".join(rows) + "\n")
 
 

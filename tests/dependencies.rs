@@ -1,4 +1,4 @@
-//! The table of dependencies in CONTRIBUTING.md says what Cargo.toml has, with the licence that each crate declares.
+//! The table of dependencies in CONTRIBUTING.md says what the crates of the workspace need, with the licence of each.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -46,20 +46,35 @@ fn metadata() -> Value {
     serde_json::from_str(&said(Command::new(env!("CARGO")).args(arguments).current_dir(here))).expect("JSON")
 }
 
+/// What the crates of the workspace need from elsewhere, and whether tests alone need it.
+fn dependencies(metadata: &Value) -> BTreeMap<&str, bool> {
+    let members = metadata["workspace_members"].as_array().expect("a list");
+    let packages = metadata["packages"].as_array().expect("a list");
+    let mut found = BTreeMap::new();
+    for package in packages.iter().filter(|package| members.contains(&package["id"])) {
+        for dependency in package["dependencies"].as_array().expect("a list") {
+            if dependency["path"].is_null() {
+                let name = dependency["name"].as_str().expect("a name");
+                *found.entry(name).or_insert(true) &= dependency["kind"] == "dev";
+            }
+        }
+    }
+    found
+}
+
 #[test]
 fn the_table_lists_every_dependency_with_its_purpose_and_licence() {
     let (metadata, mut table) = (metadata(), table());
     let packages = metadata["packages"].as_array().expect("a list");
-    let find = |name: &str| packages.iter().find(|package| package["name"] == name);
-    let dependencies = find("stribeck").expect("the program")["dependencies"].as_array().expect("a list").clone();
+    let dependencies = dependencies(&metadata);
     assert!(dependencies.len() > 20);
-    for dependency in dependencies {
-        let name = dependency["name"].as_str().expect("a name");
+    for (name, for_tests) in dependencies {
         let row = table.remove(name).unwrap_or_else(|| panic!("CONTRIBUTING.md has no row for `{name}`"));
-        let declared = find(name).expect("in the tree")["license"].as_str().expect("declared").replace('/', " OR ");
+        let package = packages.iter().find(|package| package["name"] == name).expect("in the tree");
+        let declared = package["license"].as_str().expect("declared").replace('/', " OR ");
         let (licence, _more) = row.licence.split_once(';').unwrap_or((&row.licence, ""));
         assert_eq!(licence, declared, "licence of `{name}`");
-        assert_eq!(row.purpose.starts_with("tests"), dependency["kind"] == "dev", "purpose of `{name}`: {row:?}");
+        assert_eq!(row.purpose.starts_with("tests"), for_tests, "purpose of `{name}`: {row:?}");
         assert!(row.purpose.len() > 3, "purpose of `{name}`");
     }
     assert!(table.is_empty(), "rows of what is no dependency: {table:?}");

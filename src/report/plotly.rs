@@ -1,13 +1,13 @@
 //! The drawing library of the page.
 
-/// Writes Plotly as an element that the page's script runs once its words are on the screen. MathJax, which the crate
-/// puts behind it, is left out: the page has no formulas.
+/// Plotly's script, deflated by `build.rs`.
+const DEFLATED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/plotly.deflate"));
+
+/// Writes Plotly as an element that the page's script runs once its words are on the screen.
 pub(super) fn element() -> String {
-    const START: &str = "<script type=\"text/javascript\">";
-    const END: &str = "</script>";
-    let sources = plotly::Plot::offline_js_sources();
-    let script = sources.strip_prefix(START).and_then(|rest| rest.split_once(END)).map(|(script, _)| script);
-    format!("<script type=\"text/plain\" id=\"plotly\">{}{END}", script.expect("the first of the crate's scripts"))
+    let script = miniz_oxide::inflate::decompress_to_vec(DEFLATED).expect("the build has deflated it");
+    let script = String::from_utf8(script).expect("the build has deflated a text");
+    format!("<script type=\"text/plain\" id=\"plotly\">{script}</script>")
 }
 
 #[cfg(test)]

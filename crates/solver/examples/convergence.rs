@@ -2,7 +2,7 @@
 //! the slopes that fit it go to standard error.
 //!
 //! ```text
-//! cargo run --release --example convergence > convergence.csv
+//! cargo run --release -p stribeck-solver --example convergence > convergence.csv
 //! python scripts/plot_convergence.py convergence.csv -o docs/figures/collocation_convergence.svg
 //! ```
 //!

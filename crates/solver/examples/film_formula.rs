@@ -1,7 +1,7 @@
 //! Errors of formulas for the film thickness c on cases that none of them was fitted to, as Markdown tables.
 //!
 //! ```text
-//! cargo run --release --example film_formula -- [--cases 2000]
+//! cargo run --release -p stribeck-solver --example film_formula -- [--cases 2000]
 //! ```
 //!
 //! The cases are spread over ln α, ln(1+f) and ln β by a lattice without repetition (multiples of the powers of a

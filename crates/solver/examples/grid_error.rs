@@ -1,7 +1,8 @@
 //! Errors of the relaxation solver against `tests/reference/single_mode.csv` on several grids, as a Markdown table.
 //!
 //! ```text
-//! cargo run --release --example grid_error -- [--points 401,801,1601] [--min-alpha 1] [--max-beta 1e3] [--plain]
+//! cargo run --release -p stribeck-solver --example grid_error -- \
+//!     [--points 401,801,1601] [--min-alpha 1] [--max-beta 1e3] [--plain]
 //! ```
 //!
 //! The orders are log₂ of the ratio of two errors on grids of Δx and Δx/2. A case that fails stands in the table as

@@ -1,7 +1,7 @@
 //! From which β on, and up to which, approximations are good to 1, 5 and 20 %, as Markdown tables.
 //!
 //! ```text
-//! cargo run --release --example where_approximations_hold -- [--csv errors.csv]
+//! cargo run --release -p stribeck-solver --example where_approximations_hold -- [--csv errors.csv]
 //! ```
 //!
 //! Compared with the collocation solver (tolerance 1e-6) at 20 points a decade of β from 10 to 10⁸. A cell is the

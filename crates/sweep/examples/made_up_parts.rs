@@ -2,7 +2,7 @@
 //! solver.
 //!
 //! ```text
-//! cargo run --release --example made_up_parts -- --cases 10000000 --parts 1000 --directory DIR
+//! cargo run --release -p stribeck-sweep --example made_up_parts -- --cases 10000000 --parts 1000 --directory DIR
 //! ```
 //!
 //! Writes `DIR/sweep.toml` and the parts below `DIR/results/parts`, as `stribeck run DIR/sweep.toml -o DIR/results

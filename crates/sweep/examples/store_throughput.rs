@@ -1,7 +1,8 @@
 //! What a sweep costs beside its solver: plan, engine, store and publication, with a solver that takes a given time.
 //!
 //! ```text
-//! cargo run --release --example store_throughput -- [--cases 100000] [--beta 1000] [--chain 64] [--threads 2]
+//! cargo run --release -p stribeck-sweep --example store_throughput -- \
+//!     [--cases 100000] [--beta 1000] [--chain 64] [--threads 2]
 //!                                                   [--queue 16] [--microseconds 0] [--directory DIR]
 //! ```
 //!

@@ -47,7 +47,8 @@ fn the_first_signal_requests_the_interruption_and_is_remembered() {
     }
     for (name, signal) in [("SIGINT", StopSignal::Interrupt), ("SIGTERM", StopSignal::Terminate)] {
         assert_eq!(signal.to_string(), name);
-        let (code, output) = process_that_raises(name, "the_first_signal_requests_the_interruption_and_is_remembered");
+        let (code, output) =
+            process_that_raises(name, "signals::the_first_signal_requests_the_interruption_and_is_remembered");
         assert_eq!(code, Some(0), "{output}");
         assert!(output.contains("before: None, requested: false"), "{output}");
         assert!(output.contains(&format!("after {name}: Some({signal:?}), requested: true")), "{output}");
@@ -60,7 +61,7 @@ fn the_second_signal_ends_the_program_at_once_with_130() {
         return raise_all(&names);
     }
     for names in ["SIGINT,SIGINT", "SIGTERM,SIGTERM", "SIGINT,SIGTERM", "SIGTERM,SIGINT"] {
-        let (code, output) = process_that_raises(names, "the_second_signal_ends_the_program_at_once_with_130");
+        let (code, output) = process_that_raises(names, "signals::the_second_signal_ends_the_program_at_once_with_130");
         assert_eq!(code, Some(130), "{output}");
         assert_eq!(output.matches("after").count(), 1, "it went on after the second signal: {output}");
     }

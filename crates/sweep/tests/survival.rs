@@ -45,7 +45,7 @@ fn a_run_killed_at_any_moment_loses_no_committed_chain() {
     let mut announced = Vec::new();
     for attempt in 0..12_u64 {
         let mut victim = Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "victim", "--ignored", "--nocapture"])
+            .args(["--exact", "survival::victim", "--ignored", "--nocapture"])
             .env(DIRECTORY, directory.path())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -127,7 +127,7 @@ fn a_write_that_fails_half_way_is_an_error_and_no_crash() {
     for blocks in [200, 220, 240, 260, 280] {
         let run = Command::new("sh")
             .arg("-c")
-            .arg(format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" --exact limited --ignored"))
+            .arg(format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" --exact survival::limited --ignored"))
             .arg(&binary)
             .env(DIRECTORY, directory.path())
             .output()

@@ -2,7 +2,7 @@
 //! tables of `docs/accuracy.md`, from the 84 cases of `tests/reference/single_mode.csv`.
 //!
 //! ```text
-//! cargo run --release --example accuracy -- [--box] [--points 401,801,1601]
+//! cargo run --release -p stribeck-solver --example accuracy -- [--box] [--points 401,801,1601]
 //! ```
 //!
 //! `--box` adds the whole range of parameters, `--points` the relaxation solver with these grids.

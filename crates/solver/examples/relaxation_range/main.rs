@@ -2,7 +2,8 @@
 //! outside.
 //!
 //! ```text
-//! cargo run --release --example relaxation_range -- [--points 801] [--plain] [--alpha 1e-3,1e-2] [--box 400] [--list]
+//! cargo run --release -p stribeck-solver --example relaxation_range -- \
+//!     [--points 801] [--plain] [--alpha 1e-3,1e-2] [--box 400] [--list]
 //! ```
 //!
 //! Without `--box`: f = 10 and 100, α from 10⁻³ to 10³ (`--alpha`: only these), five β from 10 to 1000, in chains of

@@ -1,7 +1,7 @@
 //! What becomes of stiff and extreme cases: the table of `docs/extremes.md`.
 //!
 //! ```text
-//! cargo run --release --example extremes -- [--sample N] [--edge]
+//! cargo run --release -p stribeck-sweep --example extremes -- [--sample N] [--edge]
 //! ```
 //!
 //! One row for each of the shipped sets, and with `--sample` one for so many cases out of the whole box. Cases that
