@@ -31,10 +31,10 @@ const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 /// | any α, f up to 10⁴, β from 10 to 10⁸ (the range that was fitted) | 1.6 % | 0.4 % |
 /// | any α, f up to 10⁶, β from 10⁻⁴ to 10¹⁰ | 5 % near α = 1 and β = 0.3, 2 % elsewhere | 0.4 % |
 ///
-/// on cases that were not fitted (`cargo run --release -p stribeck-solver --example film_formula`). Two limits are exact
-/// at any α and f: 1/(πβ) for β → 0, and for β → ∞ the power −3/5 with its factor, but for the five digits of 0.44583. For α → 0
-/// (instantaneous modulus) and α → ∞ (relaxed) it becomes the formula of the elastic film, with the errors of the first
-/// row.
+/// on cases that were not fitted (`cargo run --release -p stribeck-solver --example film_formula`). Two limits are
+/// exact at any α and f: 1/(πβ) for β → 0, and for β → ∞ the power −3/5 with its factor, but for the five digits of
+/// 0.44583. For α → 0 (instantaneous modulus) and α → ∞ (relaxed) it becomes the formula of the elastic film, with the
+/// errors of the first row.
 ///
 /// # Panics
 /// If β is not a positive finite number, α or f negative or not a number, or f infinite.
