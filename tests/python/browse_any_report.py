@@ -20,8 +20,8 @@ LACKS = """() => {
     return [...empty, ...silent].map(element => element.id);
 }"""
 # Chooses each quantity, and each f, as a reader would; what each of them lacks and what the page says at each f.
-CHOOSE_ALL = """() => {
-    const lacks = %s, lacking = [], texts = [];
+CHOOSE_ALL = """lacks => {
+    const lacking = [], texts = [];
     const choose = (control, value, event) => {
         control.value = value;
         control.dispatchEvent(new Event(event, { bubbles: true }));
@@ -34,7 +34,7 @@ CHOOSE_ALL = """() => {
         texts.push(document.body.innerText);
     }
     return [lacking, texts];
-}""" % LACKS
+}"""
 
 
 def browse(chromium, path, sentences):
@@ -49,7 +49,7 @@ def browse(chromium, path, sentences):
             watched.screenshot(f"any-{width}-{path.parent.parent.parent.name}")
             # What can be chosen is no different on a phone.
             if width > 600:
-                lacking, texts = page.evaluate(CHOOSE_ALL)
+                lacking, texts = page.evaluate(f"() => ({CHOOSE_ALL})({LACKS})")
                 assert lacking == [], lacking
                 text = "\n".join([text, *texts])
                 for sentence in sentences:
@@ -59,6 +59,7 @@ def browse(chromium, path, sentences):
 
 
 def main():
+    """Browses each page named on the command line."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--page", action="append", nargs="+", metavar=("PAGE", "SENTENCE"), required=True)
     with launched() as chromium:

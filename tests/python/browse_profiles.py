@@ -21,6 +21,7 @@ canvas.draw()
 
 
 def text_in(axes):
+    """All text of a picture, in one line."""
     return " ".join(text.get_text() for text in axes.texts)
 
 

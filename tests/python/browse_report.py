@@ -9,8 +9,11 @@ import csv
 import io
 import re
 import sys
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import matplotlib.image
 import numpy as np
 import xarray as xr
 from playwright.sync_api import TimeoutError
@@ -25,7 +28,7 @@ def read_number(text):
     text = text.strip().replace("−", "-")
     if text == "∞":
         return np.inf
-    mantissa, times, power = text.rpartition("10")
+    mantissa, _, power = text.rpartition("10")
     if power and all(c in "⁻⁰¹²³⁴⁵⁶⁷⁸⁹" for c in power):
         return float((mantissa.rstrip("·") or "1") + "e" + power.translate(SUPERSCRIPTS))
     return float(text)
@@ -41,8 +44,10 @@ def selected(page):
 
 def number_of(page, symbol):
     """A number of the selected case, by its symbol."""
-    rows = page.eval_on_selector_all("#numbers div", "rows => rows.map(row => [row.children[0].textContent, row.children[1].textContent])")
-    return read_number(dict(rows)[symbol].split(" ")[0])
+    rows = page.eval_on_selector_all(
+        "#numbers div", "rows => rows.map(row => [...row.children].map(e => e.textContent))"
+    )
+    return read_number({row[0]: row[1] for row in rows}[symbol].split(" ")[0])
 
 
 def expect_case(page, data, point):
@@ -52,7 +57,7 @@ def expect_case(page, data, point):
     case = data.sel(f=f, alpha=alpha, beta=beta)
     for symbol, name in [("μₜₒₜ", "mu_tot"), ("μᵥ", "mu_v"), ("μₕ", "mu_h"), ("uₘᵢₙ", "film_min"), ("pₘₐₓ", "p_max")]:
         assert np.isclose(number_of(page, symbol), float(case[name]), rtol=1e-4, atol=1e-12), (symbol, point)
-    drawn = page.evaluate("() => ({ x: document.getElementById('pressure').data[0].x, y: document.getElementById('pressure').data[0].y })")
+    drawn = page.evaluate("() => { const { x, y } = document.getElementById('pressure').data[0]; return { x, y }; }")
     there = np.interp(drawn["x"], case.x, case.pressure)
     assert np.max(np.abs(np.array(drawn["y"]) - there)) < 1e-4 * float(case.p_max), point
 
@@ -71,6 +76,7 @@ def pixel(page, picture, x, y):
 
 
 def click_point(page, picture, x, y):
+    """Clicks on a point of a plane picture, and waits until the page has another case selected."""
     page.locator(f"#{picture}").scroll_into_view_if_needed()
     page.mouse.move(*pixel(page, picture, x, y))
     # A click counts where the picture has noticed the pointer.
@@ -94,7 +100,8 @@ PROJECTED = """() => {
         const scaled = [alpha, beta, z[j][i]].map((value, axis) => value * scene.dataScale[axis]);
         const p = product(projection, product(view, product(model, [...scaled, 1])));
         const [across, down] = [p[0] / p[3], p[1] / p[3]];
-        found.push([Math.hypot(across, down), box.left + (0.5 + 0.5 * across) * box.width, box.top + (0.5 - 0.5 * down) * box.height]);
+        const [left, top] = [(0.5 + 0.5 * across) * box.width, (0.5 - 0.5 * down) * box.height];
+        found.push([Math.hypot(across, down), box.left + left, box.top + top]);
     }));
     return found.sort((one, other) => one[0] - other[0]).map(([, left, top]) => [left, top]);
 }"""
@@ -119,7 +126,9 @@ def click_surface(page):
         page.wait_for_function("document.body.dataset.place !== 'awaited'")
         page.mouse.up()
         point = selected(page)[0]
-        shown = page.evaluate("(() => { const mark = document.getElementById('map').data.at(-1); return [mark.x[0], mark.y[0]]; })()")
+        shown = page.evaluate(
+            "() => { const { x, y } = document.getElementById('map').data.at(-1); return [x[0], y[0]]; }"
+        )
         assert np.allclose(shown, hovered), (shown, hovered)
         return point
     raise AssertionError("the pointer found no surface")
@@ -127,149 +136,212 @@ def click_surface(page):
 
 def colours(page, selector):
     """How many different colours a part of the page has."""
-    import matplotlib.image
-
     picture = matplotlib.image.imread(io.BytesIO(page.locator(selector).screenshot()), format="png")
     return len(np.unique(np.round(picture[..., :3].reshape(-1, 3) * 31).astype(int), axis=0))
 
 
+@dataclass
+class Visit:
+    """A page that is looked at, and what it should show."""
+
+    page: Any
+    picture: Any
+    data: xr.Dataset
+    summary: list[dict[str, str]]
+
+    def axes(self):
+        """The values of f, α and β."""
+        return tuple(self.data[name].values for name in ("f", "alpha", "beta"))
+
+
+def heights(page, picture):
+    """What a picture draws over α and β, NaN where it has nothing."""
+    z = page.evaluate("id => document.getElementById(id).data[0].z", picture)
+    return np.array([[np.nan if value is None else value for value in row] for row in z], dtype=float)
+
+
+def expect_heights(visit, drawn, i_f):
+    """A picture draws the total friction of the data set at this f."""
+    mu_tot = visit.data.mu_tot
+    logarithmic = np.nanmax(mu_tot) > 30 * np.nanmin(mu_tot)
+    shown = mu_tot.isel(f=i_f).transpose("beta", "alpha").values
+    assert np.allclose(10**drawn if logarithmic else drawn, shown, rtol=1e-5, equal_nan=True)
+
+
+def see_first_pictures(visit):
+    """The surface is drawn: not one colour, and with the numbers of the data set."""
+    page = visit.page
+    paint = page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime")
+    drawn = page.evaluate("performance.now()")
+    print(f"words after {paint / 1000:.2f} s, every picture after {drawn / 1000:.2f} s")
+    assert page.title() == visit.data.attrs["title"]
+    assert page.text_content("#sweep") == visit.data.attrs["sweep"]
+    page.wait_for_function("document.querySelector('#surface canvas') !== null")
+    assert colours(page, "#surface") > 100, "the surface is blank"
+    assert colours(page, "#map") > 30, "the map is blank"
+    expect_heights(visit, heights(page, "surface"), -1)
+    visit.picture("light")
+
+
+def move_slider(visit):
+    """The slider changes f everywhere."""
+    page, (f, _, _) = visit.page, visit.axes()
+    before = page.inner_text("#f-value")
+    page.focus("#f-slider")
+    page.keyboard.press("ArrowLeft")
+    assert page.inner_text("#f-value") != before
+    assert np.isclose(read_number(page.inner_text("#f-value")), f[-2], rtol=1e-3)
+    moved = heights(page, "map")
+    expect_heights(visit, moved, -2)
+    assert np.array_equal(heights(page, "surface"), moved, equal_nan=True), "the surface has another f than the map"
+    page.keyboard.press("End")
+    assert page.inner_text("#f-value") == before
+
+
+def turn_surface(visit):
+    """The keys turn the surface, there and back."""
+    page = visit.page
+    eye = "document.getElementById('surface').layout.scene.camera.eye"
+    before = page.evaluate(eye)
+    away = f"from => Math.hypot(...['x', 'y', 'z'].map(axis => from[axis] - {eye}[axis]))"
+    page.focus("#surface")
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_function(f"{away} > 0", arg=before)
+    for key in ("ArrowUp", "ArrowDown", "ArrowRight", "+", "-"):
+        page.keyboard.press(key)
+    page.wait_for_function(f"{away} < 1e-6", arg=before)
+
+
+def click_pictures(visit):
+    """A click on the map, on a curve, on the scatter and on the surface selects the case below it."""
+    page, (f, alpha, beta) = visit.page, visit.axes()
+    i_alpha, i_beta = 1, len(beta) - 2
+    click_point(page, "map", np.log10(alpha[i_alpha]), np.log10(beta[i_beta]))
+    expect_case(page, visit.data, (f[-1], alpha[i_alpha], beta[i_beta]))
+    visit.picture("selected")
+
+    height = page.evaluate("document.getElementById('curve-alpha').data.at(-2).y[2]")
+    click_point(page, "curve-alpha", np.log10(alpha[2]), height)
+    expect_case(page, visit.data, (f[-1], alpha[2], beta[i_beta]))
+    target = page.evaluate(
+        "() => { const { x, y } = document.getElementById('scatter').data[0]; return [x[0], y[0]]; }"
+    )
+    click_point(page, "scatter", *target)
+    assert page.evaluate("document.getElementById('scatter').layout.shapes[0].xanchor") == target[0]
+
+    point = click_surface(page)
+    near = zip(visit.axes(), point, strict=True)
+    expect_case(page, visit.data, [values[np.isclose(values, value, rtol=1e-3)][0] for values, value in near])
+
+
+def move_selection(visit):
+    """The arrow keys move the selection in the map."""
+    page, (_, alpha, beta) = visit.page, visit.axes()
+    page.focus("#map")
+    place = selected(page)[0]
+    page.keyboard.press("ArrowRight" if place[1] < alpha[-1] else "ArrowLeft")
+    assert selected(page)[0][1] != place[1] and selected(page)[0][2] == place[2]
+    place = selected(page)[0]
+    page.keyboard.press("ArrowUp" if place[2] < beta[-1] else "ArrowDown")
+    assert selected(page)[0][2] != place[2] and selected(page)[0][1] == place[1]
+
+
+def see_failure(visit):
+    """A failed case says why, by its list."""
+    page = visit.page
+    failed = page.locator("#failure-list button")
+    if failed.count():
+        failed.first.click()
+        assert selected(page)[1].startswith("failed, "), selected(page)
+        assert page.is_visible("#no-fields") and not page.is_visible("#pressure")
+        visit.picture("failed")
+
+
+def sort_table(visit):
+    """The table sorts, in both directions."""
+    page, column = visit.page, "#table th[data-column=mu_tot]"
+
+    def shown():
+        cells = page.eval_on_selector_all("#table tbody tr", "rows => rows.map(row => row.cells[4].textContent)")
+        return [read_number(cell) for cell in cells if cell != "–"]
+
+    page.click(f"{column} button")
+    values = shown()
+    assert len(values) > 2 and values == sorted(values)
+    page.click(f"{column} button")
+    assert page.get_attribute(column, "aria-sort") == "descending"
+    values = shown()
+    assert values == sorted(values, reverse=True)
+
+
+def filter_table(visit):
+    """The table filters, selects, and is downloaded as it is shown."""
+    page, (_, _, beta) = visit.page, visit.axes()
+    page.fill("#filter", f"β = {beta[0]:g}, converged")
+    rows = page.locator("#table tbody tr")
+    assert rows.count() == int((visit.data.status.isel(beta=0) == 0).sum())
+    rows.first.focus()
+    page.keyboard.press("Enter")
+    assert rows.first.get_attribute("aria-selected") == "true" and selected(page)[0][2] == beta[0]
+    with page.expect_download() as waiting:
+        page.click("#download")
+    table = list(csv.DictReader(Path(waiting.value.path()).read_text(encoding="utf-8").splitlines()))
+    assert len(table) == rows.count() and list(table[0]) == list(visit.summary[0])
+    summary = {row["case"]: row for row in visit.summary}
+    for row in table:
+        other = summary[row["case"]]
+        for name in list(row)[6:]:
+            assert (row[name] == "") == (other[name] == ""), (name, row)
+            near = row[name] == "" or np.isclose(float(row[name]), float(other[name]), rtol=1e-6, atol=1e-40)
+            assert near, (name, row)
+    visit.picture("table")
+
+
+def change_theme(visit):
+    """The page is dark or light, and remembers which for the session."""
+    page, ground = visit.page, "getComputedStyle(document.body).backgroundColor"
+    light = page.evaluate(ground)
+    page.click("#theme")
+    dark = page.evaluate(ground)
+    assert dark != light
+    page.reload()
+    page.wait_for_function("document.body.dataset.drawn === 'all'")
+    assert page.evaluate(ground) == dark
+    visit.picture("dark")
+
+
+def use_phone(visit):
+    """On a phone nothing runs off the page, and another quantity is chosen by the keyboard alone."""
+    page = visit.page
+    page.set_viewport_size({"width": 390, "height": 844})
+    # Pictures follow the width of the page in their own time.
+    page.wait_for_function("document.documentElement.scrollWidth <= 390")
+    visit.picture("phone")
+    page.focus("#quantity")
+    page.keyboard.press("ArrowDown")
+    assert "viscoelastic" in page.inner_text("#surface-title").lower()
+
+
 def main():
+    """Looks at the page as a reader would, from the first picture to the phone."""
     path, results = Path(sys.argv[1]), Path(sys.argv[2])
     data = xr.open_dataset(results / "results.h5", engine="h5netcdf")
-    f, alpha, beta = (data[name].values for name in ("f", "alpha", "beta"))
-
+    with (results / "summary.csv").open(encoding="utf-8") as file:
+        summary = list(csv.DictReader(file))
     with launched() as chromium, window(chromium) as watched:
-        page, picture = watched.page, watched.screenshot
+        visit = Visit(watched.page, watched.screenshot, data, summary)
         watched.open(path)
-        paint = page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime")
-        print(f"words after {paint / 1000:.2f} s, every picture after {page.evaluate('performance.now()') / 1000:.2f} s")
-        assert page.title() == data.attrs["title"]
-        assert page.text_content("#sweep") == data.attrs["sweep"]
-
-        # The surface is drawn: not one colour, and with the numbers of the data set.
-        page.wait_for_function("document.querySelector('#surface canvas') !== null")
-        assert colours(page, "#surface") > 100, "the surface is blank"
-        assert colours(page, "#map") > 30, "the map is blank"
-        z = page.evaluate("document.getElementById('surface').data[0].z")
-        shown = data.mu_tot.isel(f=-1).transpose("beta", "alpha").values
-        z = np.array([[np.nan if value is None else value for value in row] for row in z], dtype=float)
-        logarithmic = np.nanmax(data.mu_tot) > 30 * np.nanmin(data.mu_tot)
-        assert np.allclose(10**z if logarithmic else z, shown, rtol=1e-5, equal_nan=True)
-        picture("light")
-
-        # The slider changes f everywhere.
-        before = page.inner_text("#f-value")
-        page.focus("#f-slider")
-        page.keyboard.press("ArrowLeft")
-        assert page.inner_text("#f-value") != before
-        assert np.isclose(read_number(page.inner_text("#f-value")), f[-2], rtol=1e-3)
-        moved = page.evaluate("document.getElementById('map').data[0].z")
-        shown = data.mu_tot.isel(f=-2).transpose("beta", "alpha").values
-        moved = np.array([[np.nan if value is None else value for value in row] for row in moved], dtype=float)
-        assert np.allclose(10**moved if logarithmic else moved, shown, rtol=1e-5, equal_nan=True)
-        raised = page.evaluate("document.getElementById('surface').data[0].z")
-        raised = np.array([[np.nan if value is None else value for value in row] for row in raised], dtype=float)
-        assert np.array_equal(raised, moved, equal_nan=True), "the surface has another f than the map"
-        page.keyboard.press("End")
-        assert page.inner_text("#f-value") == before
-
-        # The keys turn the surface.
-        eye = "JSON.stringify(document.getElementById('surface').layout.scene.camera.eye)"
-        before = page.evaluate(eye)
-        page.focus("#surface")
-        page.keyboard.press("ArrowLeft")
-        page.wait_for_function(f"before => {eye} !== before", arg=before)
-        for key in ("ArrowUp", "ArrowDown", "ArrowRight", "+", "-"):
-            page.keyboard.press(key)
-        nearly = "now => Math.hypot(...['x', 'y', 'z'].map(axis => JSON.parse(now)[axis] - document.getElementById('surface').layout.scene.camera.eye[axis])) < 1e-6"
-        page.wait_for_function(nearly, arg=before)
-
-        # A click on the map selects the case below it, and its fields are shown.
-        i_alpha, i_beta = 1, len(beta) - 2
-        click_point(page, "map", np.log10(alpha[i_alpha]), np.log10(beta[i_beta]))
-        expect_case(page, data, (f[-1], alpha[i_alpha], beta[i_beta]))
-        picture("selected")
-
-        # So does one on a curve, and one on the scatter.
-        click_point(page, "curve-alpha", np.log10(alpha[2]), page.evaluate("document.getElementById('curve-alpha').data.at(-2).y[2]"))
-        expect_case(page, data, (f[-1], alpha[2], beta[i_beta]))
-        target = page.evaluate("() => { const t = document.getElementById('scatter').data[0]; return [t.x[0], t.y[0], t.customdata[0]]; }")
-        click_point(page, "scatter", target[0], target[1])
-        assert page.evaluate("document.getElementById('scatter').layout.shapes[0].xanchor") == target[0]
-
-        # And one on the surface in space.
-        point = click_surface(page)
-        shown = [values[np.isclose(values, near, rtol=1e-3)][0] for values, near in zip((f, alpha, beta), point)]
-        expect_case(page, data, shown)
-
-        # The arrow keys move the selection in the map.
-        page.focus("#map")
-        place = selected(page)[0]
-        page.keyboard.press("ArrowRight" if place[1] < alpha[-1] else "ArrowLeft")
-        assert selected(page)[0][1] != place[1] and selected(page)[0][2] == place[2]
-        place = selected(page)[0]
-        page.keyboard.press("ArrowUp" if place[2] < beta[-1] else "ArrowDown")
-        assert selected(page)[0][2] != place[2] and selected(page)[0][1] == place[1]
-
-        # A failed case says why, by its list.
-        failed = page.locator("#failure-list button")
-        if failed.count():
-            failed.first.click()
-            assert selected(page)[1].startswith("failed, "), selected(page)
-            assert page.is_visible("#no-fields") and not page.is_visible("#pressure")
-            picture("failed")
-
-        # The table sorts, filters, selects, and is downloaded as it is shown.
-        page.click("#table th[data-column=mu_tot] button")
-        cells = page.eval_on_selector_all("#table tbody tr", "rows => rows.map(row => row.cells[4].textContent)")
-        values = [read_number(cell) for cell in cells if cell != "–"]
-        assert len(values) > 2 and values == sorted(values)
-        page.click("#table th[data-column=mu_tot] button")
-        assert page.get_attribute("#table th[data-column=mu_tot]", "aria-sort") == "descending"
-        cells = page.eval_on_selector_all("#table tbody tr", "rows => rows.map(row => row.cells[4].textContent)")
-        values = [read_number(cell) for cell in cells if cell != "–"]
-        assert values == sorted(values, reverse=True)
-        page.fill("#filter", f"β = {beta[0]:g}, converged")
-        rows = page.locator("#table tbody tr")
-        assert rows.count() == int((data.status.isel(beta=0) == 0).sum())
-        rows.first.focus()
-        page.keyboard.press("Enter")
-        assert rows.first.get_attribute("aria-selected") == "true" and selected(page)[0][2] == beta[0]
-        with page.expect_download() as waiting:
-            page.click("#download")
-        table = list(csv.DictReader(Path(waiting.value.path()).read_text(encoding="utf-8").splitlines()))
-        summary = {row["case"]: row for row in csv.DictReader((results / "summary.csv").open(encoding="utf-8"))}
-        assert len(table) == rows.count() and list(table[0]) == list(next(iter(summary.values())))
-        for row in table:
-            other = summary[row["case"]]
-            for name in list(row)[6:]:
-                assert (row[name] == "") == (other[name] == ""), (name, row)
-                assert row[name] == "" or np.isclose(float(row[name]), float(other[name]), rtol=1e-6, atol=1e-40), (name, row)
-        picture("table")
-
-        # Dark and light, and remembered for the session.
-        ground = "getComputedStyle(document.body).backgroundColor"
-        light = page.evaluate(ground)
-        page.click("#theme")
-        dark = page.evaluate(ground)
-        assert dark != light
-        page.reload()
-        page.wait_for_function("document.body.dataset.drawn === 'all'")
-        assert page.evaluate(ground) == dark
-        picture("dark")
-
-        # On a phone nothing runs off the page.
-        page.set_viewport_size({"width": 390, "height": 844})
-        # Pictures follow the width of the page in their own time.
-        page.wait_for_function("document.documentElement.scrollWidth <= 390")
-        picture("phone")
-
-        # Another quantity, by the keyboard alone.
-        page.focus("#quantity")
-        page.keyboard.press("ArrowDown")
-        assert "viscoelastic" in page.inner_text("#surface-title").lower()
-
-        assert page.evaluate("window.broken") is None, "a text of the sweep ran as a script"
+        see_first_pictures(visit)
+        move_slider(visit)
+        turn_surface(visit)
+        click_pictures(visit)
+        move_selection(visit)
+        see_failure(visit)
+        sort_table(visit)
+        filter_table(visit)
+        change_theme(visit)
+        use_phone(visit)
+        assert watched.page.evaluate("window.broken") is None, "a text of the sweep ran as a script"
         watched.expect_peace()
     print("the page does what it says")
 
