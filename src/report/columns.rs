@@ -5,8 +5,8 @@ use serde::Serialize;
 use super::encoding::{floats, integers};
 use super::texts::Texts;
 use stribeck_lab::si_units;
-use stribeck_sweep::Column;
 use stribeck_sweep::store::{Cost, DataSet, StoreError};
+use stribeck_sweep::{Column, Dimension};
 
 /// One number for each place.
 #[derive(Debug, Serialize)]
@@ -38,8 +38,8 @@ pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart
         .map(|column| part(column.name(), column.long_name(), column.units()))
         .collect::<Result<Vec<_>, StoreError>>()?;
     if data.laboratory {
-        columns.push(part("alpha", "slide time over a contact length / retardation time", "1")?);
-        columns.push(part("beta", "inverse Hersey number", "1")?);
+        columns.push(part("alpha", Dimension::ALPHA, "1")?);
+        columns.push(part("beta", Dimension::BETA, "1")?);
     }
     Ok(columns)
 }

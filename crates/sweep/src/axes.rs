@@ -16,7 +16,7 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Number of grid points.
+    /// The number of places.
     pub fn cases(&self) -> usize {
         self.f.len() * self.alpha.len() * self.beta.len()
     }
@@ -59,7 +59,7 @@ impl LaboratoryAxes {
         GridShape { strengths: self.f.len(), rows, length: self.speed().values.len() }
     }
 
-    /// f, the axes between in their order, and the speed.
+    /// The dimensions of the results: f, the axes between f and the speed in their order, and the speed.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let of = |given: &Given| {
             let quantity = given.quantity;

@@ -14,6 +14,11 @@ pub struct Dimension {
 }
 
 impl Dimension {
+    /// The long name of α.
+    pub const ALPHA: &'static str = "slide time over a contact length / retardation time";
+    /// The long name of β.
+    pub const BETA: &'static str = "inverse Hersey number";
+
     /// A dimension.
     pub fn new(name: &str, units: &str, long_name: &str, values: &[f64]) -> Self {
         Self {
@@ -27,5 +32,15 @@ impl Dimension {
     /// The dimension f, the first of all results.
     pub fn strength(values: &[f64]) -> Self {
         Self::new("f", "1", "strength of retardation", values)
+    }
+
+    /// The dimension α of dimensionless results.
+    pub fn alpha(values: &[f64]) -> Self {
+        Self::new("alpha", "1", Self::ALPHA, values)
+    }
+
+    /// The dimension β of dimensionless results.
+    pub fn beta(values: &[f64]) -> Self {
+        Self::new("beta", "1", Self::BETA, values)
     }
 }

@@ -48,11 +48,9 @@ impl Grid {
     /// The dimensions of published results, the one along rows last.
     pub fn dimensions(&self) -> Vec<Dimension> {
         match self {
-            Grid::Dimensionless(axes) => vec![
-                Dimension::strength(&axes.f),
-                Dimension::new("alpha", "1", "slide time over a contact length / retardation time", &axes.alpha),
-                Dimension::new("beta", "1", "inverse Hersey number", &axes.beta),
-            ],
+            Grid::Dimensionless(axes) => {
+                vec![Dimension::strength(&axes.f), Dimension::alpha(&axes.alpha), Dimension::beta(&axes.beta)]
+            }
             Grid::Laboratory(axes) => axes.dimensions(),
         }
     }

@@ -2,8 +2,8 @@
 //!
 //! # Run a sweep
 //!
-//! [`campaign`] runs a sweep into a results directory, or resumes it, and publishes what is solved. It also plans a sweep, tells how
-//! far it is, merges its parts, and explains a case. [`store::DataSet`] reads the published data back.
+//! [`campaign`] runs a sweep into a results directory, or resumes it, and publishes what is solved. It also plans a
+//! sweep, tells how far it is, merges its parts, and explains a case. [`store::DataSet`] reads the published data back.
 //!
 //! ```
 //! use stribeck_sweep::campaign::{RunOptions, run};

@@ -152,7 +152,7 @@ impl Engine {
     }
 }
 
-/// A pool of so many threads for solvers.
+/// Starts a pool of this many solver threads.
 pub fn solver_threads(threads: NonZeroUsize) -> Result<rayon::ThreadPool, ThreadsError> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.get())

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Most cases in one chain, whatever the method.
+/// The most cases that a chain may have, whatever the method.
 pub const MAX_CHAIN: usize = 64;
 
 /// Neighbouring cases of one row, each seeding the next: the unit of work.

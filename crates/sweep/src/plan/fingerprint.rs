@@ -44,7 +44,7 @@ pub struct Fingerprint {
 }
 
 impl Fingerprint {
-    /// For cases solved with a recipe.
+    /// The fingerprint of cases that are solved with a recipe.
     pub fn new(recipe: &Recipe) -> Self {
         let mut bytes = b"stribeck case 1\n".to_vec();
         match &recipe.solver {

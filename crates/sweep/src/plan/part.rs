@@ -21,7 +21,7 @@ pub struct Part {
 pub struct NotAPart;
 
 impl Part {
-    /// Most parts of a plan.
+    /// The most parts that a plan may have.
     pub const MOST: u32 = 1_000_000;
 
     /// Part `number` (from 1) of `of`; `None` if there is none.
@@ -29,12 +29,12 @@ impl Part {
         ((1..=of).contains(&number) && of <= Self::MOST).then_some(Self { of, number })
     }
 
-    /// Which part it is, from 1.
+    /// The number of the part, from 1.
     pub fn number(self) -> u32 {
         self.number
     }
 
-    /// How many parts there are.
+    /// The number of parts.
     pub fn of(self) -> u32 {
         self.of
     }
@@ -49,7 +49,7 @@ impl Part {
         format!("{}-of-{}", self.number, self.of)
     }
 
-    /// The part of which this is the name of its directory.
+    /// The part whose directory has this name.
     pub fn named(name: &str) -> Option<Self> {
         let part = name.split_once("-of-").and_then(|(number, of)| Self::new(number.parse().ok()?, of.parse().ok()?));
         part.filter(|part| part.name() == name)

@@ -43,7 +43,7 @@ pub enum SolverRecipe {
 }
 
 impl Recipe {
-    /// What this version of the program solves cases with.
+    /// The recipe of this version of the program.
     pub fn new(solver: &SolverSettings, cavity_shear: CavityShear) -> Self {
         let solver = match solver.method {
             Method::Collocation => {
@@ -57,7 +57,7 @@ impl Recipe {
         Self { solver, cavity_shear }
     }
 
-    /// In which way cases solved with this differ from those of another one, in words: `tolerance 1e-5, now 1e-6`.
+    /// Describes how this recipe differs from another one: `tolerance 1e-5, now 1e-6`.
     pub fn differences(&self, now: &Self) -> String {
         let (then_names, now_names) = (self.solver.settings(), now.solver.settings());
         let mut differences = Vec::new();

@@ -57,17 +57,17 @@ impl Plan {
         Self { grid: sweep.grid.clone(), substrate: sweep.substrate.clone(), recipe, fingerprint, layout }
     }
 
-    /// What its cases are solved with.
+    /// The recipe that the cases are solved with.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
     }
 
-    /// Number of grid points: rows of the summary.
+    /// The number of places, which is the number of rows of the summary.
     pub fn cases(&self) -> usize {
         self.grid.cases()
     }
 
-    /// Number of distinct problems: what is solved.
+    /// The number of distinct problems, which is the number of cases that are solved.
     pub fn problems(&self) -> usize {
         match &self.layout {
             Layout::Product { axes, .. } => rows(axes) * axes.beta.len(),
@@ -75,7 +75,7 @@ impl Plan {
         }
     }
 
-    /// Number of rows.
+    /// The number of rows.
     pub fn rows(&self) -> usize {
         match &self.layout {
             Layout::Product { axes, .. } => rows(axes),
@@ -101,7 +101,7 @@ impl Plan {
         GridIndex { f, row, along: case }
     }
 
-    /// Number of chains.
+    /// The number of chains.
     pub fn chain_count(&self) -> usize {
         match &self.layout {
             Layout::Product { axes, chains_per_row } => rows(axes) * chains_per_row,

@@ -1,4 +1,4 @@
-//! What a results directory holds, read from its logs.
+//! The catalog of a results directory: which cases are stored there, and where.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ use super::{CaseEntry, Contents, History, Status, StoreError, Warning};
 use crate::CaseId;
 use stribeck_solver::Output;
 
-/// How many cases a directory holds.
+/// The numbers of cases that a directory holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// That converged.
@@ -24,7 +24,9 @@ pub struct Counts {
     pub failed: u64,
 }
 
-/// What a results directory holds. Memory: some 25 bytes per case, nothing else grows with their number.
+/// The catalog of a results directory, read from its logs.
+///
+/// It takes some 25 bytes of memory for each case; nothing else grows with the number of cases.
 #[derive(Debug)]
 pub struct Catalog {
     pub(super) directory: Directory,
@@ -107,27 +109,27 @@ impl Catalog {
         self.directory.root()
     }
 
-    /// What counts as done.
+    /// The output that a case must have to count as done.
     pub fn output(&self) -> &Output {
         &self.output
     }
 
-    /// What was found damaged and is not used. Show it to the user.
+    /// Files and records that are damaged and not used. Show them to the user.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
 
-    /// What became of a case; `None` if it is not here with all that the output asks for.
+    /// The status of a case; `None` if the case is not stored with everything that the output asks for.
     pub fn holds(&self, id: CaseId) -> Option<Status> {
         self.index.complete(id).map(|slot| slot.status)
     }
 
-    /// True if a case is here, whatever fields it has.
+    /// True if a case is stored, whatever fields it has.
     pub fn knows(&self, id: CaseId) -> bool {
         self.index.any(id).is_some()
     }
 
-    /// The cases that are here, in no order.
+    /// The ids of all stored cases, in no order.
     pub fn ids(&self) -> impl Iterator<Item = CaseId> {
         self.index.ids()
     }
@@ -137,18 +139,18 @@ impl Catalog {
         self.index.len() as u64
     }
 
-    /// What the output asks for and a case that is here has not, in words; empty if it has all, or is not here.
+    /// Names what the output asks for and a stored case does not have; empty if it has everything, or is not stored.
     pub fn lacks(&self, id: CaseId) -> Vec<&'static str> {
         let wanted = Contents::of(&self.output);
         self.index.any(id).map_or_else(Vec::new, |slot| self.index.shard(slot.shard).contents.lacks(&wanted))
     }
 
-    /// The time limit in seconds at which a case was given up; `None` if that is not why it failed, or it is not here.
+    /// The time limit in seconds at which a case was given up; `None` if it was not, or is not stored.
     pub fn time_limit(&self, id: CaseId) -> Option<f64> {
         self.index.any(id).and_then(|slot| self.index.time_limit(&slot))
     }
 
-    /// What the cases here were solved with, each recipe once, as it was given to [`super::Store::solving_with`].
+    /// The recipes that stored cases were solved with, each once, as it was given to [`super::Store::solving_with`].
     pub fn recipes(&self) -> &[Value] {
         &self.recipes
     }
@@ -181,7 +183,7 @@ impl Catalog {
         Counts { converged: self.index.count(Status::Converged), failed: self.index.count(Status::Failed) }
     }
 
-    /// The runs so far.
+    /// The history of the runs so far.
     pub fn history(&self) -> &History {
         &self.history
     }

@@ -22,19 +22,19 @@ pub struct Contents {
 }
 
 impl Contents {
-    /// What a shard holds that was written for `output`.
+    /// The contents of a shard that is written for `output`.
     pub fn of(output: &Output) -> Self {
         let x = if output.fields.is_empty() { 0 } else { x_key(&output.x) };
         let &Output { fields, limits, sensitivities, .. } = output;
         Self { fields, x, limits, sensitivities, columns: columns_key() }
     }
 
-    /// True if a shard with these contents has all that `wanted` asks for; it may hold more.
+    /// True if a shard with these contents holds everything that `wanted` asks for. It may hold more.
     pub fn covers(&self, wanted: &Self) -> bool {
         self.lacks(wanted).is_empty()
     }
 
-    /// What `wanted` asks for and a shard with these contents has not, in words.
+    /// Names what `wanted` asks for and a shard with these contents does not hold.
     pub fn lacks(&self, wanted: &Self) -> Vec<&'static str> {
         let mut lacks = Vec::new();
         if self.columns != wanted.columns {

@@ -15,7 +15,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// Both, in the order of their codes.
+    /// Both statuses, in the order of their codes.
     pub const ALL: [Self; 2] = [Self::Converged, Self::Failed];
 
     /// The flag value in HDF5 files.

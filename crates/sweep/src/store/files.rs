@@ -9,7 +9,7 @@ use super::StoreError;
 /// Ends the name of a file that is being written. What a killed run leaves under such a name is removed by the next.
 const TEMPORARY: &str = ".stribeck-part";
 
-/// True if a file has this text. One of another size is not read, nor what is no file.
+/// True if a file holds this text. A file of another size is not read, and neither is anything but a file.
 pub fn holds_text(path: &Path, text: &str) -> bool {
     let alike = path.metadata().is_ok_and(|found| found.is_file() && found.len() == text.len() as u64);
     alike && fs::read(path).is_ok_and(|found| found == text.as_bytes())

@@ -46,7 +46,7 @@ pub struct Beginning {
 }
 
 impl Start {
-    /// Cases per second of wall clock, beginning to last record; `None` before a second has passed.
+    /// Cases per second of wall clock, from the beginning to the last record; `None` before a second has passed.
     pub fn rate(&self) -> Option<f64> {
         let seconds = self.last.checked_sub(self.beginning.as_ref()?.time).filter(|&seconds| seconds > 0)?;
         Some((self.converged + self.failed) as f64 / seconds as f64)

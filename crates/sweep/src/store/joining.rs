@@ -29,7 +29,7 @@ pub struct Joined {
     pub twice: u64,
 }
 
-/// Whether two solutions of one case are the same, as far as its solver promises.
+/// Tells whether two solutions of one case agree within what the solver promises.
 pub type Agreement<'a> = dyn Fn(&Values, &Values) -> bool + 'a;
 
 impl Store {

@@ -4,7 +4,7 @@ use super::{Status, StoreError};
 use crate::{CaseId, Dimension, Values};
 use stribeck_lab::Experiment;
 
-/// What is published: a grid, and which case stands at each place of it.
+/// A publication: a grid, and the case at each of its places.
 pub struct Publication<'a> {
     /// Title of the sweep.
     pub title: &'a str,

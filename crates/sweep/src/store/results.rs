@@ -167,8 +167,8 @@ impl Layout {
             set_text(&number, "long_name", quantity.long_name())?;
             names.push(quantity.name());
         }
-        let alpha = self.number(file, "alpha", "1", "slide time over a contact length / retardation time")?;
-        let beta = self.number(file, "beta", "1", "inverse Hersey number")?;
+        let alpha = self.number(file, "alpha", "1", Dimension::ALPHA)?;
+        let beta = self.number(file, "beta", "1", Dimension::BETA)?;
         let mut scales = Vec::new();
         for (name, units, long_name) in Scales::VARIABLES {
             scales.push(self.number(file, name, units, long_name)?);

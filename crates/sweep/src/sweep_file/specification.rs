@@ -91,7 +91,7 @@ pub struct SolverSettings {
 }
 
 impl SolverSettings {
-    /// What a case may take, where nothing else is said: an hour, hundreds of times what the slowest case known took.
+    /// The default time limit in seconds: an hour, hundreds of times what the slowest known case takes.
     pub const TIME_LIMIT: f64 = 3600.0;
 
     /// Settings of the collocation method: a sweep chooses the tolerance alone.

@@ -15,10 +15,6 @@ pub fn publish(
         let points = cases(i_f, i_alpha).into_iter().zip(beta.iter().cycle());
         points.map(|(case, beta)| Point { case, numbers: [f[i_f], alpha[i_alpha], *beta], experiment: None }).collect()
     };
-    let dimensions = [
-        Dimension::strength(f),
-        Dimension::new("alpha", "1", "slide time over a contact length / retardation time", alpha),
-        Dimension::new("beta", "1", "inverse Hersey number", beta),
-    ];
+    let dimensions = [Dimension::strength(f), Dimension::alpha(alpha), Dimension::beta(beta)];
     store.publish(&Publication { title, sweep_text, dimensions: &dimensions, row: &row })
 }
