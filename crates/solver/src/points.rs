@@ -68,52 +68,68 @@ fn compare(a: &Parameters, b: &Parameters) -> Ordering {
     differing.unwrap_or(a.len().cmp(&b.len()))
 }
 
-/// Cuts cases, which ascend in β, into chains: each case is followed by the nearest one left that has no smaller β.
+/// Cuts cases, which ascend in β, into chains: each case is followed by the nearest one left that has no smaller β, unless
+/// that one has a nearer case to follow.
 fn chains_of_neighbours(
     cases: &[&Parameters],
     can_continue: impl Fn(&Parameters, &Parameters) -> bool,
 ) -> Vec<Vec<usize>> {
-    let mut taken = vec![false; cases.len()];
+    let mut search = Neighbours { cases, taken: vec![false; cases.len()], can_continue };
     let mut chains = Vec::new();
     for first in 0..cases.len() {
-        let (mut chain, mut next) = (Vec::new(), (!taken[first]).then_some(first));
+        let (mut chain, mut next) = (Vec::new(), (!search.taken[first]).then_some(first));
         while let Some(case) = next {
-            taken[case] = true;
+            search.taken[case] = true;
             chain.push(case);
-            next = nearest_after(case, cases, &taken, &can_continue);
+            next = search.successor(case);
         }
         chains.extend(chain.chunks(LONGEST_CHAIN).map(<[usize]>::to_vec));
     }
     chains
 }
 
-/// The nearest case after a given one that is not taken; `None` if no case is near, or the near ones cannot continue
-/// its chain.
-fn nearest_after(
-    case: usize,
-    cases: &[&Parameters],
-    taken: &[bool],
-    can_continue: impl Fn(&Parameters, &Parameters) -> bool,
-) -> Option<usize> {
-    let here = cases[case];
-    if here.computable().is_err() {
-        return None;
+/// Cases in ascending β, and which of them are in a chain.
+struct Neighbours<'a, F> {
+    cases: &'a [&'a Parameters],
+    taken: Vec<bool>,
+    can_continue: F,
+}
+
+impl<F: Fn(&Parameters, &Parameters) -> bool> Neighbours<'_, F> {
+    /// The nearest case left that can follow a case; `None` if there is none within [`FARTHEST_FACTOR`].
+    fn successor(&self, case: usize) -> Option<usize> {
+        let (mut nearest, mut least) = (None, FARTHEST_FACTOR.ln());
+        for other in case + 1..self.cases.len() {
+            // β ascends: all others are farther away.
+            if self.betas_apart(case, other) >= least {
+                break;
+            }
+            let Some(away) = self.distance(case, other).filter(|away| *away < least) else { continue };
+            if !self.taken[other] && !self.has_nearer_predecessor(other, away) {
+                (nearest, least) = (Some(other), away);
+            }
+        }
+        nearest
     }
-    let (mut nearest, mut least) = (None, FARTHEST_FACTOR.ln());
-    for (other, &there) in cases.iter().enumerate().skip(case + 1) {
-        // β ascends: all others are farther away
-        if (there.beta / here.beta).ln() >= least {
-            break;
-        }
-        if taken[other] || there.computable().is_err() {
-            continue;
-        }
-        let away = distance(here, there);
-        if away < least && can_continue(here, there) {
-            (nearest, least) = (Some(other), away);
-        }
+
+    /// Whether a case left can be followed by `case` and is nearer to it than `away`.
+    fn has_nearer_predecessor(&self, case: usize, away: f64) -> bool {
+        let near = (0..case).rev().take_while(|&other| self.betas_apart(other, case) < away);
+        let mut left = near.filter(|&other| !self.taken[other]);
+        left.any(|other| self.distance(other, case).is_some_and(|distance| distance < away))
     }
-    nearest
+
+    /// ln of the ratio of β.
+    fn betas_apart(&self, from: usize, to: usize) -> f64 {
+        (self.cases[to].beta / self.cases[from].beta).ln()
+    }
+
+    /// The distance between two cases; `None` if one cannot follow the other.
+    fn distance(&self, from: usize, to: usize) -> Option<f64> {
+        let (from, to) = (self.cases[from], self.cases[to]);
+        let possible = from.computable().is_ok() && to.computable().is_ok() && (self.can_continue)(from, to);
+        possible.then(|| distance(from, to))
+    }
 }
 
 #[cfg(test)]
