@@ -26,9 +26,8 @@ use statistics::{Statistics, statistics};
 use stribeck_solver::{CavityShear, Failure, Substrate};
 pub use unknown::Unknown;
 
-/// Relative changes of residuals and unknowns below which a fit has converged; smaller ones are errors of the
-/// solutions.
-const TOLERANCE: f64 = 1e-6;
+/// Relative changes of residuals and unknowns below which a fit has converged.
+const TOLERANCE: f64 = 1e-8;
 /// A slope of the residuals (a cosine) below which the search has ended at a minimum.
 const FLAT: f64 = 0.01;
 /// Norm of the first step over the scale of the problem: what is far away is reached in several steps.

@@ -169,7 +169,7 @@ impl<S: CaseSolver> SeedSearch<'_, '_, S> {
                 }
                 Err(SolveError::Failed(failure)) => {
                     let conclusive = failure.kind.is_conclusive();
-                    attempts.push(failure.from_seed(seed));
+                    attempts.push(failure.seeded_by(seed));
                     if conclusive {
                         break;
                     }

@@ -32,7 +32,7 @@ impl Failure {
 
     /// The same failure as that of an attempt from a seed.
     #[must_use]
-    pub(super) fn from_seed(self, seed: Seed) -> Self {
+    pub(super) fn seeded_by(self, seed: Seed) -> Self {
         Self { seed: Some(seed), ..self }
     }
 
@@ -431,8 +431,8 @@ mod tests {
                 if first.name() == "panic" {
                     continue;
                 }
-                let earlier = vec![Failure::from(first.clone()).from_seed(Seed::Predictor)];
-                let failure = Failure::from(last.clone()).from_seed(Seed::March(4)).after(earlier);
+                let earlier = vec![Failure::from(first.clone()).seeded_by(Seed::Predictor)];
+                let failure = Failure::from(last.clone()).seeded_by(Seed::March(4)).after(earlier);
                 assert_eq!(kind_name_of_text(&failure.to_string()), last.name(), "{failure}");
             }
         }
@@ -441,8 +441,8 @@ mod tests {
     #[test]
     fn a_text_tells_seeds_and_waypoints() {
         let (case, here) = (Parameters::new(1.0, 100.0, 10.0), Parameters::new(1.0, 5.0, 10.0));
-        let first = Failure::from(FailureKind::NewtonBrokeDown).from_seed(Seed::None);
-        let last = Failure::from(FailureKind::FlowLost).at(&here, &case).from_seed(Seed::March(2)).after(vec![first]);
+        let first = Failure::from(FailureKind::NewtonBrokeDown).seeded_by(Seed::None);
+        let last = Failure::from(FailureKind::FlowLost).at(&here, &case).seeded_by(Seed::March(2)).after(vec![first]);
         let expected = "no first guess: Newton's method broke down: a step is not finite; \
                         from march-2: at beta = 5.0000e0: the iteration ends in a state that does not conserve the flow at all; use more points";
         assert_eq!(last.to_string(), expected);
