@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::open_store::open_store;
 use super::parts::part_states;
 use super::publication::publish;
-use super::run::open_store;
 use super::sweep_directory::part_directories;
 use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
 use crate::store::{Catalog, Ending, Inspection, Joined, Published, Store};

@@ -42,6 +42,7 @@ mod explain;
 mod failures;
 mod merge;
 mod merged_catalog;
+mod open_store;
 mod parts;
 mod pending;
 mod plan;

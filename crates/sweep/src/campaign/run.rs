@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::failures::first_failures;
 use super::merge::join_all;
+use super::open_store::open_store;
 use super::publication::publish;
 use super::solving::{Solving, group_wait, queue_length};
 use super::sweep_directory::{had_other_sweep, part_directories, part_directory};
@@ -126,19 +127,6 @@ fn engine(sweep: &Sweep, options: &RunOptions) -> Result<Engine, CampaignError> 
         Some(part) => engine.with_group_wait(group_wait(part)),
         None => engine,
     })
-}
-
-/// Opens the results directory of a plan for writing, and tells what in it is damaged.
-pub(super) fn open_store(
-    directory: &Path,
-    sweep: &Sweep,
-    plan: &Plan,
-    observe: &mut Observer<'_>,
-) -> Result<Store, StoreError> {
-    let recipe = serde_json::to_value(plan.recipe()).expect("a recipe is made of words and finite numbers");
-    let store = Store::open(directory, &sweep.text, &sweep.output)?.solving_with(recipe);
-    store.warnings().iter().for_each(|warning| observe(Event::Damaged(warning)));
-    Ok(store)
 }
 
 /// What is stored beside the directory of a run. The whole takes it over from its parts, so that nothing is left
