@@ -60,7 +60,7 @@ impl DisplacementKernel {
     }
 
     /// The retarded modes, (f_j/(1+f), α_j) each, with K(x) = `singular_weight` ln|x| + Σ_j (f_j/(1+f)) I(α_j, x) −
-    /// level and the bounded I of [`retarded_mode`].
+    /// level and the bounded I of `retarded_mode`.
     pub fn retarded(&self) -> &[(f64, f64)] {
         &self.retarded
     }
