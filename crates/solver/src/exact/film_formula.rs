@@ -28,7 +28,7 @@ const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 /// | over | largest error | rms |
 /// | --- | --- | --- |
 /// | elastic, every β | 0.2 % | 0.1 % |
-/// | any α, f up to 10⁴, β from 10 to 10⁸ (the range that was fitted) | 1.6 % | 0.4 % |
+/// | any α, f up to 10⁴, β from 10 to 10⁸ (the range that was fitted) | 2 % | 0.4 % |
 /// | any α, f up to 10⁶, β from 10⁻⁴ to 10¹⁰ | 5 % near α = 1 and β = 0.3, 2 % elsewhere | 0.4 % |
 ///
 /// on cases that were not fitted (`cargo run --release -p stribeck-solver --example film_formula`). Two limits are

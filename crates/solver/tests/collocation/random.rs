@@ -6,7 +6,7 @@ use stribeck_solver::collocation::Settings;
 
 use crate::collocation::cases::{numbers, quantities, settings, solution, with_modes};
 use crate::collocation::measure::{true_error, worst};
-use crate::property::{with_fresh_seed, with_seed};
+use crate::property::with_seed;
 
 /// α, β and f in the box, with one to three modes up to four decades apart.
 fn cases() -> impl Strategy<Value = Parameters> {
@@ -66,18 +66,23 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(with_fresh_seed(400))]
+mod with_a_fresh_seed {
+    use super::*;
+    use crate::property::with_fresh_seed;
 
-    #[test]
-    #[ignore = "slow: 400 cases, other ones each time"]
-    fn other_cases_are_solved_and_sane(case in cases(), exponent in -6.0..-2.0) {
-        is_solved_and_sane(&case, 10_f64.powf(exponent))?;
-    }
+    proptest! {
+        #![proptest_config(with_fresh_seed(400))]
 
-    #[test]
-    #[ignore = "slow: 400 cases, other ones each time"]
-    fn the_tolerance_is_kept_in_other_cases(case in cases(), exponent in -6.0..-2.0) {
-        keeps_the_tolerance(&case, 10_f64.powf(exponent))?;
+        #[test]
+        #[ignore = "slow: a fresh seed"]
+        fn every_case_is_solved_and_sane(case in cases(), exponent in -6.0..-2.0) {
+            is_solved_and_sane(&case, 10_f64.powf(exponent))?;
+        }
+
+        #[test]
+        #[ignore = "slow: a fresh seed"]
+        fn the_tolerance_is_kept(case in cases(), exponent in -6.0..-2.0) {
+            keeps_the_tolerance(&case, 10_f64.powf(exponent))?;
+        }
     }
 }
