@@ -1,5 +1,5 @@
-//! Makes what the program holds of the page of `stribeck report`: its scripts, joined into one (`page.js`), and Plotly's,
-//! deflated (`plotly.deflate`), both in the directory of build products.
+//! Makes what the program holds of the page of `stribeck report`: its scripts, joined into one (`page.js`), and
+//! Plotly's, deflated (`plotly.deflate`), both in the directory of build products.
 
 use std::collections::BTreeMap;
 use std::path::Path;

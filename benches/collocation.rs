@@ -1,8 +1,8 @@
 //! What a case of the collocation method costs, and where the time goes.
 //!
-//! `cargo bench --bench collocation` solves, on one core, seven chains in β (f = 100, α = 10⁻³ … 10³, 20 points a decade from
-//! 10 to 10⁴) at a tolerance of 10⁻⁵ and prints a table. Every chain is run several times and the fastest run counts. Times
-//! are those of the machine at hand; the last columns are ratios and travel better.
+//! `cargo bench --bench collocation` solves, on one core, seven chains in β (f = 100, α = 10⁻³ … 10³, 20 points a
+//! decade from 10 to 10⁴) at a tolerance of 10⁻⁵ and prints a table. Every chain is run several times and the fastest
+//! run counts. Times are those of the machine at hand; the last columns are ratios and travel better.
 
 use std::error::Error;
 use std::sync::Mutex;

@@ -5,8 +5,9 @@
 //! cargo run --release --example left_out -- [--repeats 5]
 //! ```
 //!
-//! Runs the program itself, one thread, into temporary directories. Seconds are those of the processor (user and system, from
-//! Linux's `/proc`), medians of runs in turn; ratios are to the first row of a table. Bytes are per grid point.
+//! Runs the program itself, one thread, into temporary directories. Seconds are those of the processor (user and
+//! system, from Linux's `/proc`), medians of runs in turn; ratios are to the first row of a table. Bytes are per grid
+//! point.
 
 use std::error::Error;
 use std::fs;

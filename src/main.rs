@@ -9,8 +9,8 @@ fn main() -> ExitCode {
     execute(&Cli::parse(), &peak_bytes)
 }
 
-/// The most bytes that a piece of work has in use at once. Memory is counted by the program's allocator, which is none of the
-/// library's business.
+/// The most bytes that a piece of work has in use at once. Memory is counted by the program's allocator, which is none
+/// of the library's business.
 fn peak_bytes(work: &mut dyn FnMut()) -> u64 {
     allocation_counter::measure(work).bytes_max
 }

@@ -1,5 +1,5 @@
-//! The program and input that is meant badly: too much of it, from odd places, under odd names. Every case ends by itself, in
-//! bounded memory, with an exit code and a message that leaves the terminal alone.
+//! The program and input that is meant badly: too much of it, from odd places, under odd names. Every case ends by
+//! itself, in bounded memory, with an exit code and a message that leaves the terminal alone.
 
 #![cfg(unix)]
 
@@ -23,7 +23,8 @@ const LARGEST: usize = 8 << 20;
 /// Four lines that make a sweep of one case.
 const AXES: &str = "[axes]\nf = [0.0]\nalpha = [1.0]\nbeta = [10.0]\n";
 
-/// Runs the program in a directory, in bounded memory. If it hangs it is ended, which no one takes for an exit of its own.
+/// Runs the program in a directory, in bounded memory. If it hangs it is ended, which no one takes for an exit of its
+/// own.
 fn bounded<A: AsRef<OsStr>>(directory: &Path, arguments: &[A]) -> Output {
     let program = stribeck(directory);
     let limit = format!("ulimit -v {MEMORY} && exec timeout --signal KILL 300 \"$0\" \"$@\"");

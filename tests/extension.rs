@@ -1,5 +1,5 @@
-//! A sweep that is changed after it was run: what is solved is used again where it can be, byte for byte; what cannot be is
-//! told with its reason; and what is new agrees with a run of the changed sweep from scratch.
+//! A sweep that is changed after it was run: what is solved is used again where it can be, byte for byte; what cannot
+//! be is told with its reason; and what is new agrees with a run of the changed sweep from scratch.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -167,7 +167,8 @@ fn problems_in_common_are_solved_once() {
                 f = [0.0, 5.0]\n[output]\nfields = []\n";
     let plan = Plan::new(&Sweep::parse("common", text).unwrap());
     assert_eq!(plan.cases(), 54);
-    // f = 0: β of five products of viscosity and speed. f = 5: pairs of powers of two, (i + k, j + k) with i, j, k from 0 to 2.
+    // f = 0: β of five products of viscosity and speed. f = 5: pairs of powers of two, (i + k, j + k) with i, j, k from
+    // 0 to 2.
     let pairs: HashSet<(i32, i32)> =
         (0..27).map(|n| (n / 9, n / 3 % 3, n % 3)).map(|(i, j, k)| (i + k, j + k)).collect();
     assert_eq!(plan.problems(), 5 + pairs.len());
@@ -180,7 +181,8 @@ fn problems_in_common_are_solved_once() {
     assert!(out(&said).contains("nothing to do"), "{}", out(&said));
 }
 
-/// One thread or three, in one go or after an interruption between chains: the same bytes. Another speed is solved alone.
+/// One thread or three, in one go or after an interruption between chains: the same bytes. Another speed is solved
+/// alone.
 #[test]
 fn bytes_do_not_depend_on_threads_or_starts() {
     let directory = with_results(EXAMPLE);
@@ -217,7 +219,8 @@ fn the_relaxation_method_solves_them_too() {
     }
 }
 
-/// Fast and slow ends: with the instantaneous and the relaxed modulus the substrate is elastic, and friction that of its film.
+/// Fast and slow ends: with the instantaneous and the relaxed modulus the substrate is elastic, and friction that of
+/// its film.
 #[test]
 fn a_fast_and_a_slow_roller_see_an_elastic_substrate() {
     let material = "[substrate]\nrelaxed_modulus = 1e5\nrelaxation = [{ modulus = 2e5, time = 1e-3 }, { modulus = 1e5, time = 1e-2 }]\n";
@@ -314,7 +317,8 @@ fn pictures_run_along_the_speed_and_show_what_was_measured() {
         assert!(picture.contains(word), "{word}");
     }
     assert!(!picture.contains("a₀/R"), "friction is absolute");
-    // The numbers behind it name the quantities; the point of a load without a curve is not drawn, so the axis ends below it.
+    // The numbers behind it name the quantities; the point of a load without a curve is not drawn, so the axis ends
+    // below it.
     let rows = table(&directory.path().join("results/small/figures/mu_tot-along-speed.csv"));
     assert!(rows.iter().all(|row| ["f", "load", "speed", "alpha", "beta"].iter().all(|name| row.contains_key(*name))));
     let said = plot(&[]);

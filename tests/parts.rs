@@ -1,4 +1,5 @@
-//! A sweep in parts: solved anywhere, in any order, interrupted or not, and merged to the bytes of a sweep that was run whole.
+//! A sweep in parts: solved anywhere, in any order, interrupted or not, and merged to the bytes of a sweep that was run
+//! whole.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! Sweeps on a cluster: a real Slurm with four nodes on this machine (`scripts/slurm-local`), whose nodes die and whose time
-//! limits are reached. What is merged has the bytes of a run on one machine.
+//! Sweeps on a cluster: a real Slurm with four nodes on this machine (`scripts/slurm-local`), whose nodes die and whose
+//! time limits are reached. What is merged has the bytes of a run on one machine.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -113,7 +113,8 @@ impl Cluster {
         found.unwrap_or_else(|| panic!("part {part} has a process"))
     }
 
-    /// Holds a part where it is (STOP), so that it cannot be done before something happens to it, or lets it go on (CONT).
+    /// Holds a part where it is (STOP), so that it cannot be done before something happens to it, or lets it go on
+    /// (CONT).
     fn signal(&self, part: u32, signal: &str) {
         let sent = Command::new("kill").args([format!("-{signal}"), self.process(part).to_string()]).status();
         assert!(sent.expect("kill starts").success(), "part {part} gets {signal}");
@@ -232,7 +233,8 @@ fn a_sweep_on_a_cluster_whose_node_dies_has_the_bytes_of_one_machine() {
     let mut whole = stribeck(here);
     whole.args(["run", "long.toml", "-o", "whole", "--quiet"]).stdout(Stdio::null());
     let mut whole = whole.spawn().expect("the program starts");
-    // The part goes on as soon as it is asked to end, for what it has left until its time limit is as little as elsewhere.
+    // The part goes on as soon as it is asked to end, for what it has left until its time limit is as little as
+    // elsewhere.
     let held = Cell::new(true);
     let came_to_its_limit = || {
         if held.get() && cluster.is_asked_to_end(limited) {

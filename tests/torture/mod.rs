@@ -1,4 +1,5 @@
-//! Nothing is lost, and nothing is silently wrong, whatever happens to the processes, the disk and the files of a sweep.
+//! Nothing is lost, and nothing is silently wrong, whatever happens to the processes, the disk and the files of a
+//! sweep.
 //!
 //! Real processes of the program work on real directories. After each fault an independent reader of the log and the
 //! shards says what must be there; `status` and `plan` must say the same; one more run must complete the sweep, and

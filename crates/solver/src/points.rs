@@ -68,8 +68,8 @@ fn compare(a: &Parameters, b: &Parameters) -> Ordering {
     differing.unwrap_or(a.len().cmp(&b.len()))
 }
 
-/// Cuts cases, which ascend in β, into chains: each case is followed by the nearest one left that has no smaller β, unless
-/// that one has a nearer case to follow.
+/// Cuts cases, which ascend in β, into chains: each case is followed by the nearest one left that has no smaller β,
+/// unless that one has a nearer case to follow.
 fn chains_of_neighbours(
     cases: &[&Parameters],
     can_continue: impl Fn(&Parameters, &Parameters) -> bool,

@@ -39,8 +39,8 @@ fn check(name: &str, verdict: &Verdict, tolerance: f64) {
     }
 }
 
-/// All sets but the one with the least tolerance: every case converges, to a sound solution. Of the chains of each set one
-/// in `every` is solved.
+/// All sets but the one with the least tolerance: every case converges, to a sound solution. Of the chains of each set
+/// one in `every` is solved.
 fn check_that_all_are_solved(every: usize) {
     for name in SHIPPED.into_iter().filter(|name| *name != TIGHT) {
         let Set { settings, chains } = Set::shipped(name);
