@@ -72,6 +72,13 @@ fn what_is_no_material_is_told() {
     assert_eq!(Relaxation::new(1.0, vec![]), Err(MaterialError::Empty));
 }
 
+/// The smallest relative difference of two times.
+fn least_gap(relaxation: &Relaxation) -> f64 {
+    let mut times: Vec<f64> = relaxation.terms().iter().map(|term| term.time).collect();
+    times.sort_by(f64::total_cmp);
+    times.windows(2).map(|pair| pair[1] / pair[0] - 1.0).fold(f64::INFINITY, f64::min)
+}
+
 /// One to twelve terms with moduli and times over many decades.
 fn materials() -> impl Strategy<Value = Relaxation> {
     let term = (-6.0..6.0_f64, -8.0..8.0_f64).prop_map(|(modulus, time)| (10_f64.powf(modulus), 10_f64.powf(time)));
@@ -114,13 +121,16 @@ proptest! {
         }
     }
 
+    /// As far as the creep form, in double precision, holds it: of two times that are next to each other, it holds the
+    /// difference to rounding error only.
     #[test]
     fn there_and_back_is_the_same(relaxation in materials(), exponent in -10.0..10.0_f64) {
         let back = relaxation.material().relaxation();
-        prop_assert!(relative(back.instantaneous_modulus(), relaxation.instantaneous_modulus()) < 1e-12);
+        let held = 1e-12 + 1e-15 / least_gap(&relaxation);
+        prop_assert!(relative(back.instantaneous_modulus(), relaxation.instantaneous_modulus()) < held);
         let omega = 10_f64.powf(exponent);
         let ((storage, loss), (stored, lost)) = (relaxation.storage_and_loss(omega), back.storage_and_loss(omega));
-        prop_assert!((storage - stored).hypot(loss - lost) < 1e-12 * storage.hypot(loss));
+        prop_assert!((storage - stored).hypot(loss - lost) < held * storage.hypot(loss));
     }
 
     /// The unit of the moduli and that of the times mean nothing.

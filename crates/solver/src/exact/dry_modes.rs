@@ -11,6 +11,9 @@ use crate::model::Parameters;
 /// Rates that a contact cannot tell from 0 or ∞; with them, no product leaves the range of double precision.
 const RATES: (f64, f64) = (1e-100, 1e100);
 
+/// A mode that is weaker adds nothing that a number tells to the compliance, which is 1 at once.
+const LEAST_STRENGTH: f64 = 1e-100;
+
 /// The dry contact of a rigid cylinder that slides to +x on a half space with several retardation times (T40–T46).
 ///
 /// In the contact the material relaxes at the rates ρ_m of its relaxation spectrum, and ahead of it it creeps at the
@@ -27,7 +30,8 @@ pub struct DrySliding {
 impl DrySliding {
     /// The dry contact of a case. Hertzian for f = 0, α = 0 (half width 1/√(1+f)) and α = ∞ (1).
     pub fn of(parameters: &Parameters) -> Self {
-        let modes = parameters.retardation();
+        let mut modes = parameters.retardation();
+        modes.retain(|mode| mode.strength >= LEAST_STRENGTH);
         if modes.is_empty() {
             let instantaneous = !parameters.is_relaxed_elastic();
             let compliance = if instantaneous { parameters.instantaneous_compliance() } else { 1.0 };

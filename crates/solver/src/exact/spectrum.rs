@@ -95,6 +95,7 @@ impl Spectrum {
         };
         // What the line itself has to balance is at most 1 and the lines beyond the gap, half of it away.
         let least = self.lines[base].strength / (1.0 + half_gap.map_or(0.0, |half| weight / half));
+        let least = least.max(f64::MIN_POSITIVE);
         let residual = |ln_distance: f64| side * self.excess(&self.distances(base, side * ln_distance.exp()));
         let distance = side * bracketed_root(residual, least.ln(), most.ln()).exp();
         let distances = self.distances(base, distance);

@@ -93,6 +93,14 @@ fn a_mode_without_strength_is_none() {
     }
 }
 
+/// Also where others make its place in the spectrum smaller than a double.
+#[test]
+fn a_mode_of_next_to_no_strength_is_none_beside_any_others() {
+    let others = [(1e45, 1e59), (1.0, 1e-50)];
+    let with = sliding(&[others[0], others[1], (1e-194, 1e-55)]);
+    assert_eq!(numbers(&with), numbers(&sliding(&others)));
+}
+
 /// A mode that is always relaxed lowers the modulus at once: E₀/(1+f₂) in place of E₀, so that f₁/(1+f₂) is left of f₁.
 #[test]
 fn a_fast_mode_is_a_lower_modulus_at_once() {
