@@ -87,6 +87,8 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
                     1e-4 * size + (x.abs() - size).max(0.0).powi(2)
                 }),
                 displacement: field(output.fields.displacement, &|x| -0.3 * size * (-x * x).exp()),
+                shear_traction: field(output.fields.shear_traction, &|x| 0.1 / (1e-2 + x * x)),
+                hysteresis_traction: field(output.fields.hysteresis_traction, &|x| x * (-x * x / size).exp()),
             },
             sensitivities: None,
             timing: Timing {
@@ -177,7 +179,7 @@ fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() 
 #[test]
 fn a_large_grid_is_thinned_to_fewer_than_15_megabytes_and_the_page_says_so() {
     let directory = tempdir().unwrap();
-    let fields = FieldSelection { pressure: true, film_thickness: false, displacement: false };
+    let fields = FieldSelection { pressure: true, ..FieldSelection::default() };
     let data = made_up(directory.path(), [3, 100, 200], &Output { fields, ..points(101) }, 10);
     let page = page(&data, None).unwrap();
     assert!((13_000_000..15_000_000).contains(&page.html.len()), "{} bytes", page.html.len());
@@ -316,7 +318,10 @@ fn pages_of_sweeps_of_any_shape_say_what_they_lack() {
         ),
         (
             axes("1.0, 2.0, 5.0, 10.0, 20.0", "0.0, 1.0, inf", "10.0, 20.0", "fields = [\"pressure\"]\nlimits = false"),
-            &["Not among the fields of this sweep: film thickness, displacement.", "None: every case converged."],
+            &[
+                "Not among the fields of this sweep: film thickness, displacement, shear traction, hysteresis traction.",
+                "None: every case converged.",
+            ],
         ),
         (
             axes("10.0", "1.0, 2.0", "10.0, 20.0", "fields = []")

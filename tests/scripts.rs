@@ -139,7 +139,7 @@ fn a_profile_is_drawn_of_the_nearest_case() {
 #[test]
 fn profiles_need_fields_a_window_or_a_file_and_numbers() {
     let directory = tempdir().unwrap();
-    let none = FieldSelection { pressure: false, film_thickness: false, displacement: false };
+    let none = FieldSelection::default();
     let without = stribeck_solver::Output { fields: none, x: Vec::new().into(), ..output() };
     let mut store = Store::open(directory.path(), SWEEP, &without).unwrap();
     for chain in chains(&without) {

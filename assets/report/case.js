@@ -1,6 +1,6 @@
 // The numbers of the selected case.
 
-import { column, columns, costs } from "./columns.js";
+import { column, columns, costs, headline } from "./columns.js";
 import { contents, integers } from "./contents.js";
 import { element, withText } from "./elements.js";
 import { caseOf, failedAt } from "./grid.js";
@@ -26,8 +26,8 @@ function rowsOf(place) {
 }
 
 export function showNumbers({ place }) {
-  const total = `μₜₒₜ = ${digits(column("mu_tot")[place])} ${unitOf("mu_tot")}`.trim();
-  const outcome = failedAt[place] ? `failed, ${reasonOf(place)}` : `converged, ${total}`;
+  const friction = `${symbols[headline]} = ${digits(column(headline)[place])} ${unitOf(headline)}`.trim();
+  const outcome = failedAt[place] ? `failed, ${reasonOf(place)}` : `converged, ${friction}`;
   element("selected").textContent = `${pointWords(place)}: ${outcome}`;
   element("numbers").replaceChildren(
     ...rowsOf(place).map(([name, value, title]) => {

@@ -3,6 +3,12 @@
 import { contents, floats, integers } from "./contents.js";
 import { failedAt, placeCount } from "./grid.js";
 
+// The friction that is shown first: of an experiment the drag, which an instrument reads, else the total of the paper.
+export const headline = contents.laboratory ? "mu_drag" : "mu_tot";
+
+// Its parts.
+export const parts = contents.laboratory ? ["mu_v", "mu_shear", "mu_pressure"] : ["mu_v", "mu_h", "mu_drag"];
+
 // Each column is decoded when it is first asked for.
 export const columns = new Map(contents.columns.map((part) => [part.name, { ...part, decoded: null }]));
 
@@ -12,8 +18,8 @@ export function column(name) {
   return found.decoded;
 }
 
-// The largest of the three estimated errors of each place; NaN if one is not known.
-const errorColumns = ["error_mu_v", "error_mu_h", "error_c"].map(column);
+// The largest of the estimated errors of each place; NaN if one is not known.
+const errorColumns = ["error_mu_v", "error_mu_h", "error_c", "error_mu_drag"].map(column);
 export const largestErrors = Float32Array.from({ length: placeCount }, (_, place) =>
   // Math.max is NaN if one of its numbers is.
   Math.max(...errorColumns.map((errors) => errors[place])),
@@ -31,8 +37,10 @@ const solvedCosts = costs && { seconds: solvedOnly(costs.seconds), iterations: s
 
 // The quantities that surface, map and curves can show, in the order of the list.
 export const quantities = [
-  ...["mu_tot", "mu_v", "mu_h", "mu_drag", "mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error"],
-  ...["load_residual", "dry_mu_v", "approx_mu_h"],
+  ...(contents.laboratory ? ["mu_drag", "mu_tot"] : ["mu_tot", "mu_drag"]),
+  ...["mu_v", "mu_h", "mu_shear", "mu_pressure", "mu_h_cavity", "mu_torque", "mu_v_flat", "mu_v_roller"],
+  ...["c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual", "energy_residual"],
+  ...["dry_mu_v", "approx_mu_h"],
   ...(contents.laboratory ? ["alpha", "beta"] : []),
   ...(costs ? ["seconds", "iterations"] : []),
 ];

@@ -1,4 +1,4 @@
-// The fields of each case over x: pressure, film thickness and displacement.
+// The fields of each case over x.
 
 import { contents, floats, integers, shorts } from "./contents.js";
 import { caseOf } from "./grid.js";
@@ -19,7 +19,7 @@ function decodedFields() {
 
 export const hasFields = (place) => decodedFields().slots[caseOf[place]] >= 0;
 
-// The fields of a case: { x, pressure, film_thickness, displacement }, as far as the sweep has them.
+// The fields of a case by their names, as far as the sweep has them, and their x.
 export function fieldsOf(place) {
   const { points } = contents.fields;
   const { x, slots, indices, fields } = decodedFields();

@@ -6,7 +6,8 @@ import { axes, axisWords, placeCount } from "./grid.js";
 import { plural } from "./numbers.js";
 
 const inSI = "Numbers are in SI units; x of the fields is over a₀.";
-const dimensionless = "Friction is over a₀/R, film and displacement over a₀²/R, x over a₀, pressure over 2N/(πa₀).";
+const dimensionless =
+  "Friction is over a₀/R, film and displacement over a₀²/R, x over a₀, pressure over 2N/(πa₀), tractions over N/R.";
 
 // How many places, cases and failures there are, and how the places lie on the axes.
 function countWords() {

@@ -1,4 +1,4 @@
-// The fields of the selected case over x: pressure, film thickness and displacement.
+// The fields of the selected case over x.
 
 import { contents } from "./contents.js";
 import { say, show } from "./elements.js";
@@ -10,6 +10,8 @@ import { scaleOf } from "./scale.js";
 import { lineColours } from "./theme.js";
 import { pointWords, unitOf } from "./words.js";
 
+const traction = contents.laboratory ? "Pa" : "N/R";
+
 // For each picture its id, the name of the field, the title of its axis, and its scale.
 const pictures = [
   { id: "pressure", name: "pressure", title: `pressure p  (${unitOf("p_max")})`, choice: "linear" },
@@ -20,6 +22,8 @@ const pictures = [
     title: `height of the surface w  (${unitOf("film_min")})`,
     choice: "linear",
   },
+  { id: "shear", name: "shear_traction", title: `shear on the roller  (${traction})`, choice: "linear" },
+  { id: "hysteresis", name: "hysteresis_traction", title: `hysteresis (2/π) p w′  (${traction})`, choice: "linear" },
 ];
 
 // What is not shown as one would expect, given the nearest place with fields and these fields.

@@ -1,6 +1,7 @@
 // What the reader has chosen: a quantity, its scale, and a place.
 
 import { nearestIndex } from "./axes.js";
+import { headline } from "./columns.js";
 import { contents } from "./contents.js";
 import { axes, failedAt, indicesOf, nearestPlace, placeAt } from "./grid.js";
 
@@ -13,7 +14,7 @@ function firstPlace() {
 }
 
 export const selection = {
-  quantity: "mu_tot",
+  quantity: headline,
   scale: "auto",
   place: firstPlace(),
   get iF() {

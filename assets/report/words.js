@@ -1,6 +1,6 @@
 // What columns, units, values of axes and places are called.
 
-import { column, columns, largestErrors } from "./columns.js";
+import { column, columns, headline, largestErrors, parts } from "./columns.js";
 import { axes, axisWords, failedAt, indicesOf } from "./grid.js";
 import { digits } from "./numbers.js";
 
@@ -9,6 +9,13 @@ export const symbols = {
   mu_h: "μₕ",
   mu_tot: "μₜₒₜ",
   mu_drag: "drag",
+  mu_pressure: "P",
+  mu_shear: "C",
+  mu_v_flat: "μᵥ, flat",
+  mu_v_roller: "μᵥ, roller",
+  mu_torque: "torque",
+  energy_residual: "power residual",
+  error_mu_drag: "error of drag",
   mu_h_cavity: "μₕ, cavity",
   c: "c",
   film_min: "uₘᵢₙ",
@@ -33,6 +40,7 @@ const unitWords = {
   "a0/R": "a₀/R",
   "a0^2/R": "a₀²/R",
   "2N/(pi a0)": "2N/(πa₀)",
+  "N/R": "N/R",
   m: "m",
   Pa: "Pa",
 };
@@ -76,7 +84,7 @@ export function hoverWords(place) {
   const number = (name) => `${symbols[name]} ${digits(column(name)[place])}`;
   return [
     pointWords(place),
-    `${["mu_tot", "mu_v", "mu_h"].map(number).join(", ")}  ${unitOf("mu_tot")}`,
+    `${[headline, ...parts].map(number).join(", ")}  ${unitOf(headline)}`,
     `${number("film_min")}  ${unitOf("film_min")}`,
     `largest estimated error ${digits(largestErrors[place], 2)}`,
   ].join("<br>");

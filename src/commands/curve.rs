@@ -145,9 +145,9 @@ fn describe(experiment: &Experiment) -> String {
     given.chain([strength]).collect::<Vec<_>>().join(", ")
 }
 
-/// The curve of the total friction, and measured points of it.
+/// The curve of the drag, or of the friction that was measured, and measured points of it.
 fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
-    let column = measured.and_then(|measured| Column::named(measured.column)).unwrap_or(Column::MuTot);
+    let column = measured.and_then(|measured| Column::named(measured.column)).unwrap_or(Column::MuDrag);
     let line: Vec<(f64, f64)> = cases.iter().map(|case| (case.experiment.speed, case.value(column))).collect();
     let points: Vec<(f64, f64)> = match measured.and_then(|it| Some((it, it.coordinate("speed")?))) {
         Some((measured, speeds)) => {
@@ -168,16 +168,18 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
 
 /// One line for each speed.
 fn rows(cases: &[Solved]) -> String {
-    let names = ["speed (m/s)", "alpha", "beta", "mu_v", "mu_h", "mu_tot", "film_min (m)", "error"];
-    let columns = [12, 11, 11, 11, 11, 11, 12, 11].map(Align::Right);
+    let names = ["speed (m/s)", "alpha", "beta", "mu_drag", "mu_v", "mu_shear", "mu_pressure", "film_min (m)", "error"];
+    let columns = [12, 11, 11, 11, 11, 11, 12, 12, 8].map(Align::Right);
     let mut text = table_line(&columns, &names);
     let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
     for case in cases {
         let [_, alpha, beta] = case.numbers;
-        let errors = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| case.value(column));
+        let errors =
+            [Column::ErrorMuDrag, Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| case.value(column));
         let error =
             if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
-        let values = [Column::MuV, Column::MuH, Column::MuTot, Column::FilmMin].map(|column| case.value(column));
+        let values = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure, Column::FilmMin]
+            .map(|column| case.value(column));
         let numbers: Vec<f64> = [case.experiment.speed, alpha, beta].into_iter().chain(values).collect();
         let mut cells: Vec<String> = numbers.into_iter().map(number).collect();
         cells.push(match case.entry.outcome {
@@ -187,7 +189,8 @@ fn rows(cases: &[Solved]) -> String {
         });
         text += &table_line(&columns, &cells);
     }
-    text + "\nerror: the largest estimated relative error of mu_v, mu_h and the film c\n"
+    text + "\nmu_drag = mu_v + mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow\n\
+            error: the largest estimated relative error of mu_drag, mu_v, mu_h and the film c\n"
 }
 
 /// All numbers in SI units: what is given, and the columns of the summary.

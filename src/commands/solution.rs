@@ -47,8 +47,7 @@ fn quantities(entry: &CaseEntry) -> String {
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
-        let (mu_v, mu_h) = (entry.values[Column::MuV], entry.values[Column::MuH]);
-        text += &format!("\n{}", sensitivities::table(known, mu_v, mu_h));
+        text += &format!("\n{}", sensitivities::table(known, &entry.values));
     }
     text
 }

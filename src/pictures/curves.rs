@@ -16,20 +16,27 @@ use stribeck_sweep::store::Status;
 /// Curves with more points than this have no markers.
 const MOST_MARKED: usize = 45;
 
-/// What curves show where nothing else is asked for.
-const COLUMNS: [Column; 4] = [Column::MuTot, Column::MuV, Column::MuH, Column::C];
-/// The same of errors.
-const ERRORS: [Column; 3] = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC];
+/// What errors show where nothing else is asked for.
+pub(super) const ERRORS: [Column; 4] = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorMuDrag, Column::ErrorC];
 
 /// The pictures of curves that are asked for.
 pub(super) fn curves(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    along_each(sweep, request, Kind::Curves, &named_columns(request, &COLUMNS))
+    along_each(sweep, request, Kind::Curves, &named_columns(request, &[&friction(sweep)[..], &[Column::C]].concat()))
 }
 
 /// Errors along each axis: for sweeps that have no map of them.
 pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     let request = Request { together: true, ..request.clone() };
     along_each(sweep, &request, Kind::Errors, &ERRORS)
+}
+
+/// The friction that is shown where nothing else is asked for: of an experiment the drag, which an instrument reads,
+/// and its parts; else that of the paper, with the drag beside it.
+pub(super) fn friction(sweep: &SweepData) -> [Column; 4] {
+    match sweep.data.laboratory {
+        true => [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure],
+        false => [Column::MuTot, Column::MuV, Column::MuH, Column::MuDrag],
+    }
 }
 
 /// The columns asked for, or a choice.

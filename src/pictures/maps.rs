@@ -1,6 +1,6 @@
 //! A quantity as colour over α and β.
 
-use super::curves::named_columns;
+use super::curves::{ERRORS, friction, named_columns};
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
 use super::request::{Kind, Request, Selection, spread};
@@ -11,8 +11,6 @@ use stribeck_charts::{Cell, ColourScale, Map, Panel};
 use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
 
-/// What maps show where nothing else is asked for.
-const COLUMNS: [Column; 4] = [Column::MuTot, Column::MuV, Column::MuH, Column::FilmMin];
 /// Most values of f side by side.
 const MOST_PANELS: usize = 4;
 
@@ -98,7 +96,7 @@ pub(super) fn maps(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>,
     let shown = Shown::of(sweep, request, Kind::Maps)?;
     let statuses = sweep.data.statuses()?;
     let mut pictures = Vec::new();
-    for column in named_columns(request, &COLUMNS) {
+    for column in named_columns(request, &[&friction(sweep)[..], &[Column::FilmMin]].concat()) {
         let quantity = Quantity::from(column);
         let values = sweep.data.column(column)?;
         let label = quantity.label(sweep.data.laboratory);
@@ -161,16 +159,18 @@ pub(super) fn why_no_grid(sweep: &SweepData, axis: Axis, what: &str) -> String {
     }
 }
 
-/// The largest of the three estimates of each place; NaN where one is not known.
+/// The largest of the estimates of each place; NaN where one is not known.
 pub(super) fn largest_errors(sweep: &SweepData) -> Result<Vec<f64>, PictureError> {
-    let columns = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| sweep.data.column(column));
-    let [mu_v, mu_h, c] = columns;
-    let (mu_v, mu_h, c) = (mu_v?, mu_h?, c?);
+    let columns: Vec<Vec<f64>> =
+        ERRORS.into_iter().map(|column| sweep.data.column(column)).collect::<Result<_, _>>()?;
     let largest = |place: usize| {
-        let errors = [mu_v[place], mu_h[place], c[place]];
-        if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) }
+        let errors = columns.iter().map(|errors| errors[place]);
+        errors.fold(
+            0.0,
+            |largest: f64, error| if largest.is_nan() || error.is_nan() { f64::NAN } else { largest.max(error) },
+        )
     };
-    Ok((0..mu_v.len()).map(largest).collect())
+    Ok((0..columns[0].len()).map(largest).collect())
 }
 
 fn cell(status: Status, value: f64) -> Cell {

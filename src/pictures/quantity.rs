@@ -24,7 +24,7 @@ const fn words(column: Column) -> &'static str {
         Column::MuV => "viscoelastic friction μᵥ",
         Column::MuH => "hydrodynamic friction μₕ",
         Column::MuTot => "total friction μₜₒₜ",
-        Column::MuDrag => "drag of the cylinder",
+        Column::MuDrag => "drag μ_drag",
         Column::MuHCavity => "part of μₕ behind the outlet",
         Column::C => "film thickness c where p′ = 0",
         Column::FilmMin => "smallest film thickness uₘᵢₙ",
@@ -40,6 +40,16 @@ const fn words(column: Column) -> &'static str {
         Column::Centroid => "centroid of the pressure",
         Column::Separation => "separation h₀",
         Column::MuHFilm => "part of μₕ in the film",
+        Column::MuPressure => "friction by the pressure gradient, P",
+        Column::MuShear => "shear by sliding, C",
+        Column::MuVFlat => "viscoelastic friction of the flat",
+        Column::MuVRoller => "viscoelastic friction of the roller",
+        Column::MuTorque => "torque on the roller over N R",
+        Column::EnergyResidual => "residual of the balance of power",
+        Column::ErrorMuDrag => "estimated relative error of μ_drag",
+        Column::ErrorMuPressure => "estimated relative error of P",
+        Column::ErrorMuShear => "estimated relative error of C",
+        Column::Dissipation => "dissipation of the pressure-driven flow",
     }
 }
 
@@ -55,6 +65,8 @@ impl From<Field> for Quantity {
             Field::Pressure => "pressure p",
             Field::FilmThickness => "film thickness u",
             Field::Displacement => "height of the surface w",
+            Field::ShearTraction => "shear on the roller",
+            Field::HysteresisTraction => "hysteresis (2/π) p w′",
         };
         Self { words, units: field.units() }
     }

@@ -1,6 +1,6 @@
 //! What is known beside a solution: limits and approximations of the same quantity.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use stribeck_charts::Stroke;
 use stribeck_solver::Parameters;
@@ -100,7 +100,12 @@ pub fn of_field(field: Field, case: &Parameters) -> Option<(&'static str, Vec<(f
             let x = contact_points(approximation.contact());
             Some(("large-β approximation", x.into_iter().filter_map(film).collect()))
         }
-        Field::Displacement => None,
+        // In the contact the surface follows the cylinder: w′ = x.
+        Field::HysteresisTraction => {
+            let (x, pressure) = dry_pressure(&DryContact::of(case)?);
+            Some(("dry limit", x.into_iter().zip(pressure).map(|(x, p)| (x, p * x / FRAC_PI_2)).collect()))
+        }
+        Field::Displacement | Field::ShearTraction => None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! A quantity as height over α and β.
 
-use super::curves::named_columns;
+use super::curves::{friction, named_columns};
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
 use super::request::{Kind, Request, Selection, spread};
@@ -11,8 +11,6 @@ use super::{Axis, PictureError};
 use stribeck_charts::{Surface3d, Surface3dPanel};
 use stribeck_sweep::Column;
 
-/// What surfaces show where nothing else is asked for.
-const COLUMNS: [Column; 3] = [Column::MuTot, Column::MuV, Column::MuH];
 /// Most surfaces side by side.
 const MOST_PANELS: usize = 3;
 
@@ -32,7 +30,7 @@ pub(super) fn surfaces(sweep: &SweepData, request: &Request) -> Result<Vec<Pictu
         return Err(Kind::Surfaces
             .missing(format!("at most {MOST_PANELS} surfaces have room side by side; give fewer values with --f")));
     }
-    named_columns(request, &COLUMNS)
+    named_columns(request, &friction(sweep))
         .into_iter()
         .filter_map(|column| surface(sweep, request, &grid, &strengths, column).transpose())
         .collect()

@@ -6,7 +6,7 @@
 //! | `axis` | names and values of the axes |
 //! | `columns` | the columns of `summary.csv`, and what cases cost |
 //! | `failures` | failed places and why |
-//! | `fields` | pressure, film and displacement of each case, thinned |
+//! | `fields` | the fields of each case, thinned |
 //! | `measured` | measured points |
 //! | `thinning` | which places and points are shown of a large sweep |
 //! | `scaled` | where values lie in the range of their field |

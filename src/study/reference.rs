@@ -38,7 +38,7 @@ impl Reference {
     /// The errors of some numbers, in the order of [`Errors::QUANTITIES`]; `None` where they are below the
     /// reference's own errors. (The error of its smallest film is taken to be the largest of the others.)
     pub fn errors_of(&self, numbers: &Quantities) -> [Option<f64>; 4] {
-        let RelativeErrors { mu_v, mu_h, c } = self.errors;
+        let RelativeErrors { mu_v, mu_h, c, .. } = self.errors;
         let known = [mu_v, mu_h, c, self.error()];
         let errors = Errors::between(numbers, &self.quantities).values();
         std::array::from_fn(|i| Some(errors[i]).filter(|error| *error >= known[i]))

@@ -11,7 +11,7 @@ use stribeck_input::{printable, shown};
 
 /// Names of columns that hold friction coefficients, with the column of the results that they are compared with.
 const FRICTION: [(&str, &str); 5] =
-    [("mu", "mu_tot"), ("mu_tot", "mu_tot"), ("mu_drag", "mu_drag"), ("mu_v", "mu_v"), ("mu_h", "mu_h")];
+    [("mu", "mu_drag"), ("mu_drag", "mu_drag"), ("mu_tot", "mu_tot"), ("mu_v", "mu_v"), ("mu_h", "mu_h")];
 /// Name of the column of the standard error of the friction coefficient.
 const ERROR: &str = "error";
 /// Numbers without a unit that say where a point belongs.
@@ -83,7 +83,8 @@ enum Role {
 impl Measured {
     /// Reads a CSV file with one header line. Lines that begin with # are comments.
     ///
-    /// Columns: one friction coefficient (`mu` or `mu_tot`, `mu_drag`, `mu_v`, `mu_h`), its standard error `error` if
+    /// Columns: one friction coefficient (`mu` or `mu_drag`, what a load cell reads; or the part of it or the paper's
+    /// total that the file holds instead, `mu_tot`, `mu_v`, `mu_h`), its standard error `error` if
     /// it is known, and where it was measured: `speed`, `load` and the other names of `[laboratory]`, in SI units or
     /// with the unit behind the name as in `speed (mm/s)`; `f`, `alpha` and `beta` beside dimensionless results.
     ///
@@ -252,7 +253,7 @@ fn role(name: &str) -> Result<Role, String> {
         None => {
             let quantities = LaboratoryQuantity::ALL.map(LaboratoryQuantity::name).join(", ");
             Err(format!(
-                "`{}` is no column that is known here: there are mu (or mu_tot, mu_drag, mu_v, mu_h), error, f, \
+                "`{}` is no column that is known here: there are mu (or mu_drag, mu_tot, mu_v, mu_h), error, f, \
                  alpha, beta, {quantities}",
                 printable(name)
             ))
@@ -322,7 +323,7 @@ mod tests {
     fn points_are_read_in_si_units() {
         let text = "# friction of a gel\nspeed (mm/s), mu, error,load\n1,0.5,0.01,100\n\n2.5, 0.25, 0.02, 100\n";
         let found = read(text).expect("valid");
-        assert_eq!(found.column, "mu_tot");
+        assert_eq!(found.column, "mu_drag");
         assert_eq!(found.friction, [0.5, 0.25]);
         assert_eq!(found.errors.as_deref(), Some(&[0.01, 0.02][..]));
         assert_eq!(found.coordinate("speed"), Some(&[1e-3, 2.5e-3][..]));

@@ -1,5 +1,7 @@
 //! The scales that turn dimensionless results into SI units.
 
+use std::f64::consts::FRAC_PI_2;
+
 /// The units of a dimensionless solution, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
@@ -38,6 +40,8 @@ impl Scales {
             "a0^2/R" => self.height,
             "2N/(pi a0)" => self.pressure,
             "a0/R" => self.friction,
+            // (2/π)(N/a₀)(a₀/R)
+            "N/R" => FRAC_PI_2 * self.pressure * self.friction,
             "1" => 1.0,
             other => panic!("{other} is no unit of results"),
         }
@@ -51,7 +55,7 @@ impl Scales {
 pub fn si_units(units: &str) -> &'static str {
     match units {
         "a0" | "a0^2/R" => "m",
-        "2N/(pi a0)" => "Pa",
+        "2N/(pi a0)" | "N/R" => "Pa",
         "a0/R" | "1" => "1",
         other => panic!("{other} is no unit of results"),
     }

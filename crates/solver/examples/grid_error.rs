@@ -116,7 +116,7 @@ fn grid(parameters: &Parameters, points: usize) -> Vec<f64> {
 fn solve(chain: &[Reference], points: usize, acceleration: Acceleration) -> Vec<OnGrid> {
     let solver = RelaxationSolver::new(Settings { points, acceleration, ..Settings::default() });
     let x = grid(&chain[0].parameters, points);
-    let fields = FieldSelection { pressure: true, film_thickness: true, displacement: false };
+    let fields = FieldSelection { pressure: true, film_thickness: true, ..FieldSelection::default() };
     let output = Output { fields, x: x.clone().into(), limits: false, ..Output::default() };
     let cases: Vec<Parameters> = chain.iter().map(|row| row.parameters.clone()).collect();
     let solved = solve_chain(&solver, &cases, &output, &Interrupt::new()).expect("nobody interrupts");

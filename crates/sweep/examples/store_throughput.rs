@@ -97,8 +97,10 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
     compute(steps);
     let friction = Friction {
         viscoelastic: mu_v,
+        viscoelastic_roller: 0.0,
         hydrodynamic_film: film.sqrt() / 3.0,
         hydrodynamic_cavity: film / 7.0,
+        pressure: -film / 5.0,
         drag: mu_v + film.sqrt(),
     };
     let quantities = Quantities {
@@ -109,10 +111,18 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         x_p_max: -film / 11.0,
         x_outlet: -1.0 - film,
         centroid: mu_v / 13.0,
+        dissipation: film / 5.0,
         separation: 0.5 + film,
         load_residual: film * 1e-12,
     };
-    let errors = RelativeErrors { mu_v: film * 1e-6, mu_h: film * 2e-6, c: film * 3e-6 };
+    let errors = RelativeErrors {
+        mu_v: film * 1e-6,
+        mu_h: film * 2e-6,
+        c: film * 3e-6,
+        drag: film * 4e-6,
+        pressure: film * 5e-6,
+        shear: film * 6e-6,
+    };
     SolvedCase {
         outcome: Ok(Solution { quantities, errors, fields: Fields::default(), sensitivities: None }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },

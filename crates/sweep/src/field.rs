@@ -11,11 +11,16 @@ pub enum Field {
     FilmThickness,
     /// w(x).
     Displacement,
+    /// Shear on the roller's surface.
+    ShearTraction,
+    /// (2/π) p w′.
+    HysteresisTraction,
 }
 
 impl Field {
     /// Every field in the order in which results have them.
-    pub const ALL: [Self; 3] = [Self::Pressure, Self::FilmThickness, Self::Displacement];
+    pub const ALL: [Self; 5] =
+        [Self::Pressure, Self::FilmThickness, Self::Displacement, Self::ShearTraction, Self::HysteresisTraction];
 
     /// The name of the field in sweep files and results.
     pub const fn name(self) -> &'static str {
@@ -23,6 +28,8 @@ impl Field {
             Self::Pressure => "pressure",
             Self::FilmThickness => "film_thickness",
             Self::Displacement => "displacement",
+            Self::ShearTraction => "shear_traction",
+            Self::HysteresisTraction => "hysteresis_traction",
         }
     }
 
@@ -31,6 +38,7 @@ impl Field {
         match self {
             Self::Pressure => "2N/(pi a0)",
             Self::FilmThickness | Self::Displacement => "a0^2/R",
+            Self::ShearTraction | Self::HysteresisTraction => "N/R",
         }
     }
 
@@ -40,6 +48,8 @@ impl Field {
             Self::Pressure => "pressure in the film",
             Self::FilmThickness => "film thickness",
             Self::Displacement => "normal displacement of the surface",
+            Self::ShearTraction => "shear on the surface of the roller; its integral over x is mu_h",
+            Self::HysteresisTraction => "pressure times slope of the displacement; its integral over x is mu_v",
         }
     }
 
@@ -50,10 +60,10 @@ impl Field {
 
     /// The selected fields, in their order.
     pub fn selected(selection: FieldSelection) -> impl Iterator<Item = Self> + Clone {
-        let FieldSelection { pressure, film_thickness, displacement } = selection;
+        let FieldSelection { pressure, film_thickness, displacement, shear_traction, hysteresis_traction } = selection;
         Self::ALL
             .into_iter()
-            .zip([pressure, film_thickness, displacement])
+            .zip([pressure, film_thickness, displacement, shear_traction, hysteresis_traction])
             .filter_map(|(it, chosen)| chosen.then_some(it))
     }
 
@@ -65,6 +75,8 @@ impl Field {
                 Self::Pressure => selection.pressure = true,
                 Self::FilmThickness => selection.film_thickness = true,
                 Self::Displacement => selection.displacement = true,
+                Self::ShearTraction => selection.shear_traction = true,
+                Self::HysteresisTraction => selection.hysteresis_traction = true,
             }
         }
         selection
@@ -76,6 +88,8 @@ impl Field {
             Self::Pressure => fields.pressure.as_deref(),
             Self::FilmThickness => fields.film_thickness.as_deref(),
             Self::Displacement => fields.displacement.as_deref(),
+            Self::ShearTraction => fields.shear_traction.as_deref(),
+            Self::HysteresisTraction => fields.hysteresis_traction.as_deref(),
         }
     }
 }
@@ -86,9 +100,14 @@ mod tests {
 
     #[test]
     fn a_selection_comes_back() {
-        for bits in 0..8 {
-            let selection =
-                FieldSelection { pressure: bits & 1 != 0, film_thickness: bits & 2 != 0, displacement: bits & 4 != 0 };
+        for bits in 0..32 {
+            let selection = FieldSelection {
+                pressure: bits & 1 != 0,
+                film_thickness: bits & 2 != 0,
+                displacement: bits & 4 != 0,
+                shear_traction: bits & 8 != 0,
+                hysteresis_traction: bits & 16 != 0,
+            };
             assert_eq!(Field::selection(Field::selected(selection)), selection);
         }
         assert!(Field::ALL.into_iter().all(|field| Field::named(field.name()) == Some(field)));

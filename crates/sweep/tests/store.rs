@@ -362,7 +362,7 @@ fn a_refused_chain_leaves_no_trace() {
         vec![refused(&|bad| bad.fields.pressure.as_mut().unwrap().truncate(40))],
         vec![refused(&|bad| bad.outcome = Status::Failed)],
         vec![refused(&|bad| {
-            bad.sensitivities = Some(Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.0; 3] });
+            bad.sensitivities = Sensitivities::from_row([0.0; 9]);
             (bad.outcome, bad.fields) = (Status::Failed, Fields::default());
         })],
     ];

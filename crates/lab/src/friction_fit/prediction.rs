@@ -88,7 +88,8 @@ impl<'a> Predictor<'a> {
         let (force, [with_alpha, with_beta, with_f]) = match self.measured.column {
             "mu_v" => (friction.viscoelastic, sensitivities.viscoelastic),
             "mu_h" => (friction.hydrodynamic(), sensitivities.hydrodynamic),
-            _ => (friction.total(), sensitivities.total()),
+            "mu_tot" => (friction.total(), sensitivities.total()),
+            _ => (friction.drag, sensitivities.drag_at(1.0)),
         };
         let scale = experiment.scales().friction;
         let along = |unknown: &Unknown| {
@@ -103,9 +104,6 @@ impl<'a> Predictor<'a> {
 /// Checks that the columns of the file are known quantities, and none of them is looked for.
 fn check_columns(task: &FrictionTask<'_>) -> Result<(), String> {
     let FrictionTask { measured, unknowns, .. } = task;
-    if measured.column == "mu_drag" {
-        return Err("mu_drag cannot be fitted: its sensitivities are not known; fit mu (mu_tot), mu_v or mu_h".into());
-    }
     for (name, _) in &measured.coordinates {
         if unknowns.iter().any(|unknown| unknown.name() == *name) {
             return Err(format!("{name} is a column of the measured points, and cannot be looked for"));

@@ -36,7 +36,7 @@ pub struct Compared {
 }
 
 fn outcomes(solver: &impl CaseSolver, chain: &[Parameters], x: &[f64]) -> Vec<SolvedCase> {
-    let fields = FieldSelection { pressure: true, film_thickness: true, displacement: false };
+    let fields = FieldSelection { pressure: true, film_thickness: true, ..FieldSelection::default() };
     let fields = if x.is_empty() { FieldSelection::default() } else { fields };
     let output = Output { fields, x: x.into(), limits: false, ..Output::default() };
     solve_chain(solver, chain, &output, &Interrupt::new()).expect("nobody interrupts")

@@ -28,6 +28,8 @@ pub struct Displacement {
     retarded_outlet: Vec<f64>,
     /// f_j/(1+f) of each mode, with its filter.
     pub(super) filters: Vec<(f64, RetardationFilter)>,
+    /// How many of the filters, the last ones, are the roller's.
+    pub(super) of_roller: usize,
     /// Derivatives of the filters with respect to α, computed when they are first asked for.
     pub(super) filter_derivatives: OnceCell<Vec<FilterDerivatives>>,
     /// Weight of e in w.
@@ -40,6 +42,8 @@ pub struct Along {
     pub elastic: Vec<f64>,
     /// Σ f_j/(1+f) v_j′ at the film's Gauss points, the part of w′ that does work; all 0 without retardation.
     pub retarded_slope: Vec<f64>,
+    /// The roller's part of it; empty without retardation of the roller.
+    pub roller_slope: Vec<f64>,
     /// w less w(0) at the Gauss points behind the outlet, if wanted.
     pub behind: Vec<f64>,
 }
@@ -53,6 +57,7 @@ impl Displacement {
             outlet: Vec::new(),
             retarded_outlet: Vec::new(),
             filters: Vec::new(),
+            of_roller: 0,
             filter_derivatives: OnceCell::new(),
             elastic_weight: 1.0,
         }
@@ -66,8 +71,17 @@ impl Displacement {
 
     /// Filters the elastic displacement of the mesh for a substrate.
     pub fn set_substrate(&mut self, kernel: &DisplacementKernel) {
-        let Self { discretisation, relative, outlet, retarded_outlet, filters, filter_derivatives, elastic_weight } =
-            self;
+        let Self {
+            discretisation,
+            relative,
+            outlet,
+            retarded_outlet,
+            filters,
+            of_roller,
+            filter_derivatives,
+            elastic_weight,
+        } = self;
+        *of_roller = kernel.of_roller();
         *elastic_weight = kernel.singular_weight();
         filters.clear();
         filter_derivatives.take();
@@ -99,9 +113,16 @@ impl Displacement {
         }
         let places = if behind { discretisation.behind() } else { 0..0 };
         let mut retarded_slope = vec![0.0; discretisation.film_points()];
+        let mut roller_slope = vec![0.0; if self.of_roller > 0 { retarded_slope.len() } else { 0 }];
+        let of_flat = self.filters.len() - self.of_roller;
         let mut displaced: Vec<f64> = e[places].iter().map(|e| self.elastic_weight * e).collect();
-        for (weight, filter) in &self.filters {
+        for (mode, (weight, filter)) in self.filters.iter().enumerate() {
             let (slope, outlet) = filter.slope(discretisation, &e, pressure);
+            if mode >= of_flat {
+                for (sum, slope) in roller_slope.iter_mut().zip(&slope) {
+                    *sum += weight * slope;
+                }
+            }
             for (sum, slope) in retarded_slope.iter_mut().zip(slope) {
                 *sum += weight * slope;
             }
@@ -111,7 +132,7 @@ impl Displacement {
                 }
             }
         }
-        Along { elastic: e, retarded_slope, behind: displaced }
+        Along { elastic: e, retarded_slope, roller_slope, behind: displaced }
     }
 
     /// w of the load ahead of the mesh, which is so far away that it displaces all of the contact alike: it is a part

@@ -59,7 +59,7 @@ pub struct Estimate {
 impl Estimate {
     /// The largest error of μ_v, μ_h and c; infinite if one is not a number.
     pub fn worst(&self) -> f64 {
-        let RelativeErrors { mu_v, mu_h, c } = self.errors;
+        let RelativeErrors { mu_v, mu_h, c, .. } = self.errors;
         [mu_v, mu_h, c].into_iter().fold(0.0, larger)
     }
 }
@@ -94,6 +94,9 @@ pub fn estimate(
         mu_v: (after.viscoelastic - before.viscoelastic).abs() / scale,
         mu_h: (after.hydrodynamic() / before.hydrodynamic() - 1.0).abs(),
         c: (corrected.c / solution.c - 1.0).abs(),
+        drag: (after.drag / before.drag - 1.0).abs(),
+        pressure: (after.pressure / before.pressure - 1.0).abs(),
+        shear: (after.shear() / before.shear() - 1.0).abs(),
     };
     let extremes = [pressure_change, film_change].into_iter().fold(0.0, larger);
     Estimate { quantities: solution, errors, extremes }

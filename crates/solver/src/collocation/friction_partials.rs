@@ -44,6 +44,11 @@ impl Partials {
         }
     }
 
+    /// The partial derivatives of P (I5).
+    pub fn of_pressure(displacement: &Displacement, beta: f64, state: &State) -> Self {
+        Self::of_film(displacement, beta, state, 0.0)
+    }
+
     /// The partial derivatives of F_h (T25), the cavity included; `displaced` is w less w(0) at the Gauss points behind
     /// the outlet.
     pub fn of_hydrodynamic(
@@ -53,31 +58,37 @@ impl Partials {
         displaced: &[f64],
         cavity_shear: CavityShear,
     ) -> Self {
+        let mut partials = Self::of_film(displacement, beta, state, 1.0);
+        if cavity_shear != CavityShear::None {
+            partials.add_cavity(displacement, beta, state, displaced, cavity_shear);
+        }
+        partials
+    }
+
+    /// The partial derivatives of ∫ [p′u/π + S/(3πβu)] dx from the outlet on.
+    fn of_film(displacement: &Displacement, beta: f64, state: &State, slide_roll: f64) -> Self {
         let discretisation = &displacement.discretisation;
         let weights = &discretisation.weights[discretisation.film()];
         let mut slopes = Vec::new();
         pressure_gradient(displacement, &state.pressure, &mut slopes);
         let inlet = inlet(displacement, beta, state);
         let (film, last) = (&state.film, state.film.len() - 1);
-        let of_film = |i: usize| weights[i] * (slopes[i] - 1.0 / (3.0 * beta * film[i] * film[i])) / PI;
+        let of_film = |i: usize| weights[i] * (slopes[i] - slide_roll / (3.0 * beta * film[i] * film[i])) / PI;
         let shear = inlet.shear + (0..film.len()).map(|i| weights[i] / (beta * film[i])).sum::<f64>();
         let mut partials = Self {
             gradient: (0..film.len()).map(|i| weights[i] * film[i] / PI).collect(),
             film: (0..film.len()).map(of_film).collect(),
-            ln_beta: -(inlet.pressure_flow + shear / 3.0) / PI,
+            ln_beta: -(inlet.pressure_flow + slide_roll * shear / 3.0) / PI,
             ..Self::default()
         };
         let last_x = state.outlet + discretisation.film_y()[last];
         let ahead = InletPartials::new(&inlet, beta, state.c);
-        let [start, c, gap] =
-            [ahead.start, ahead.c, ahead.gap].map(|partial| (partial.pressure_flow + partial.shear / 3.0) / PI);
+        let [start, c, gap] = [ahead.start, ahead.c, ahead.gap]
+            .map(|partial| (partial.pressure_flow + slide_roll * partial.shear / 3.0) / PI);
         // g = u − x²/2 at the last Gauss point
         partials.film[last] += gap;
         partials.c += c;
         partials.outlet += start - last_x * gap;
-        if cavity_shear != CavityShear::None {
-            partials.add_cavity(displacement, beta, state, displaced, cavity_shear);
-        }
         partials
     }
 

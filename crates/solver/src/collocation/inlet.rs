@@ -20,6 +20,8 @@ pub struct Inlet {
     pub moment: f64,
     /// ∫ p′u dx.
     pub pressure_flow: f64,
+    /// ∫ βu³p′² dx.
+    pub dissipation: f64,
     /// ∫ dx/(βu).
     pub shear: f64,
     /// dp(X)/dX at fixed g.
@@ -37,6 +39,7 @@ impl Inlet {
             load: 0.0,
             moment: 0.0,
             pressure_flow: 0.0,
+            dissipation: 0.0,
             shear: 0.0,
             gradient: 0.0,
         };
@@ -48,6 +51,7 @@ impl Inlet {
             inlet.load += flow * x * (1.0 - t) * t;
             inlet.moment += flow * 0.5 * x * x * (1.0 - t * t);
             inlet.pressure_flow -= flow * scaled;
+            inlet.dissipation += flow * (scaled - c * t * t);
             inlet.shear += weight * x / (beta * scaled);
         }
         inlet.gradient = -(film - c) / (beta * film * film * film);

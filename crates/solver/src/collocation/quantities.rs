@@ -19,11 +19,12 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
     let pressure = at_points(displacement, &state.pressure);
     let inlet = inlet(displacement, beta, state);
 
-    let mut pressure_flow = inlet.pressure_flow;
+    let (mut pressure_flow, mut dissipation) = (inlet.pressure_flow, inlet.dissipation);
     let mut shear = inlet.shear;
     let (mut moment, mut load) = (inlet.moment, inlet.load);
     for i in 0..film.len() {
         pressure_flow += weights[i] * gradient[i] * state.film[i];
+        dissipation += weights[i] * beta * state.film[i] * (state.film[i] * gradient[i]).powi(2);
         shear += weights[i] / (beta * state.film[i]);
         moment += weights[i] * pressure[i] * (state.outlet + y[i]);
         load += weights[i] * pressure[i];
@@ -32,11 +33,17 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
     let hydrodynamic_film = (pressure_flow + shear / 3.0) / PI;
     let along = displacement.along(&state.pressure, cavity_shear != CavityShear::None);
     let hydrodynamic_cavity = cavity_friction(displacement, beta, state, &along.behind, cavity_shear);
+    let viscoelastic_roller = match displacement.of_roller {
+        0 => 0.0,
+        _ => viscoelastic_friction(weights, &pressure, &along.roller_slope),
+    };
     let friction = Friction {
         viscoelastic: viscoelastic_friction(weights, &pressure, &along.retarded_slope),
+        viscoelastic_roller,
         hydrodynamic_film,
         hydrodynamic_cavity,
-        drag: hydrodynamic_film + hydrodynamic_cavity + centroid,
+        pressure: pressure_flow / PI,
+        drag: hydrodynamic_film + hydrodynamic_cavity + centroid - viscoelastic_roller,
     };
     let (x_p_max, p_max) = extreme_pressure(displacement, state);
     Quantities {
@@ -47,6 +54,7 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
         x_p_max: state.outlet + x_p_max,
         x_outlet: state.outlet,
         centroid,
+        dissipation: dissipation / PI,
         // u(x_out) = c in (T3), and the same for the load ahead of the mesh
         separation: state.c + displacement.at_outlet(&state.pressure) - 0.5 * state.outlet * state.outlet
             + displacement.of_load_ahead(&inlet),

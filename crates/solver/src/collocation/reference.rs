@@ -156,6 +156,20 @@ pub fn evaluate(coefficients: &[f64], t: f64) -> f64 {
     coefficients[0] + t * here - 0.5 * above
 }
 
+/// The derivative at t of the polynomial with these Legendre coefficients.
+pub fn evaluate_slope(coefficients: &[f64], t: f64) -> f64 {
+    // P_{k+1} by its recurrence beside P_{k+1}′ = P_{k−1}′ + (2k + 1) P_k
+    let (mut below, mut here, mut slope_below, mut slope) = (1.0, t, 0.0, 1.0);
+    let mut sum = 0.0;
+    for (k, coefficient) in coefficients.iter().enumerate().skip(1) {
+        sum += coefficient * slope;
+        let n = k as f64;
+        (below, here) = (here, ((2.0 * n + 1.0) * t * here - n * below) / (n + 1.0));
+        (slope_below, slope) = (slope, slope_below + (2.0 * n + 1.0) * below);
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,6 +201,8 @@ mod tests {
             panel.coefficients_of_nodes(&at_nodes, &mut coefficients);
             for t in [-1.0, -0.37, 0.0, 0.81, 1.0] {
                 assert!((evaluate(&coefficients, t) - (t + 0.3_f64).powi(power)).abs() < 1e-12 * 1.3_f64.powi(power));
+                let slope = f64::from(power) * (t + 0.3_f64).powi(power - 1);
+                assert!((evaluate_slope(&coefficients, t) - slope).abs() < 1e-10 * 1.3_f64.powi(power));
             }
             let lower: Vec<f64> = panel.points.iter().map(|t| (t - 0.1).powi(power - 1)).collect();
             let mut coefficients = vec![0.0; degree];

@@ -10,7 +10,7 @@ use super::substrate_derivatives::DisplacementDerivatives;
 use super::system::System;
 use crate::model::{CavityShear, Sensitivities};
 
-/// The derivatives of F_v and F_h of a solution on its mesh with respect to ln α, ln β and ln f (T49).
+/// The derivatives of F_v, F_h and P of a solution on its mesh with respect to ln α, ln β and ln f (T49).
 ///
 /// They are those of the discrete equations, panels and their ends being fixed in y: one factorisation, and one
 /// solution of the transposed system for each friction. `system` and `factors` are buffers,
@@ -43,6 +43,7 @@ pub fn sensitivities(
             false => of(&Partials::of_viscoelastic(displacement, state, &along)),
         },
         hydrodynamic: of(&Partials::of_hydrodynamic(displacement, beta, state, &along.behind, cavity_shear)),
+        pressure: of(&Partials::of_pressure(displacement, beta, state)),
     }
 }
 
@@ -106,7 +107,7 @@ mod tests {
             let friction = |parameters: Parameters| {
                 let (displacement, state) = solved(&parameters, case.beta);
                 let friction = quantities(&displacement, parameters.beta, &state, cavity_shear).friction;
-                [friction.viscoelastic, friction.hydrodynamic()]
+                [friction.viscoelastic, friction.hydrodynamic(), friction.pressure]
             };
             let step = 2e-3_f64;
             let scaled = |theta: usize, steps: f64| {
@@ -117,11 +118,13 @@ mod tests {
             let scale = friction(case.clone());
             for theta in 0..3 {
                 let ([a, b], [c, d]) = ([-2.0, -1.0].map(|n| scaled(theta, n)), [1.0, 2.0].map(|n| scaled(theta, n)));
-                for (of, derivatives) in [found.viscoelastic, found.hydrodynamic].into_iter().enumerate() {
+                for (of, derivatives) in
+                    [found.viscoelastic, found.hydrodynamic, found.pressure].into_iter().enumerate()
+                {
                     let difference = (8.0 * (c[of] - b[of]) - (d[of] - a[of])) / (12.0 * step);
                     let error = (derivatives[theta] - difference).abs();
                     assert!(
-                        error <= 1e-8 * scale[of],
+                        error <= 1e-8 * scale[of].abs(),
                         "{case:?}, {theta} of {of}: {} {difference}",
                         derivatives[theta]
                     );

@@ -105,8 +105,10 @@ impl RigidFilm {
         let hydrodynamic_cavity = unit / 3.0 * behind;
         Friction {
             viscoelastic: 0.0,
+            viscoelastic_roller: 0.0,
             hydrodynamic_film,
             hydrodynamic_cavity,
+            pressure: -pressure_part,
             drag: hydrodynamic_film + hydrodynamic_cavity + 2.0 * pressure_part,
         }
     }

@@ -12,6 +12,8 @@ pub struct DisplacementKernel {
     log_weight: f64,
     /// (f_j/(1+f), α_j)
     retarded: Vec<(f64, f64)>,
+    /// How many of the modes, the last ones, are the roller's.
+    of_roller: usize,
     /// A constant taken off K.
     level: f64,
 }
@@ -24,6 +26,7 @@ impl DisplacementKernel {
         let retarded = parameters.retardation();
         Self {
             log_weight: if frozen { compliance } else { 1.0 },
+            of_roller: parameters.substrate.of_roller().min(retarded.len()),
             retarded: retarded.iter().map(|mode| (mode.strength * compliance, mode.rate)).collect(),
             level: 0.0,
         }
@@ -63,6 +66,11 @@ impl DisplacementKernel {
     /// level and the bounded I of `retarded_mode`.
     pub fn retarded(&self) -> &[(f64, f64)] {
         &self.retarded
+    }
+
+    /// How many of the retarded modes, the last ones, are the roller's.
+    pub fn of_roller(&self) -> usize {
+        self.of_roller
     }
 }
 

@@ -35,11 +35,21 @@ pub struct FieldSelection {
     pub film_thickness: bool,
     /// w(x).
     pub displacement: bool,
+    /// Shear on the roller's surface.
+    pub shear_traction: bool,
+    /// (2/π) p w′, the part of the pressure that does the work of the hysteresis.
+    pub hysteresis_traction: bool,
 }
 
 impl FieldSelection {
     /// Every field.
-    pub const ALL: Self = Self { pressure: true, film_thickness: true, displacement: true };
+    pub const ALL: Self = Self {
+        pressure: true,
+        film_thickness: true,
+        displacement: true,
+        shear_traction: true,
+        hysteresis_traction: true,
+    };
 
     /// True if no field is asked for.
     pub fn is_empty(&self) -> bool {

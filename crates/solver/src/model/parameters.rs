@@ -12,9 +12,16 @@ pub struct RetardationMode {
     pub time: f64,
 }
 
-/// The retardation spectrum of the half space: at least one mode, shares adding up to 1.
+/// The retardation spectrum of the contact: at least one mode, shares adding up to 1.
+///
+/// Each mode belongs to the flat or to the roller. Pressure and film do not know which: compliances add (I4). It
+/// decides on which body hysteresis works.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Substrate(Arc<[RetardationMode]>);
+pub struct Substrate {
+    modes: Arc<[RetardationMode]>,
+    /// How many of the modes, the last ones, are the roller's.
+    of_roller: usize,
+}
 
 /// Why a list of retardation modes is not a substrate.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -47,11 +54,21 @@ pub enum SubstrateError {
 }
 
 impl Substrate {
-    /// A substrate of the given modes.
+    /// A flat of the given modes under a rigid or elastic roller.
     ///
     /// # Errors
     /// [`SubstrateError`] if the list is empty, a share or time is not positive, or the shares do not add up to 1.
     pub fn new(modes: Vec<RetardationMode>) -> Result<Self, SubstrateError> {
+        Self::of_two_bodies(modes, Vec::new())
+    }
+
+    /// The modes of the flat and those of the roller, one of which may have none.
+    ///
+    /// # Errors
+    /// As [`Substrate::new`]; modes are counted through both lists.
+    pub fn of_two_bodies(flat: Vec<RetardationMode>, roller: Vec<RetardationMode>) -> Result<Self, SubstrateError> {
+        let of_roller = roller.len();
+        let modes = [flat, roller].concat();
         if modes.is_empty() {
             return Err(SubstrateError::Empty);
         }
@@ -67,19 +84,24 @@ impl Substrate {
         if (sum - 1.0).abs() > 1e-9 {
             return Err(SubstrateError::Sum { sum });
         }
-        Ok(Self(modes.into()))
+        Ok(Self { modes: modes.into(), of_roller })
     }
 
-    /// The modes.
+    /// The modes, the flat's before the roller's.
     pub fn modes(&self) -> &[RetardationMode] {
-        &self.0
+        &self.modes
+    }
+
+    /// How many of the modes, the last ones, are the roller's.
+    pub fn of_roller(&self) -> usize {
+        self.of_roller
     }
 }
 
 impl Default for Substrate {
     /// One retardation time, the one in α.
     fn default() -> Self {
-        Self(Arc::new([RetardationMode { share: 1.0, time: 1.0 }]))
+        Self { modes: Arc::new([RetardationMode { share: 1.0, time: 1.0 }]), of_roller: 0 }
     }
 }
 

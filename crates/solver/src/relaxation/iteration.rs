@@ -25,6 +25,8 @@ pub struct Discretisation {
     pub ahead: FarField,
     /// The cavity behind the grid.
     pub behind: FarField,
+    /// True if hysteresis works on the roller: the modes of the case are the roller's.
+    pub roller_is_retarded: bool,
     /// The constant taken off the kernel; see [`DisplacementKernel::levelled`].
     level: f64,
     /// x_i²/2.
@@ -37,6 +39,7 @@ impl Discretisation {
         let kernel = levelled_kernel(parameters, &grid);
         Self {
             level: kernel.level(),
+            roller_is_retarded: kernel.of_roller() > 0,
             deformation: Deformation::new(&kernel, &grid),
             ahead: FarField::ahead(&kernel, &grid),
             behind: FarField::behind(&kernel, &grid),

@@ -12,21 +12,26 @@ pub fn quantities(state: &Iteration, cavity_shear: CavityShear) -> Quantities {
     let peak = Peak::of(state);
     let outlet = Outlet::of(state, peak.c);
     let inlet = Inlet::of(state, peak.c);
+    let viscoelastic = viscoelastic_friction(state, &inlet);
+    let viscoelastic_roller = if state.shared.roller_is_retarded { viscoelastic } else { 0.0 };
     let friction = Friction {
-        viscoelastic: viscoelastic_friction(state, &inlet),
+        viscoelastic,
+        viscoelastic_roller,
+        pressure: (pressure_flow(state) + inlet.pressure_flow) / PI,
         hydrodynamic_film: film_friction(state, &outlet, &inlet),
         hydrodynamic_cavity: cavity_friction(state, &outlet, peak.c, cavity_shear),
         drag: 0.0,
     };
     let centroid = centroid(state, &inlet);
     Quantities {
-        friction: Friction { drag: friction.hydrodynamic() + centroid, ..friction },
+        friction: Friction { drag: friction.hydrodynamic() + centroid - viscoelastic_roller, ..friction },
         c: peak.c,
         film_min: film_min(state),
         p_max: peak.pressure,
         x_p_max: peak.x,
         x_outlet: outlet.x,
         centroid,
+        dissipation: (dissipation(state) + inlet.dissipation) / PI,
         separation: state.separation + state.level(),
         load_residual: state.load_residual().abs(),
     }
@@ -110,13 +115,15 @@ struct Inlet {
     moment: f64,
     /// ∫ p′u dx.
     pressure_flow: f64,
+    /// ∫ βu³p′² dx.
+    dissipation: f64,
 }
 
 impl Inlet {
     fn of(state: &Iteration, c: f64) -> Self {
         let (beta, end) = (state.beta, state.shared.grid.x_max);
         let last = state.p.len() - 1;
-        let mut inlet = Self { hysteresis: 0.0, shear: 0.0, moment: 0.0, pressure_flow: 0.0 };
+        let mut inlet = Self { hysteresis: 0.0, shear: 0.0, moment: 0.0, pressure_flow: 0.0, dissipation: 0.0 };
         for (x, weight, u) in state.film_ahead() {
             let gradient = -(u - c) / (beta * u.powi(3));
             let displacement = state.separation + 0.5 * x * x - u;
@@ -124,6 +131,7 @@ impl Inlet {
             inlet.hysteresis -= weight * gradient * (displacement - state.w[last]);
             inlet.moment -= weight * gradient * 0.5 * (x * x - end * end);
             inlet.pressure_flow += weight * gradient * u;
+            inlet.dissipation -= weight * gradient * (u - c);
             inlet.shear += weight * (gradient * u + 1.0 / (3.0 * beta * u)) / PI;
         }
         inlet
@@ -149,6 +157,13 @@ fn film_friction(state: &Iteration, outlet: &Outlet, inlet: &Inlet) -> f64 {
 fn pressure_flow(state: &Iteration) -> f64 {
     let (p, u) = (&state.p, &state.u);
     (0..p.len() - 1).map(|i| 0.5 * (p[i + 1] - p[i]) * (u[i] + u[i + 1])).sum()
+}
+
+/// β ∫ u³p′² dx on the grid.
+fn dissipation(state: &Iteration) -> f64 {
+    let (p, u, dx) = (&state.p, &state.u, state.shared.grid.spacing());
+    let between = |i: usize| (0.5 * (u[i] + u[i + 1])).powi(3) * (p[i + 1] - p[i]).powi(2);
+    state.beta / dx * (0..p.len() - 1).map(between).sum::<f64>()
 }
 
 /// ∫ dx/u from the outlet to the end of the grid.

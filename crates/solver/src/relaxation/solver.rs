@@ -17,7 +17,7 @@ use crate::continuation::{
     CaseSolver, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
 };
 use crate::exact;
-use crate::model::{CavityShear, FieldSelection, Output, Parameters, Quantities, RelativeErrors};
+use crate::model::{CavityShear, FieldSelection, Lubricant, Output, Parameters, Quantities, RelativeErrors};
 
 /// Passes after which the plain iteration is given up.
 const MOST_PASSES: u64 = 2_000_000;
@@ -174,15 +174,15 @@ impl RelaxationSolver {
             Err(SolveError::Failed(_)) => return Ok(RelativeErrors::UNKNOWN),
             Err(error) => return Err(error),
         };
-        let scale = fine.friction.viscoelastic_error_scale();
+        let (found, before) = (&fine.friction, &coarse.friction);
+        let relative = |fine: f64, coarse: f64| richardson(fine, coarse, fine.abs());
         Ok(RelativeErrors {
-            mu_v: richardson(fine.friction.viscoelastic, coarse.friction.viscoelastic, scale),
-            mu_h: richardson(
-                fine.friction.hydrodynamic(),
-                coarse.friction.hydrodynamic(),
-                fine.friction.hydrodynamic(),
-            ),
-            c: richardson(fine.c, coarse.c, fine.c),
+            mu_v: richardson(found.viscoelastic, before.viscoelastic, found.viscoelastic_error_scale()),
+            mu_h: relative(found.hydrodynamic(), before.hydrodynamic()),
+            c: relative(fine.c, coarse.c),
+            drag: relative(found.drag, before.drag),
+            pressure: relative(found.pressure, before.pressure),
+            shear: relative(found.shear(), before.shear()),
         })
     }
 
@@ -354,7 +354,9 @@ impl CaseSolver for RelaxationSolver {
             true => self.estimate(workspace, parameters.beta, (state, &quantities), output.cavity_shear, context)?,
             false => RelativeErrors::UNKNOWN,
         };
-        let fields = fields(&fine, &workspace.beyond, output);
+        let Quantities { c, x_outlet: outlet, .. } = quantities;
+        let lubricant = Lubricant { beta: parameters.beta, c, outlet, cavity_shear: output.cavity_shear };
+        let fields = fields(&fine, &lubricant, &workspace.beyond, output);
         Ok(Solution { quantities, errors, fields, sensitivities: None })
     }
 }

@@ -22,6 +22,8 @@ pub struct Sampled {
     pub pressure: Vec<f64>,
     pub film: Vec<f64>,
     pub displacement: Vec<f64>,
+    pub shear_traction: Vec<f64>,
+    pub hysteresis_traction: Vec<f64>,
 }
 
 /// Panels ahead of the outlet end here, over half the width of the contact.
@@ -41,6 +43,8 @@ impl Sampled {
             pressure: fields.pressure.expect("asked for"),
             film: fields.film_thickness.expect("asked for"),
             displacement: fields.displacement.expect("asked for"),
+            shear_traction: fields.shear_traction.expect("asked for"),
+            hysteresis_traction: fields.hysteresis_traction.expect("asked for"),
         }
     }
 

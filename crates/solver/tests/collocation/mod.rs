@@ -7,6 +7,7 @@ mod efficiency;
 mod fields;
 mod forces;
 mod identities;
+mod instrument;
 mod limits;
 mod measure;
 mod random;

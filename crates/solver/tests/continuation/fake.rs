@@ -167,7 +167,14 @@ impl CaseSolver for Fake {
         if self.unknowable == Some(parameters.beta) {
             return Err(fail("not to be known"));
         }
-        let friction = Friction { viscoelastic: 0.0, hydrodynamic_film: 0.0, hydrodynamic_cavity: 0.0, drag: 0.0 };
+        let friction = Friction {
+            viscoelastic: 0.0,
+            viscoelastic_roller: 0.0,
+            hydrodynamic_film: 0.0,
+            hydrodynamic_cavity: 0.0,
+            pressure: 0.0,
+            drag: 0.0,
+        };
         let quantities = Quantities {
             friction,
             c: state.exp(),
@@ -176,6 +183,7 @@ impl CaseSolver for Fake {
             x_p_max: 0.0,
             x_outlet: 0.0,
             centroid: 0.0,
+            dissipation: 0.0,
             separation: 0.0,
             load_residual: 0.0,
         };

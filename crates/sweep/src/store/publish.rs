@@ -197,11 +197,9 @@ impl<'a> Files<'a> {
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
         let mut values = asked(reader.values(case), output.limits);
         let sensitivities = match output.sensitivities {
-            true => sensitivity_columns::values(
-                reader.sensitivities(case).as_ref(),
-                [values[Column::MuV], values[Column::MuH]],
-                point.experiment.as_ref(),
-            ),
+            true => {
+                sensitivity_columns::values(reader.sensitivities(case).as_ref(), &values, point.experiment.as_ref())
+            }
             false => Vec::new(),
         };
         if let Some(scales) = &scales {

@@ -1,11 +1,12 @@
 //! The columns of published sensitivities: d ln μ/d ln q for each input q of a case.
 
-use crate::Column;
+use crate::{Column, Values};
 use stribeck_lab::{Experiment, LaboratoryQuantity, Powers};
 use stribeck_solver::Sensitivities;
 
 /// The friction coefficients that have sensitivities.
-const FRICTION: [Column; 3] = [Column::MuV, Column::MuH, Column::MuTot];
+const FRICTION: [Column; 6] =
+    [Column::MuV, Column::MuH, Column::MuTot, Column::MuDrag, Column::MuPressure, Column::MuShear];
 
 /// An input of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,27 +66,55 @@ pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<SensitivityColumn>
     FRICTION.iter().flat_map(|mu| inputs.iter().map(|input| column(mu, input)).collect::<Vec<_>>()).collect()
 }
 
-/// Their values for a case with these μ_v and μ_h over a₀/R; NaN without sensitivities, and where μ = 0.
+/// Their values for a case with these numbers over a₀/R at S = 1; NaN without sensitivities, and where μ = 0.
 pub(super) fn values(
     sensitivities: Option<&Sensitivities>,
-    [mu_v, mu_h]: [f64; 2],
+    values: &Values,
     experiment: Option<&Experiment>,
 ) -> Vec<f64> {
     let inputs = Input::all(experiment);
     let Some(sensitivities) = sensitivities else { return vec![f64::NAN; FRICTION.len() * inputs.len()] };
-    let relative = |[with_alpha, with_beta, with_f]: [f64; 3], input: &Input| {
+    let relative = |column: Column, input: &Input| {
+        let mu = values[column];
+        if mu == 0.0 {
+            return f64::NAN;
+        }
         let powers = input.powers(experiment);
+        let [with_alpha, with_beta, with_f] = derivatives(sensitivities, column).map(|derivative| derivative / mu);
         let own = if *input == Input::Strength { with_f } else { 0.0 };
         with_alpha * powers.alpha + with_beta * powers.beta + own + powers.friction
     };
-    let rows = sensitivities.logarithmic(mu_v, mu_h);
-    rows.iter().flat_map(|row| inputs.iter().map(|input| relative(*row, input)).collect::<Vec<_>>()).collect()
+    let of = |column: Column| inputs.iter().map(move |input| relative(column, input)).collect::<Vec<_>>();
+    FRICTION.into_iter().flat_map(of).collect()
+}
+
+/// dμ/d ln θ of one of [`FRICTION`] for θ = α, β, f.
+fn derivatives(sensitivities: &Sensitivities, column: Column) -> [f64; 3] {
+    match column {
+        Column::MuV => sensitivities.viscoelastic,
+        Column::MuH => sensitivities.hydrodynamic,
+        Column::MuTot => sensitivities.total(),
+        Column::MuPressure => sensitivities.pressure,
+        Column::MuShear => sensitivities.shear(),
+        _ => sensitivities.drag_at(1.0),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use stribeck_lab::Modulus;
+
+    /// μ_v, μ_h and P, and what is made of them.
+    fn friction(mu_v: f64, mu_h: f64, pressure: f64) -> Values {
+        let mut values = Values::UNKNOWN;
+        for (column, value) in
+            FRICTION.into_iter().zip([mu_v, mu_h, mu_v + mu_h, mu_v + mu_h - 2.0 * pressure, pressure, mu_h - pressure])
+        {
+            values[column] = value;
+        }
+        values
+    }
 
     /// Twice the viscosity at half the speed is the same film at another α.
     #[test]
@@ -100,9 +129,13 @@ mod tests {
             speed: 0.01,
             f: 3.0,
         };
-        let sensitivities = Sensitivities { viscoelastic: [0.1, 0.2, 0.3], hydrodynamic: [0.4, -0.5, 0.6] };
+        let sensitivities = Sensitivities {
+            viscoelastic: [0.1, 0.2, 0.3],
+            hydrodynamic: [0.4, -0.5, 0.6],
+            pressure: [-0.1, 0.3, -0.2],
+        };
         let names: Vec<String> = columns(Some(&experiment)).into_iter().map(|column| column.name).collect();
-        let values = values(Some(&sensitivities), [0.5, 0.25], Some(&experiment));
+        let values = values(Some(&sensitivities), &friction(0.5, 0.25, -0.125), Some(&experiment));
         assert_eq!(names.len(), values.len());
         let of = |mu: &str, input: &str| {
             values[names.iter().position(|name| *name == format!("dln_{mu}_dln_{input}")).expect(input)]
@@ -124,11 +157,16 @@ mod tests {
 
     #[test]
     fn dimensionless_cases_have_their_own_derivatives() {
-        let sensitivities = Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.4, -0.5, 0.6] };
-        let values = values(Some(&sensitivities), [0.0, 0.5], None);
+        let sensitivities =
+            Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.4, -0.5, 0.6], pressure: [-0.1, 0.2, -0.3] };
+        let values = values(Some(&sensitivities), &friction(0.0, 0.5, -0.25), None);
         assert!(values[..3].iter().all(|value| value.is_nan()), "mu_v is 0");
-        assert_eq!(values[3..], [0.8, -1.0, 1.2, 0.8, -1.0, 1.2]);
+        let rows =
+            [[0.8, -1.0, 1.2], [0.8, -1.0, 1.2], [0.6, -0.9, 1.2], [0.4, -0.8, 1.2], [0.5 / 0.75, -0.7 / 0.75, 1.2]];
+        for (value, expected) in values[3..].iter().zip(rows.as_flattened()) {
+            assert!((value - expected).abs() < 1e-15, "{values:?}");
+        }
         assert_eq!(columns(None)[8].name, "dln_mu_tot_dln_f");
-        assert!(super::values(None, [1.0, 1.0], None).iter().all(|value| value.is_nan()));
+        assert!(super::values(None, &Values::UNKNOWN, None).iter().all(|value| value.is_nan()));
     }
 }

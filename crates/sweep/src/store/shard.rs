@@ -192,6 +192,8 @@ impl ShardReader {
             pressure: self.field(Field::Pressure, row)?,
             film_thickness: self.field(Field::FilmThickness, row)?,
             displacement: self.field(Field::Displacement, row)?,
+            shear_traction: self.field(Field::ShearTraction, row)?,
+            hysteresis_traction: self.field(Field::HysteresisTraction, row)?,
         })
     }
 }

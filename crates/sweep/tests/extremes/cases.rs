@@ -116,7 +116,7 @@ impl Verdict {
     /// numbers that a film may have.
     pub fn is_sound(&self, tolerance: f64) -> bool {
         let Ok(solution) = &self.solved.outcome else { return false };
-        let Quantities { friction, c, film_min, p_max, x_p_max, x_outlet, centroid, separation, load_residual } =
+        let Quantities { friction, c, film_min, p_max, x_p_max, x_outlet, centroid, separation, load_residual, .. } =
             solution.quantities;
         let numbers = [friction.viscoelastic, friction.drag, p_max, x_p_max, x_outlet, centroid, separation];
         numbers.iter().all(|number| number.is_finite())

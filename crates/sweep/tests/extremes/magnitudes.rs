@@ -14,10 +14,21 @@ const MOST_ITERATIONS: u64 = 1000;
 
 /// Whether all that is said of a case is a number.
 fn are_numbers(quantities: &Quantities) -> bool {
-    let Quantities { friction, c, film_min, p_max, x_p_max, x_outlet, centroid, separation, load_residual } =
-        *quantities;
+    let Quantities {
+        friction,
+        c,
+        film_min,
+        p_max,
+        x_p_max,
+        x_outlet,
+        centroid,
+        dissipation,
+        separation,
+        load_residual,
+    } = *quantities;
     let all = [friction.viscoelastic, friction.hydrodynamic(), friction.drag, c, film_min, p_max, x_p_max, x_outlet];
-    all.into_iter().chain([centroid, separation, load_residual]).all(f64::is_finite)
+    let others = [friction.pressure, friction.shear(), quantities.energy_residual(1.0)];
+    all.into_iter().chain(others).chain([centroid, dissipation, separation, load_residual]).all(f64::is_finite)
 }
 
 /// Each magnitude of one parameter, at ordinary values of the others and at extreme ones.

@@ -69,7 +69,7 @@ sensitivities = false
         estimate: true,
     };
     let output = Output {
-        fields: FieldSelection { pressure: true, film_thickness: false, displacement: true },
+        fields: FieldSelection { pressure: true, displacement: true, ..FieldSelection::default() },
         x: vec![-1.0, 0.0, 2.5].into(),
         limits: false,
         cavity_shear: CavityShear::Streamers,

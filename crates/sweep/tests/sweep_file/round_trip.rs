@@ -56,13 +56,21 @@ fn solver() -> impl Strategy<Value = SolverSettings> {
 
 fn output() -> impl Strategy<Value = Output> {
     let shear = prop_oneof![Just(CavityShear::Full), Just(CavityShear::Streamers), Just(CavityShear::None)];
-    (any::<[bool; 3]>(), ascending(-1e3..1e3f64), any::<bool>(), shear, any::<bool>()).prop_map(
-        |([pressure, film_thickness, displacement], x, limits, cavity_shear, sensitivities)| Output {
-            fields: FieldSelection { pressure, film_thickness, displacement },
-            x: x.into(),
-            limits,
-            cavity_shear,
-            sensitivities,
+    (any::<[bool; 5]>(), ascending(-1e3..1e3f64), any::<bool>(), shear, any::<bool>()).prop_map(
+        |([pressure, film_thickness, displacement, shear, hysteresis], x, limits, cavity_shear, sensitivities)| {
+            Output {
+                fields: FieldSelection {
+                    pressure,
+                    film_thickness,
+                    displacement,
+                    shear_traction: shear,
+                    hysteresis_traction: hysteresis,
+                },
+                x: x.into(),
+                limits,
+                cavity_shear,
+                sensitivities,
+            }
         },
     )
 }

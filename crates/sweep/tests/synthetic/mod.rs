@@ -41,7 +41,7 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
     values[Column::ErrorMuV] = f64::NAN; // no estimate
     let shape = |scale: f64| -> Vec<f64> { output.x.iter().map(|x| scale * (-x * x * beta.ln()).exp()).collect() };
     let wanted = |selected: bool, scale: f64| (selected && !failed).then(|| shape(scale));
-    let FieldSelection { pressure, film_thickness, displacement } = output.fields;
+    let FieldSelection { pressure, film_thickness, displacement, shear_traction, hysteresis_traction } = output.fields;
     CaseEntry {
         id: case_id(f, alpha, beta),
         outcome: if failed { Status::Failed } else { Status::Converged },
@@ -56,9 +56,14 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
             pressure: wanted(pressure, 1.0),
             film_thickness: wanted(film_thickness, 1e-3),
             displacement: wanted(displacement, -0.3),
+            shear_traction: wanted(shear_traction, 2.0),
+            hysteresis_traction: wanted(hysteresis_traction, 0.7),
         },
-        sensitivities: (output.sensitivities && !failed)
-            .then(|| Sensitivities { viscoelastic: [alpha, beta, f], hydrodynamic: [-alpha, 1.0 / beta, f / 3.0] }),
+        sensitivities: (output.sensitivities && !failed).then(|| Sensitivities {
+            viscoelastic: [alpha, beta, f],
+            hydrodynamic: [-alpha, 1.0 / beta, f / 3.0],
+            pressure: [alpha / 3.0, -1.0 / beta, f],
+        }),
         timing: Timing {
             seconds: 0.125 + beta / 3.0,
             iterations: 300,
