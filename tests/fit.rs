@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::program::{code, err, out, say};
 use serde_json::Value;
-use stribeck_lab::{Experiment, Modulus};
+use stribeck_lab::{Experiment, Modulus, Motion};
 use stribeck_solver::{Settings, Substrate, solve};
 
 const TRUTH: Experiment = Experiment {
@@ -15,7 +15,7 @@ const TRUTH: Experiment = Experiment {
     poisson_ratio: 0.5,
     viscosity: 5.1,
     retardation_time: 0.02,
-    speed: 1e-3,
+    motion: Motion::Sliding { speed: 1e-3 },
     f: 10.0,
 };
 
@@ -24,10 +24,11 @@ const SWEEP: &str = "[laboratory]\nradius = \"2 mm\"\nload = [100.0, 119.0]\nrel
 
 fn write_points(directory: &Path) {
     let rows = (0..10).map(|i| {
-        let experiment = Experiment { speed: 1e-3 * 300.0_f64.powf(f64::from(i) / 9.0), ..TRUTH };
+        let experiment =
+            Experiment { motion: Motion::Sliding { speed: 1e-3 * 300.0_f64.powf(f64::from(i) / 9.0) }, ..TRUTH };
         let solution = solve(&experiment.parameters(&Substrate::default()), &Settings::default()).unwrap();
         let mu = solution.quantities.friction.total() * experiment.scales().friction;
-        format!("{:e},119,{mu:e},{:e}\n", 1e3 * experiment.speed, 0.01 * mu)
+        format!("{:e},119,{mu:e},{:e}\n", 1e3 * experiment.motion.flat_speed(), 0.01 * mu)
     });
     let text = format!("# made for a test\nspeed (mm/s),load,mu,error\n{}", rows.collect::<String>());
     fs::write(directory.join("points.csv"), text).unwrap();

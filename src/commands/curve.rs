@@ -11,7 +11,7 @@ use super::{CliError, Exit, console, threads};
 use crate::format::{Align, count, table_line};
 use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
-use stribeck_lab::{Experiment, LaboratoryQuantity, Measured, Scales};
+use stribeck_lab::{Experiment, Measured, Scales};
 use stribeck_solver::{FieldSelection, Output, shortest};
 use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
@@ -60,7 +60,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     text += &rows(&cases);
     let failed: Vec<&Solved> = cases.iter().filter(|case| case.entry.outcome == Status::Failed).collect();
     for case in &failed {
-        text += &format!("failed at {} m/s: {}\n", shortest(case.experiment.speed), case.entry.reason);
+        text += &format!("failed at {} m/s: {}\n", shortest(case.along()), case.entry.reason);
     }
     if let Some(file) = &arguments.csv {
         text += &format!("{}: {}\n", shown(file), count(cases.len() as u64, "row"));
@@ -113,6 +113,11 @@ struct Solved {
 }
 
 impl Solved {
+    /// The speed along which the curve runs.
+    fn along(&self) -> f64 {
+        self.experiment.motion.along().1
+    }
+
     /// A column in SI units.
     fn value(&self, column: Column) -> f64 {
         self.entry.values[column] * self.experiment.scales().factor(column.units())
@@ -125,7 +130,8 @@ fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> 
     let solved = sweep.grid.shape().row(0).map(|place| {
         let entry = entries.get(&plan.case_at(place)).expect("every case is in a chain").clone();
         let experiment = sweep.grid.experiment(place).expect("a sweep over quantities of the laboratory");
-        Solved { experiment, numbers: sweep.grid.numbers(place), entry }
+        let values = entry.values.at_slide_roll(experiment.motion.slide_roll());
+        Solved { experiment, numbers: sweep.grid.numbers(place), entry: CaseEntry { values, ..entry } }
     });
     Ok(solved.collect())
 }
@@ -137,7 +143,8 @@ fn five_digits(value: f64) -> String {
 
 /// The quantities that all cases of a curve have in common.
 fn describe(experiment: &Experiment) -> String {
-    let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Speed).map(|quantity| {
+    let (along, _) = experiment.motion.along();
+    let given = experiment.given().filter(|quantity| *quantity != along).map(|quantity| {
         let value = five_digits(experiment.value(quantity));
         format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
     });
@@ -148,8 +155,9 @@ fn describe(experiment: &Experiment) -> String {
 /// The curve of the drag, or of the friction that was measured, and measured points of it.
 fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
     let column = measured.and_then(|measured| Column::named(measured.column)).unwrap_or(Column::MuDrag);
-    let line: Vec<(f64, f64)> = cases.iter().map(|case| (case.experiment.speed, case.value(column))).collect();
-    let points: Vec<(f64, f64)> = match measured.and_then(|it| Some((it, it.coordinate("speed")?))) {
+    let line: Vec<(f64, f64)> = cases.iter().map(|case| (case.along(), case.value(column))).collect();
+    let along = cases[0].experiment.motion.along().0.name();
+    let points: Vec<(f64, f64)> = match measured.and_then(|it| Some((it, it.coordinate(along)?))) {
         Some((measured, speeds)) => {
             let own = (0..speeds.len()).filter(|point| measured.belongs_to(*point, &cases[0].experiment));
             own.map(|point| (speeds[point], measured.friction[point])).collect()
@@ -163,13 +171,15 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
     };
     let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
     let column = column.name();
-    format!("\n{column} against speed in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
+    format!("\n{column} against {along} in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
 }
 
 /// One line for each speed.
 fn rows(cases: &[Solved]) -> String {
-    let names = ["speed (m/s)", "alpha", "beta", "mu_drag", "mu_v", "mu_shear", "mu_pressure", "film_min (m)", "error"];
-    let columns = [12, 11, 11, 11, 11, 11, 12, 12, 8].map(Align::Right);
+    let along = format!("{} (m/s)", cases[0].experiment.motion.along().0.name());
+    let names =
+        [along.as_str(), "alpha", "beta", "mu_drag", "mu_v", "mu_shear", "mu_pressure", "film_min (m)", "error"];
+    let columns = [along.len().max(12), 11, 11, 11, 11, 11, 12, 12, 8].map(Align::Right);
     let mut text = table_line(&columns, &names);
     let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
     for case in cases {
@@ -180,7 +190,7 @@ fn rows(cases: &[Solved]) -> String {
             if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
         let values = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure, Column::FilmMin]
             .map(|column| case.value(column));
-        let numbers: Vec<f64> = [case.experiment.speed, alpha, beta].into_iter().chain(values).collect();
+        let numbers: Vec<f64> = [case.along(), alpha, beta].into_iter().chain(values).collect();
         let mut cells: Vec<String> = numbers.into_iter().map(number).collect();
         cells.push(match case.entry.outcome {
             Status::Failed => "failed".to_owned(),

@@ -95,7 +95,7 @@ impl FittedFriction<'_> {
     /// The residuals over speed, and the range of the speeds.
     fn residuals(&self) -> (Vec<(f64, f64)>, (f64, f64)) {
         let points: Vec<(f64, f64)> =
-            self.fit.points.iter().map(|point| (point.experiment.speed, point.residual)).collect();
+            self.fit.points.iter().map(|point| (point.experiment.motion.along().1, point.residual)).collect();
         let speeds = || points.iter().map(|(speed, _)| *speed);
         let range = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
         (points, range)
@@ -159,10 +159,11 @@ impl FittedFriction<'_> {
     pub fn friction_chart(&self) -> Lines {
         let (fit, measured) = (self.fit, self.measured);
         let mut fitted: Vec<(f64, f64)> =
-            fit.points.iter().map(|point| (point.experiment.speed, point.fitted)).collect();
+            fit.points.iter().map(|point| (point.experiment.motion.along().1, point.fitted)).collect();
         fitted.sort_by(|one, other| one.0.total_cmp(&other.0));
         // Points that differ in more than their speed are on no common curve.
-        let along_speed = measured.coordinates.iter().all(|(name, _)| *name == "speed");
+        let along = fit.points[0].experiment.motion.along().0.name();
+        let along_speed = measured.coordinates.iter().all(|(name, _)| *name == along);
         let mut curves = vec![if along_speed {
             curve("fitted", fitted, Stroke::Solid, Colour::Kind(0), false)
         } else {
@@ -170,11 +171,11 @@ impl FittedFriction<'_> {
         }];
         for point in &fit.points {
             if let Some(error) = point.error {
-                let (x, mu) = (point.experiment.speed, point.measured);
+                let (x, mu) = (point.experiment.motion.along().1, point.measured);
                 curves.push(curve("", vec![(x, mu - error), (x, mu + error)], Stroke::Solid, Colour::Black, false));
             }
         }
-        let points = fit.points.iter().map(|point| (point.experiment.speed, point.measured)).collect();
+        let points = fit.points.iter().map(|point| (point.experiment.motion.along().1, point.measured)).collect();
         curves.push(curve("measured", points, Stroke::Points, Colour::Black, true));
         let found = fit.estimates.iter().map(|it| {
             let (value, error) = (three(it.value), three(it.error));

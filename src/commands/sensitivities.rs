@@ -15,7 +15,7 @@ pub fn table(sensitivities: &Sensitivities, values: &Values) -> String {
     let derivatives = [
         (Column::MuV, sensitivities.viscoelastic),
         (Column::MuH, sensitivities.hydrodynamic),
-        (Column::MuTot, sensitivities.total()),
+        (Column::MuTot, sensitivities.total_at(1.0)),
         (Column::MuDrag, sensitivities.drag_at(1.0)),
         (Column::MuPressure, sensitivities.pressure),
         (Column::MuShear, sensitivities.shear()),

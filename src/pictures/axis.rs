@@ -89,6 +89,10 @@ impl AxisWords {
             "viscosity" => ("η", "viscosity η"),
             "retardation_time" => ("τ", "retardation time τ"),
             "speed" => ("V", "speed V"),
+            "entrainment_speed" => ("U", "entrainment speed U = (u₁ + u₂)/2"),
+            "slide_roll_ratio" => ("SRR", "slide-to-roll ratio (u₂ − u₁)/U"),
+            "roller_speed" => ("u₁", "speed of the roller's surface u₁"),
+            "flat_speed" => ("u₂", "speed of the flat u₂"),
             other => (other, other),
         };
         let unit = if units == "1" { String::new() } else { units.to_owned() };

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{LaboratoryQuantity, Scales};
+use crate::{LaboratoryQuantity, Motion, Scales};
 use stribeck_solver::{Parameters, Substrate};
 
 /// Which of the two moduli of a substrate is given, in Pa.
@@ -29,13 +29,13 @@ pub struct Experiment {
     pub viscosity: f64,
     /// τ (s), the time that α is made of.
     pub retardation_time: f64,
-    /// V (m/s).
-    pub speed: f64,
+    /// The speeds of both surfaces (m/s).
+    pub motion: Motion,
     /// f = E₀/E∞ − 1.
     pub f: f64,
 }
 
-/// The powers by which α, β and the friction scale a₀/R change with a quantity q: d ln/d ln q.
+/// The powers by which α, β and the friction scale a₀/R change with a quantity q: d ln/d ln q. S changes by itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Powers {
     /// Of α (Eq. 13).
@@ -44,6 +44,8 @@ pub struct Powers {
     pub beta: f64,
     /// Of a₀/R.
     pub friction: f64,
+    /// dS/d ln q of the slide-to-roll ratio S (I1).
+    pub slide_roll: f64,
 }
 
 impl Experiment {
@@ -61,15 +63,16 @@ impl Experiment {
         (4.0 * self.load * self.radius / (PI * self.plane_strain_modulus())).sqrt()
     }
 
-    /// α = a₀/(Vτ) (Eq. 13).
+    /// α = a₀/(u₂τ) (Eq. 13, I3), with the speed of the flat, which is the soft body; ∞ where it is at rest.
     pub fn alpha(&self) -> f64 {
-        self.contact_length() / (self.speed * self.retardation_time)
+        self.contact_length() / (self.motion.flat_speed() * self.retardation_time)
     }
 
-    /// β = E∞* a₀⁴/(12 η V R³) (Eq. 14).
+    /// β = E∞* a₀⁴/(12 η (u₁+u₂) R³) (Eq. 14, I2).
     pub fn beta(&self) -> f64 {
         let slenderness = self.contact_length() / self.radius;
-        self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length() / (12.0 * self.viscosity * self.speed)
+        self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length()
+            / (12.0 * self.viscosity * self.motion.sum())
     }
 
     /// The dimensionless case of this experiment on a substrate with the given retardation spectrum.
@@ -100,17 +103,21 @@ impl Experiment {
             (LaboratoryQuantity::PoissonRatio, _) => self.poisson_ratio,
             (LaboratoryQuantity::Viscosity, _) => self.viscosity,
             (LaboratoryQuantity::RetardationTime, _) => self.retardation_time,
-            (LaboratoryQuantity::Speed, _) => self.speed,
+            (speed, _) => self.motion.value(speed),
         }
     }
 
-    /// The quantities that are given, in the order of [`LaboratoryQuantity::ALL`]: all but one of the moduli.
+    /// The quantities that are given, in the order of [`LaboratoryQuantity::ALL`]: one of the moduli, and the speeds of
+    /// one form of motion.
     pub fn given(&self) -> impl Iterator<Item = LaboratoryQuantity> {
         let other = match self.modulus {
             Modulus::Relaxed(_) => LaboratoryQuantity::InstantaneousModulus,
             Modulus::Instantaneous(_) => LaboratoryQuantity::RelaxedModulus,
         };
-        LaboratoryQuantity::ALL.into_iter().filter(move |quantity| *quantity != other)
+        let speeds = self.motion.given();
+        let is_speed = |quantity: &LaboratoryQuantity| LaboratoryQuantity::SPEEDS.contains(quantity);
+        let others = LaboratoryQuantity::ALL.into_iter().filter(move |it| *it != other && !is_speed(it));
+        others.chain(speeds.iter().copied())
     }
 
     /// Sets a quantity; a modulus becomes the given one.
@@ -123,15 +130,15 @@ impl Experiment {
             LaboratoryQuantity::PoissonRatio => self.poisson_ratio = value,
             LaboratoryQuantity::Viscosity => self.viscosity = value,
             LaboratoryQuantity::RetardationTime => self.retardation_time = value,
-            LaboratoryQuantity::Speed => self.speed = value,
+            speed => self.motion.set(speed, value),
         }
     }
 
-    /// The powers by which α, β and a₀/R change with a quantity while the others stay.
+    /// The powers by which α, β and a₀/R change with a quantity while the others that are given stay.
     ///
-    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η V R).
+    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η (u₁+u₂) R).
     pub fn powers(&self, quantity: LaboratoryQuantity) -> Powers {
-        let powers = |alpha, beta, friction| Powers { alpha, beta, friction };
+        let powers = |alpha, beta, friction| Powers { alpha, beta, friction, slide_roll: 0.0 };
         match quantity {
             LaboratoryQuantity::Radius => powers(0.5, -1.0, -0.5),
             LaboratoryQuantity::Load => powers(0.5, 2.0, 0.5),
@@ -144,7 +151,10 @@ impl Experiment {
             }
             LaboratoryQuantity::Viscosity => powers(0.0, -1.0, 0.0),
             LaboratoryQuantity::RetardationTime => powers(-1.0, 0.0, 0.0),
-            LaboratoryQuantity::Speed => powers(-1.0, -1.0, 0.0),
+            speed => {
+                let [flat, sum, slide_roll] = self.motion.powers(speed);
+                Powers { slide_roll, ..powers(-flat, -sum, 0.0) }
+            }
         }
     }
 
@@ -159,7 +169,7 @@ impl Experiment {
 
     /// The powers with a quantity of which E∞* has the given power.
     fn powers_of_modulus(power: f64) -> Powers {
-        Powers { alpha: -0.5 * power, beta: -power, friction: -0.5 * power }
+        Powers { alpha: -0.5 * power, beta: -power, friction: -0.5 * power, slide_roll: 0.0 }
     }
 }
 
@@ -175,7 +185,7 @@ mod tests {
         poisson_ratio: 0.0,
         viscosity: 5.1,
         retardation_time: 0.1,
-        speed: 1e-3,
+        motion: Motion::Sliding { speed: 1e-3 },
         f: 10.0,
     };
 
@@ -210,24 +220,33 @@ mod tests {
         }
     }
 
+    /// All forms of the motion of one pair of speeds.
+    const MOTIONS: [Motion; 3] = [
+        Motion::Sliding { speed: 1e-3 },
+        Motion::Rolling { entrainment_speed: 2e-3, slide_roll_ratio: 0.7 },
+        Motion::Surfaces { roller_speed: 1e-3, flat_speed: 3e-3 },
+    ];
+
     /// Powers against differences, for each quantity and for f.
     #[test]
     fn powers_are_logarithmic_derivatives() {
-        let logarithms = |experiment: &Experiment| {
-            [experiment.alpha().ln(), experiment.beta().ln(), experiment.scales().friction.ln()]
+        let numbers = |experiment: &Experiment| {
+            let logarithms = [experiment.alpha(), experiment.beta(), experiment.scales().friction].map(f64::ln);
+            let [alpha, beta, friction] = logarithms;
+            [alpha, beta, friction, experiment.motion.slide_roll()]
         };
         let compare = |powers: Powers, below: Experiment, above: Experiment, step: f64| {
-            let (low, high) = (logarithms(&below), logarithms(&above));
-            for (power, (low, high)) in
-                [powers.alpha, powers.beta, powers.friction].into_iter().zip(low.into_iter().zip(high))
-            {
+            let (low, high) = (numbers(&below), numbers(&above));
+            let powers = [powers.alpha, powers.beta, powers.friction, powers.slide_roll];
+            for (power, (low, high)) in powers.into_iter().zip(low.into_iter().zip(high)) {
                 assert!((power - (high - low) / step).abs() < 1e-8, "{power} {}", (high - low) / step);
             }
         };
         let step: f64 = 1e-4;
-        for modulus in [Modulus::Relaxed(1e5), Modulus::Instantaneous(1e6)] {
-            let at = Experiment { modulus, poisson_ratio: 0.45, ..EXAMPLE };
-            for quantity in LaboratoryQuantity::ALL {
+        let moduli = [Modulus::Relaxed(1e5), Modulus::Instantaneous(1e6)];
+        for (modulus, motion) in moduli.into_iter().flat_map(|modulus| MOTIONS.map(|motion| (modulus, motion))) {
+            let at = Experiment { modulus, poisson_ratio: 0.45, motion, ..EXAMPLE };
+            for quantity in at.given() {
                 assert_eq!(LaboratoryQuantity::named(quantity.name()), Some(quantity));
                 let moved = |by: f64| {
                     let mut other = at;
@@ -239,5 +258,24 @@ mod tests {
             let moved = |by: f64| Experiment { f: at.f * by.exp(), ..at };
             compare(at.powers_of_strength(), moved(-0.5 * step), moved(0.5 * step), step);
         }
+    }
+
+    /// One motion in any form is one experiment, and a roller that does not turn is the paper's.
+    #[test]
+    fn one_motion_has_three_forms() {
+        let rolling = Motion::Rolling { entrainment_speed: 2e-3, slide_roll_ratio: 1.0 };
+        let surfaces = Motion::Surfaces { roller_speed: 1e-3, flat_speed: 3e-3 };
+        for quantity in LaboratoryQuantity::SPEEDS {
+            assert_eq!(rolling.value(quantity), surfaces.value(quantity), "{}", quantity.name());
+        }
+        let [one, other] = [rolling, surfaces].map(|motion| Experiment { motion, ..EXAMPLE });
+        assert_eq!((one.alpha(), one.beta()), (other.alpha(), other.beta()));
+        let still = Motion::Surfaces { roller_speed: 0.0, flat_speed: 1e-3 };
+        let still = Experiment { motion: still, ..EXAMPLE };
+        assert_eq!((still.alpha(), still.beta()), (EXAMPLE.alpha(), EXAMPLE.beta()));
+        assert_eq!((still.motion.slide_roll(), EXAMPLE.motion.slide_roll()), (1.0, 1.0));
+        // a flat at rest has all the time there is to relax
+        let motion = Motion::Surfaces { roller_speed: 1e-3, flat_speed: 0.0 };
+        assert_eq!(Experiment { motion, ..EXAMPLE }.alpha(), f64::INFINITY);
     }
 }

@@ -5,22 +5,23 @@
 //! file, and [`FrictionFit`] finds quantities of the experiment from it.
 //!
 //! ```
-//! use stribeck_lab::{Experiment, Material, Modulus, Relaxation, RelaxationTerm};
+//! use stribeck_lab::{Experiment, Material, Modulus, Motion, Relaxation, RelaxationTerm};
 //! use stribeck_solver::{Settings, solve};
 //!
 //! let material = Relaxation::new(1e5, vec![RelaxationTerm { modulus: 1e6, time: 2e-3 }]).unwrap().material();
 //! let (radius, load, modulus) = (2e-3, 119.0, Modulus::Relaxed(material.relaxed_modulus));
-//! let (viscosity, speed) = (5.1, 1e-3);
+//! let (viscosity, motion) = (5.1, Motion::Sliding { speed: 1e-3 });
 //! let Material { retardation_time, f, ref substrate, .. } = material;
-//! let experiment = Experiment { radius, load, modulus, poisson_ratio: 0.5, viscosity, retardation_time, speed, f };
+//! let experiment = Experiment { radius, load, modulus, poisson_ratio: 0.5, viscosity, retardation_time, motion, f };
 //! let solution = solve(&experiment.parameters(substrate), &Settings::default()).expect("a solution");
-//! let friction = experiment.scales().friction * solution.quantities.friction.total();
-//! assert!((0.02..0.04).contains(&friction), "{friction}");
+//! let friction = experiment.scales().friction * solution.quantities.friction.drag;
+//! assert!((0.02..0.1).contains(&friction), "{friction}");
 //! ```
 //!
 //! | file | what it holds |
 //! | --- | --- |
 //! | `quantity`, `units` | quantities of the laboratory; values with units |
+//! | `motion` | speeds of both surfaces |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
 //! | `measured` | measured friction |
@@ -30,6 +31,7 @@ mod experiment;
 mod friction_fit;
 mod material;
 mod measured;
+mod motion;
 mod quantity;
 mod scales;
 mod units;
@@ -40,6 +42,7 @@ pub use material::{
     Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
 };
 pub use measured::{Measured, MeasuredError};
+pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use scales::{Scales, si_units};
 pub use units::Dimension;

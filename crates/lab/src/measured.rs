@@ -4,7 +4,6 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use crate::quantity::POISSON_RATIOS;
 use crate::units::in_si;
 use crate::{Experiment, LaboratoryQuantity};
 use stribeck_input::{printable, shown};
@@ -80,6 +79,40 @@ enum Role {
     Coordinate(&'static str, f64),
 }
 
+impl Role {
+    /// True for a value that the column may have.
+    fn admits(self, value: f64) -> bool {
+        match self {
+            Role::Friction(_) => true,
+            Role::Error => value > 0.0,
+            Role::Coordinate(name, _) => match LaboratoryQuantity::named(name) {
+                Some(quantity) => quantity.admits(value),
+                None if name == "beta" => value > 0.0,
+                None => value >= 0.0,
+            },
+        }
+    }
+
+    /// The values that the column may have, in words.
+    fn allowed(self) -> &'static str {
+        match self {
+            Role::Friction(_) => "a friction coefficient is a number",
+            Role::Error => "a standard error is a number above 0",
+            Role::Coordinate(name, _) => match LaboratoryQuantity::named(name) {
+                Some(LaboratoryQuantity::PoissonRatio) => "it is a number from 0 to 0.5",
+                Some(LaboratoryQuantity::SlideRollRatio) => {
+                    "it is a number from -2 to 2, flat less roller over the mean"
+                }
+                Some(LaboratoryQuantity::RollerSpeed | LaboratoryQuantity::FlatSpeed) => {
+                    "it is a number from 0: both surfaces move the same way"
+                }
+                None if name != "beta" => "it is a number from 0",
+                _ => "it is a number above 0",
+            },
+        }
+    }
+}
+
 impl Measured {
     /// Reads a CSV file with one header line. Lines that begin with # are comments.
     ///
@@ -141,17 +174,9 @@ impl Measured {
         let mut coordinates = self.coordinates.iter_mut();
         for ((text, name), role) in record.iter().zip(header).zip(roles) {
             let value = text.parse::<f64>().ok().filter(|value| value.is_finite());
-            let (allowed, fits): (_, fn(f64) -> bool) = match role {
-                Role::Friction(_) => ("a friction coefficient is a number", |_| true),
-                Role::Error => ("a standard error is a number above 0", |value| value > 0.0),
-                Role::Coordinate("f" | "alpha", _) => ("it is a number from 0", |value| value >= 0.0),
-                Role::Coordinate("poisson_ratio", _) => {
-                    ("it is a number from 0 to 0.5", |value| POISSON_RATIOS.contains(&value))
-                }
-                Role::Coordinate(..) => ("it is a number above 0", |value| value > 0.0 && value.is_finite()),
-            };
             let factor = if let Role::Coordinate(_, factor) = role { *factor } else { 1.0 };
-            let Some(value) = value.map(|value| in_si(value, factor)).filter(|value| fits(*value)) else {
+            let Some(value) = value.map(|value| in_si(value, factor)).filter(|value| role.admits(*value)) else {
+                let allowed = role.allowed();
                 let (path, column, value) = (self.path.clone(), printable(name).into_owned(), text.to_owned());
                 return Err(MeasuredError::Value { path, line, column, value, allowed });
             };
@@ -168,9 +193,11 @@ impl Measured {
         Ok(())
     }
 
-    /// True if a point was measured at the quantities of an experiment, its speed apart, as far as the file has them.
+    /// True if a point was measured at the quantities of an experiment, the speed along which curves run apart, as far as
+    /// the file has them.
     pub fn belongs_to(&self, point: usize, experiment: &Experiment) -> bool {
-        self.coordinates.iter().filter(|(name, _)| *name != "speed").all(|(name, values)| {
+        let along = experiment.motion.along().0.name();
+        self.coordinates.iter().filter(|(name, _)| *name != along).all(|(name, values)| {
             let own = match LaboratoryQuantity::named(name) {
                 Some(quantity) => experiment.value(quantity),
                 None if *name == "f" => experiment.f,
@@ -244,9 +271,7 @@ fn role(name: &str) -> Result<Role, String> {
         return without_unit.map(|()| Role::Coordinate(known, 1.0));
     }
     match LaboratoryQuantity::named(word) {
-        Some(LaboratoryQuantity::PoissonRatio) => {
-            without_unit.map(|()| Role::Coordinate(LaboratoryQuantity::PoissonRatio.name(), 1.0))
-        }
+        Some(ratio) if ratio.dimension().is_none() => without_unit.map(|()| Role::Coordinate(ratio.name(), 1.0)),
         Some(quantity) => {
             Ok(Role::Coordinate(quantity.name(), unit.map_or(Ok(1.0), |unit| known_unit(quantity, unit))?))
         }

@@ -1,7 +1,5 @@
 //! Quantities of the laboratory: what an experiment has in place of α and β.
 
-use std::ops::RangeInclusive;
-
 use crate::Dimension;
 use stribeck_input::{Entry, Fault, Values};
 
@@ -22,13 +20,22 @@ pub enum LaboratoryQuantity {
     Viscosity,
     /// τ, retardation time of the substrate.
     RetardationTime,
-    /// V, speed of the cylinder.
+    /// V, speed of a roller that slides without turning.
     Speed,
+    /// u₁, speed of the roller's surface.
+    RollerSpeed,
+    /// (u₂ − u₁)/U, the slide-to-roll ratio.
+    SlideRollRatio,
+    /// U = (u₁ + u₂)/2, the entrainment speed.
+    EntrainmentSpeed,
+    /// u₂, speed of the flat.
+    FlatSpeed,
 }
 
 impl LaboratoryQuantity {
-    /// All, in the order in which results have them: the speed, along which chains run, is the last.
-    pub const ALL: [Self; 8] = [
+    /// All, in the order in which results have them: of the speeds that are given the last one is that along which
+    /// chains run.
+    pub const ALL: [Self; 12] = [
         Self::Radius,
         Self::Load,
         Self::RelaxedModulus,
@@ -37,7 +44,15 @@ impl LaboratoryQuantity {
         Self::Viscosity,
         Self::RetardationTime,
         Self::Speed,
+        Self::RollerSpeed,
+        Self::SlideRollRatio,
+        Self::EntrainmentSpeed,
+        Self::FlatSpeed,
     ];
+
+    /// Those that say how fast the surfaces move.
+    pub const SPEEDS: [Self; 5] =
+        [Self::Speed, Self::RollerSpeed, Self::SlideRollRatio, Self::EntrainmentSpeed, Self::FlatSpeed];
 
     /// Name in sweep files and results.
     pub fn name(self) -> &'static str {
@@ -50,6 +65,10 @@ impl LaboratoryQuantity {
             Self::Viscosity => "viscosity",
             Self::RetardationTime => "retardation_time",
             Self::Speed => "speed",
+            Self::RollerSpeed => "roller_speed",
+            Self::SlideRollRatio => "slide_roll_ratio",
+            Self::EntrainmentSpeed => "entrainment_speed",
+            Self::FlatSpeed => "flat_speed",
         }
     }
 
@@ -58,20 +77,20 @@ impl LaboratoryQuantity {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 
-    /// What it measures; `None` for Poisson's ratio, which has no unit.
+    /// What it measures; `None` for ratios, which have no unit.
     pub fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Radius => Some(Dimension::Length),
             Self::Load => Some(Dimension::LineLoad),
             Self::RelaxedModulus | Self::InstantaneousModulus => Some(Dimension::Modulus),
-            Self::PoissonRatio => None,
+            Self::PoissonRatio | Self::SlideRollRatio => None,
             Self::Viscosity => Some(Dimension::Viscosity),
             Self::RetardationTime => Some(Dimension::Time),
-            Self::Speed => Some(Dimension::Speed),
+            Self::Speed | Self::RollerSpeed | Self::EntrainmentSpeed | Self::FlatSpeed => Some(Dimension::Speed),
         }
     }
 
-    /// SI unit; `1` for Poisson's ratio.
+    /// SI unit; `1` for ratios.
     pub fn units(self) -> &'static str {
         self.dimension().map_or("1", Dimension::unit)
     }
@@ -87,22 +106,59 @@ impl LaboratoryQuantity {
             Self::Viscosity => "viscosity of the fluid",
             Self::RetardationTime => "retardation time of the substrate",
             Self::Speed => "speed of the cylinder",
+            Self::RollerSpeed => "speed of the roller's surface",
+            Self::SlideRollRatio => "slide-to-roll ratio, flat less roller over the entrainment speed",
+            Self::EntrainmentSpeed => "entrainment speed, the mean of both surfaces",
+            Self::FlatSpeed => "speed of the flat",
+        }
+    }
+
+    /// True for a value that the quantity may have.
+    pub fn admits(self, value: f64) -> bool {
+        match self {
+            Self::PoissonRatio => (0.0..=0.5).contains(&value),
+            Self::SlideRollRatio => (-2.0..=2.0).contains(&value),
+            Self::RollerSpeed | Self::FlatSpeed => value >= 0.0 && value.is_finite(),
+            _ => value > 0.0 && value.is_finite(),
+        }
+    }
+
+    /// What to do about a value that it may not have.
+    fn remedy(self, value: f64) -> &'static str {
+        match self {
+            Self::PoissonRatio => "soft solids hardly change their volume: 0.5 is usual, 0.3 for a stiff polymer",
+            Self::SlideRollRatio => {
+                "it is (flat_speed - roller_speed) / entrainment_speed: 0 is pure rolling, 2 a roller that does not \
+                 turn; beyond, the surfaces would move against each other, and a film of that kind is not computed. \
+                 In per cent it is a hundredth of the number; some instruments divide by the sum of the speeds: twice \
+                 that number"
+            }
+            Self::RollerSpeed | Self::FlatSpeed if value < 0.0 => {
+                "both surfaces must move the same way: where they move against each other fluid enters from both sides, \
+                 and that film is not computed"
+            }
+            _ => "write it in SI units as in 1e-3, or with its unit in quotes",
+        }
+    }
+
+    /// The values that it may have, in words.
+    pub fn allowed(self) -> &'static str {
+        match self {
+            Self::PoissonRatio => "from 0 to 0.5",
+            Self::SlideRollRatio => "from -2 to 2",
+            Self::RollerSpeed | Self::FlatSpeed => "finite and at least 0",
+            _ => "finite and above 0",
         }
     }
 }
 
-/// What Poisson's ratio may be.
-pub(crate) const POISSON_RATIOS: RangeInclusive<f64> = 0.0..=0.5;
-
 impl Values for LaboratoryQuantity {
-    /// A number in SI units or with a unit, above 0; Poisson's ratio is from 0 to 0.5.
+    /// A number in SI units or with a unit, within what the quantity [admits](LaboratoryQuantity::admits).
     fn read(&self, entry: &Entry<'_>) -> Result<f64, Fault> {
-        let Some(dimension) = self.dimension() else {
-            let value = entry.number()?;
-            let remedy = "soft solids hardly change their volume: 0.5 is usual, 0.3 for a stiff polymer";
-            let is_allowed = POISSON_RATIOS.contains(&value);
-            return if is_allowed { Ok(value) } else { Err(entry.not_allowed("from 0 to 0.5", remedy)) };
+        let value = match self.dimension() {
+            Some(dimension) => dimension.read_number(entry)?,
+            None => entry.number()?,
         };
-        dimension.read(entry)
+        if self.admits(value) { Ok(value) } else { Err(entry.not_allowed(self.allowed(), self.remedy(value))) }
     }
 }

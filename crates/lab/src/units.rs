@@ -89,7 +89,7 @@ impl Dimension {
     }
 
     /// Reads a number in SI units, or a text with a unit, whatever its sign.
-    fn read_number(self, entry: &Entry<'_>) -> Result<f64, Fault> {
+    pub(crate) fn read_number(self, entry: &Entry<'_>) -> Result<f64, Fault> {
         if !entry.is_text() {
             return entry.number();
         }

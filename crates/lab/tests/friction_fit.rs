@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 use stribeck_lab::{
-    Experiment, FrictionFit, FrictionFitError, FrictionTask, LaboratoryQuantity, Measured, Modulus, Unknown,
+    Experiment, FrictionFit, FrictionFitError, FrictionTask, LaboratoryQuantity, Measured, Modulus, Motion, Unknown,
 };
 use stribeck_solver::{
     CavityShear, Interrupt, Method, Parameters, RetardationMode, Settings, Substrate, collocation, solve_points,
@@ -15,7 +15,7 @@ const TRUTH: Experiment = Experiment {
     poisson_ratio: 0.5,
     viscosity: 5.1,
     retardation_time: 0.02,
-    speed: 1e-3,
+    motion: Motion::Sliding { speed: 1e-3 },
     f: 10.0,
 };
 
@@ -75,7 +75,7 @@ fn speeds(count: u32, from: f64, to: f64) -> Vec<f64> {
 fn exact(speeds: &[f64], truth: Experiment, substrate: &Substrate) -> Vec<f64> {
     let method = Method::Collocation(collocation::Settings::for_tolerance(1e-8));
     let settings = Settings { method, ..Settings::default() };
-    let case = |speed: &f64| Experiment { speed: *speed, ..truth }.parameters(substrate);
+    let case = |speed: &f64| Experiment { motion: Motion::Sliding { speed: *speed }, ..truth }.parameters(substrate);
     let cases: Vec<Parameters> = speeds.iter().map(case).collect();
     let solved = solve_points(&cases, &settings, &Interrupt::new()).expect("nobody interrupts");
     let friction = solved.into_iter().map(|case| case.outcome.expect("solved").quantities.friction.total());

@@ -2,7 +2,7 @@
 
 use crate::grid_index::indices;
 use crate::{Dimension, GridIndex, GridShape};
-use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus, Motion};
 
 /// The axes of a dimensionless sweep: each strictly ascending and not empty.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,8 +38,8 @@ pub struct Given {
 pub struct LaboratoryAxes {
     /// Strengths of retardation, ascending.
     pub f: Vec<f64>,
-    /// One modulus and all other quantities, in the order of [`LaboratoryQuantity::ALL`]: the speed is the last, and
-    /// always an axis.
+    /// One modulus, the speeds of one form of motion and all other quantities, in the order of
+    /// [`LaboratoryQuantity::ALL`]: a speed is the last, and always an axis.
     pub given: Vec<Given>,
 }
 
@@ -81,7 +81,7 @@ impl LaboratoryAxes {
             poisson_ratio: f64::NAN,
             viscosity: f64::NAN,
             retardation_time: f64::NAN,
-            speed: self.speed().values[index.along],
+            motion: Motion::Sliding { speed: f64::NAN },
             f: self.f[index.f],
         };
         let others = &self.given[..self.given.len() - 1];
@@ -89,6 +89,7 @@ impl LaboratoryAxes {
         for (given, place) in others.iter().zip(indices(lengths, index.row)) {
             experiment.set(given.quantity, given.values[place]);
         }
+        experiment.set(self.speed().quantity, self.speed().values[index.along]);
         experiment
     }
 }

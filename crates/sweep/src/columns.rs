@@ -63,11 +63,6 @@ macro_rules! columns {
 }
 
 use Source::{Error, Limit, Quantity};
-/// F_v and the shear on the roller, which is the paper's total for S = 1.
-fn total(quantities: &Quantities, slide_roll: f64) -> f64 {
-    quantities.friction.viscoelastic + quantities.friction.hydrodynamic_at(slide_roll)
-}
-
 /// Shear on the roller in the pressurised film.
 fn film_shear(quantities: &Quantities, slide_roll: f64) -> f64 {
     let friction = &quantities.friction;
@@ -78,7 +73,7 @@ columns! {
     MuV, "mu_v", FRICTION, true, "viscoelastic friction coefficient", Quantity(|it, _| it.friction.viscoelastic);
     MuH, "mu_h", FRICTION, true, "hydrodynamic friction coefficient, cavity included",
         Quantity(|it, s| it.friction.hydrodynamic_at(s));
-    MuTot, "mu_tot", FRICTION, true, "total friction coefficient mu_v + mu_h", Quantity(total);
+    MuTot, "mu_tot", FRICTION, true, "total friction coefficient mu_v + mu_h", Quantity(|it, s| it.friction.total_at(s));
     MuDrag, "mu_drag", FRICTION, true, "drag coefficient of the cylinder, by force balance",
         Quantity(|it, s| it.friction.drag_at(s));
     MuHCavity, "mu_h_cavity", FRICTION, true, "part of mu_h behind the outlet",
@@ -291,7 +286,7 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
-    use stribeck_lab::{Experiment, Modulus};
+    use stribeck_lab::{Experiment, Modulus, Motion};
     use stribeck_solver::Friction;
 
     fn quantities() -> Quantities {
@@ -417,7 +412,7 @@ mod tests {
             poisson_ratio: 0.0,
             viscosity: 5.1,
             retardation_time: 0.1,
-            speed: 1e-3,
+            motion: Motion::Sliding { speed: 1e-3 },
             f: 10.0,
         };
         for column in Column::ALL {

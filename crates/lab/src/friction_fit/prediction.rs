@@ -84,12 +84,13 @@ impl<'a> Predictor<'a> {
     fn friction(&self, solution: &Solution, experiment: &Experiment) -> (f64, Vec<f64>) {
         let sensitivities: Sensitivities = solution.sensitivities.expect("they were asked for");
         let friction = solution.quantities.friction;
+        let slide_roll = experiment.motion.slide_roll();
         // over a₀/R
         let (force, [with_alpha, with_beta, with_f]) = match self.measured.column {
             "mu_v" => (friction.viscoelastic, sensitivities.viscoelastic),
-            "mu_h" => (friction.hydrodynamic(), sensitivities.hydrodynamic),
-            "mu_tot" => (friction.total(), sensitivities.total()),
-            _ => (friction.drag, sensitivities.drag_at(1.0)),
+            "mu_h" => (friction.hydrodynamic_at(slide_roll), sensitivities.hydrodynamic_at(slide_roll)),
+            "mu_tot" => (friction.total_at(slide_roll), sensitivities.total_at(slide_roll)),
+            _ => (friction.drag_at(slide_roll), sensitivities.drag_at(slide_roll)),
         };
         let scale = experiment.scales().friction;
         let along = |unknown: &Unknown| {
@@ -111,6 +112,9 @@ fn check_columns(task: &FrictionTask<'_>) -> Result<(), String> {
         if name.ends_with("_modulus") && unknowns.iter().any(|unknown| unknown.is_modulus()) {
             return Err(format!("{name} is a column of the measured points: the other modulus follows from it and f"));
         }
+        if let Some(quantity) = LaboratoryQuantity::named(name).filter(|it| is_speed_of_another_form(task, *it)) {
+            return Err(another_form(task, quantity, "is a column of the measured points"));
+        }
         if *name == "alpha" || *name == "beta" {
             return Err(format!("{name} is no quantity of the laboratory; give speed, load and so on"));
         }
@@ -118,10 +122,28 @@ fn check_columns(task: &FrictionTask<'_>) -> Result<(), String> {
     Ok(())
 }
 
+/// True for a speed that is none of those by which the experiment gives its motion.
+fn is_speed_of_another_form(task: &FrictionTask<'_>, quantity: LaboratoryQuantity) -> bool {
+    LaboratoryQuantity::SPEEDS.contains(&quantity) && !task.experiment.motion.given().contains(&quantity)
+}
+
+fn another_form(task: &FrictionTask<'_>, quantity: LaboratoryQuantity, what: &str) -> String {
+    let given: Vec<&str> = task.experiment.motion.given().iter().map(|quantity| quantity.name()).collect();
+    let (name, given) = (quantity.name(), given.join(" and "));
+    format!("{name} {what}, and the sweep file gives {given}; give both in the same form")
+}
+
 /// Checks that one modulus at most is looked for, and that every unknown begins above 0.
 fn check_unknowns(task: &FrictionTask<'_>) -> Result<(), String> {
     if task.unknowns.iter().filter(|unknown| unknown.is_modulus()).count() > 1 {
         return Err("look for one of the moduli and f: the other modulus follows from these".into());
+    }
+    let other_form = task.unknowns.iter().find_map(|unknown| match unknown {
+        Unknown::Quantity(quantity) => Some(*quantity).filter(|it| is_speed_of_another_form(task, *it)),
+        Unknown::Strength => None,
+    });
+    if let Some(quantity) = other_form {
+        return Err(another_form(task, quantity, "is looked for"));
     }
     match task.unknowns.iter().find(|unknown| unknown.value(&task.experiment) <= 0.0) {
         Some(unknown) => {

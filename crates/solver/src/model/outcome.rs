@@ -53,6 +53,11 @@ impl Friction {
         self.drag - (1.0 - slide_roll) * self.shear()
     }
 
+    /// F_v + P + S C, the hysteresis and the shear on the roller at the slide-to-roll ratio S.
+    pub fn total_at(&self, slide_roll: f64) -> f64 {
+        self.viscoelastic + self.hydrodynamic_at(slide_roll)
+    }
+
     /// F_tot = F_v + F_h (Eq. 50): shear on the roller and pressure on the flat. It is the paper's quantity; no
     /// instrument reads it.
     pub fn total(&self) -> f64 {

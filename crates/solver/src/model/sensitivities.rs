@@ -42,9 +42,9 @@ impl Sensitivities {
         sensitivities.row().iter().all(|value| !value.is_nan()).then_some(sensitivities)
     }
 
-    /// Derivatives of F_tot = F_v + F_h.
-    pub fn total(&self) -> [f64; 3] {
-        std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic[i])
+    /// Derivatives of F_v + P + S C at the slide-to-roll ratio S, which is F_tot for S = 1.
+    pub fn total_at(&self, slide_roll: f64) -> [f64; 3] {
+        std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic_at(slide_roll)[i])
     }
 
     /// Derivatives of C = F_h − P (I5).

@@ -294,14 +294,17 @@ fn check_dimensions(dimensions: &[Dimension], laboratory: bool) -> hdf5::Result<
         let (first, rest) = (dimensions.first().map(|it| it.name.as_str()), dimensions.get(1..).unwrap_or_default());
         let repeated = rest.iter().enumerate().any(|(i, one)| rest[..i].iter().any(|other| other.name == one.name));
         let last = rest.last().map(|it| it.name.as_str());
-        if first != Some("f") || last != Some("speed") || repeated || !rest.iter().all(is_quantity) {
-            return refuse("its dimensions are not f, quantities of the laboratory and the speed".to_owned());
+        let runs_along = ["speed", "entrainment_speed", "flat_speed"];
+        let ends_well = last.is_some_and(|last| runs_along.contains(&last));
+        if first != Some("f") || !ends_well || repeated || !rest.iter().all(is_quantity) {
+            return refuse("its dimensions are not f, quantities of the laboratory and a speed".to_owned());
         }
     }
     for Dimension { name, values, .. } in dimensions {
-        let ascends = values.is_sorted_by(|a, b| a < b) && values[0] >= 0.0;
+        let least = if name == LaboratoryQuantity::SlideRollRatio.name() { -2.0 } else { 0.0 };
+        let ascends = values.is_sorted_by(|a, b| a < b) && values[0] >= least;
         if !ascends {
-            return refuse(format!("its axis {name} does not ascend from 0 or above"));
+            return refuse(format!("its axis {name} does not ascend from {least} or above"));
         }
     }
     let places = dimensions.iter().try_fold(1_usize, |places, it| places.checked_mul(it.values.len()));

@@ -15,6 +15,7 @@ use super::sensitivity_columns::{self, SensitivityColumn};
 use super::tables::{Summary, Timings};
 use super::{Catalog, Contents, PROGRAM, Status, Store, StoreError, clock};
 use crate::{Column, Field, Values};
+use stribeck_solver::{Lubricant, shear_traction};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
 const PLACES_AT_ONCE: usize = 4096;
@@ -195,12 +196,19 @@ impl<'a> Files<'a> {
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let mut values = asked(reader.values(case), output.limits);
+        let slide_roll = point.experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
+        let mut values = asked(reader.values(case), output.limits).at_slide_roll(slide_roll);
         let sensitivities = match output.sensitivities {
             true => {
                 sensitivity_columns::values(reader.sensitivities(case).as_ref(), &values, point.experiment.as_ref())
             }
             false => Vec::new(),
+        };
+        let lubricant = Lubricant {
+            beta: point.numbers[2],
+            c: values[Column::C],
+            outlet: values[Column::XOutlet],
+            cavity_shear: output.cavity_shear,
         };
         if let Some(scales) = &scales {
             for column in Column::ALL {
@@ -211,7 +219,14 @@ impl<'a> Files<'a> {
         self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
         for field in Field::selected(output.fields) {
-            if let Some(mut values) = reader.field(field, case)? {
+            let values = match field {
+                Field::ShearTraction if slide_roll != 1.0 => {
+                    let film = reader.field(Field::FilmThickness, case)?;
+                    film.map(|film| rolling_shear(&lubricant, &output.x, &film, slide_roll))
+                }
+                _ => reader.field(field, case)?,
+            };
+            if let Some(mut values) = values {
                 if let Some(scales) = &scales {
                     let factor = scales.factor(field.units());
                     values.iter_mut().for_each(|value| *value *= factor);
@@ -228,6 +243,11 @@ impl<'a> Files<'a> {
         self.summary.finish()?;
         self.timings.finish()
     }
+}
+
+/// The shear on a roller that turns, from the film: what is stored is that on one that slides.
+fn rolling_shear(lubricant: &Lubricant, x: &[f64], film: &[f64], slide_roll: f64) -> Vec<f64> {
+    x.iter().zip(film).map(|(&x, &u)| shear_traction(lubricant, x, u, slide_roll)).collect()
 }
 
 /// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.

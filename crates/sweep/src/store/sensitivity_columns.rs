@@ -37,7 +37,7 @@ impl Input {
 
     /// By which powers α, β and the scale of friction change with it.
     fn powers(self, experiment: Option<&Experiment>) -> Powers {
-        let alone = |alpha, beta| Powers { alpha, beta, friction: 0.0 };
+        let alone = |alpha, beta| Powers { alpha, beta, friction: 0.0, slide_roll: 0.0 };
         match (self, experiment) {
             (Self::Alpha, _) => alone(1.0, 0.0),
             (Self::Beta, _) => alone(0.0, 1.0),
@@ -66,7 +66,8 @@ pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<SensitivityColumn>
     FRICTION.iter().flat_map(|mu| inputs.iter().map(|input| column(mu, input)).collect::<Vec<_>>()).collect()
 }
 
-/// Their values for a case with these numbers over a₀/R at S = 1; NaN without sensitivities, and where μ = 0.
+/// Their values for a case with these numbers over a₀/R at the slide-to-roll ratio of the experiment, or S = 1; NaN
+/// without sensitivities, and where μ = 0.
 pub(super) fn values(
     sensitivities: Option<&Sensitivities>,
     values: &Values,
@@ -74,14 +75,20 @@ pub(super) fn values(
 ) -> Vec<f64> {
     let inputs = Input::all(experiment);
     let Some(sensitivities) = sensitivities else { return vec![f64::NAN; FRICTION.len() * inputs.len()] };
+    let slide_roll = experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
     let relative = |column: Column, input: &Input| {
         let mu = values[column];
         if mu == 0.0 {
             return f64::NAN;
         }
         let powers = input.powers(experiment);
-        let [with_alpha, with_beta, with_f] = derivatives(sensitivities, column).map(|derivative| derivative / mu);
-        let own = if *input == Input::Strength { with_f } else { 0.0 };
+        let derivatives = derivatives(sensitivities, column, slide_roll);
+        let [with_alpha, with_beta, with_f] = derivatives.map(|derivative| derivative / mu);
+        let by_strength = if *input == Input::Strength { with_f } else { 0.0 };
+        // S stands before C alone
+        let sheared = [Column::MuH, Column::MuTot, Column::MuDrag].contains(&column);
+        let by_ratio = if sheared { values[Column::MuShear] / mu * powers.slide_roll } else { 0.0 };
+        let own = by_strength + by_ratio;
         with_alpha * powers.alpha + with_beta * powers.beta + own + powers.friction
     };
     let of = |column: Column| inputs.iter().map(move |input| relative(column, input)).collect::<Vec<_>>();
@@ -89,21 +96,21 @@ pub(super) fn values(
 }
 
 /// dμ/d ln θ of one of [`FRICTION`] for θ = α, β, f.
-fn derivatives(sensitivities: &Sensitivities, column: Column) -> [f64; 3] {
+fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 3] {
     match column {
         Column::MuV => sensitivities.viscoelastic,
-        Column::MuH => sensitivities.hydrodynamic,
-        Column::MuTot => sensitivities.total(),
+        Column::MuH => sensitivities.hydrodynamic_at(slide_roll),
+        Column::MuTot => sensitivities.total_at(slide_roll),
         Column::MuPressure => sensitivities.pressure,
         Column::MuShear => sensitivities.shear(),
-        _ => sensitivities.drag_at(1.0),
+        _ => sensitivities.drag_at(slide_roll),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stribeck_lab::Modulus;
+    use stribeck_lab::{Modulus, Motion};
 
     /// μ_v, μ_h and P, and what is made of them.
     fn friction(mu_v: f64, mu_h: f64, pressure: f64) -> Values {
@@ -126,7 +133,7 @@ mod tests {
             poisson_ratio: 0.3,
             viscosity: 1.0,
             retardation_time: 0.1,
-            speed: 0.01,
+            motion: Motion::Sliding { speed: 0.01 },
             f: 3.0,
         };
         let sensitivities = Sensitivities {

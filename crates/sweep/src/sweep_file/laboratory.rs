@@ -17,16 +17,23 @@ pub(super) fn read(
 ) -> Result<LaboratoryAxes, Fault> {
     let section = section(entry)?;
     let f = read_strengths(&section, axis_of_f, material)?;
+    let speeds = form_of_motion(&section)?;
     let mut given = Vec::new();
     for quantity in LaboratoryQuantity::ALL {
+        let is_speed = LaboratoryQuantity::SPEEDS.contains(&quantity);
+        if is_speed && !speeds.contains(&quantity) {
+            continue;
+        }
         let read = read_quantity(&section, quantity, material, &f)?;
         let Some(varying) = read else { continue };
-        let speed = quantity == LaboratoryQuantity::Speed;
+        // Results run along the last speed, be it one number.
+        let last = speeds.last() == Some(&quantity);
         given.push(match varying {
-            Varying::Fixed(value) => Given { quantity, values: vec![value], is_axis: speed },
+            Varying::Fixed(value) => Given { quantity, values: vec![value], is_axis: last },
             Varying::Axis(values) => Given { quantity, values, is_axis: true },
         });
     }
+    check_that_something_moves(&section, &given)?;
     let axes = LaboratoryAxes { f, given };
     let lengths = axes.dimensions().into_iter().map(|dimension| dimension.values.len() as u128);
     let places = lengths.fold(1, u128::saturating_mul);
@@ -36,6 +43,36 @@ pub(super) fn read(
         return Err(section.fault(what, format!("{:.1e} cases", places as f64), help));
     }
     Ok(axes)
+}
+
+/// The speeds of the form of motion that the section gives.
+fn form_of_motion(section: &Section<'_>) -> Result<&'static [LaboratoryQuantity], Fault> {
+    use LaboratoryQuantity as Q;
+    const FORMS: [&[Q]; 3] = [&[Q::Speed], &[Q::SlideRollRatio, Q::EntrainmentSpeed], &[Q::RollerSpeed, Q::FlatSpeed]];
+    let is_there = |quantity: &&Q| section.get(quantity.name()).is_some();
+    let mut forms = FORMS.into_iter().filter(|form| form.iter().any(|quantity| is_there(&quantity)));
+    let form = forms.next().unwrap_or(FORMS[0]);
+    if let Some(other) = forms.next() {
+        let [one, other] = [form, other].map(|form| form.iter().find(is_there).expect("one of them is there").name());
+        let entry = section.get(other).expect("it is there");
+        let help = "give `speed` (the roller slides without turning), or `entrainment_speed` and `slide_roll_ratio`, or \
+                    `roller_speed` and `flat_speed`";
+        let what = format!("`{one}` and `{other}` are two ways to say how fast the surfaces move");
+        return Err(entry.fault(what, format!("beside `{one}`"), help));
+    }
+    Ok(form)
+}
+
+/// Refuses places at which neither surface moves.
+fn check_that_something_moves(section: &Section<'_>, given: &[Given]) -> Result<(), Fault> {
+    use LaboratoryQuantity as Q;
+    let rests = |quantity: Q| given.iter().any(|given| given.quantity == quantity && given.values[0] == 0.0);
+    if !(rests(Q::RollerSpeed) && rests(Q::FlatSpeed)) {
+        return Ok(());
+    }
+    let entry = section.get(Q::FlatSpeed.name()).expect("it was read");
+    let what = "`roller_speed` and `flat_speed` are both 0 somewhere: nothing drives a film there";
+    Err(entry.fault(what, "0 beside a roller at rest", "begin one of the two above 0"))
 }
 
 /// f, from `[laboratory]`, from `[axes]`, or that of the material.
@@ -100,6 +137,12 @@ fn read_quantity(
                 Q::Viscosity => "viscosity = \"5.1 Pa s\"",
                 Q::RetardationTime => "retardation_time = \"20 ms\"",
                 Q::Speed => "speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }",
+                Q::EntrainmentSpeed => {
+                    "entrainment_speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }"
+                }
+                Q::SlideRollRatio => "slide_roll_ratio = 0.5, (flat - roller) / entrainment speed",
+                Q::RollerSpeed => "roller_speed = \"1 mm/s\"",
+                Q::FlatSpeed => "flat_speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }",
             };
             let help = format!("add {example}");
             section.require(quantity.name(), &help).map(|_| None)
