@@ -396,7 +396,7 @@ fn errors_and_effort_of_every_case_are_published() {
     let mut lines = summary.lines();
     let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
     let errors: Vec<usize> = (0..header.len()).filter(|&i| header[i].starts_with("error_")).collect();
-    assert_eq!(errors.len(), 3);
+    assert_eq!(errors.len(), 4);
     for line in lines {
         for &place in &errors {
             let error: f64 = line.split(',').nth(place).and_then(|text| text.parse().ok()).expect("an estimate");
@@ -498,7 +498,8 @@ fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &
     let keys: Vec<&str> = object.as_object().expect("an object").keys().map(String::as_str).collect();
     let mut header: Vec<&str> =
         "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
-         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,seed,path,iterations,factorisations,unknowns,seconds"
+         error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,mu_pressure,mu_shear,mu_v_flat,mu_v_roller,\
+         mu_torque,energy_residual,error_mu_drag,seed,path,iterations,factorisations,unknowns,seconds"
             .split(',')
             .collect();
     header.sort_unstable();

@@ -27,7 +27,7 @@ fn write_points(directory: &Path) {
         let experiment =
             Experiment { motion: Motion::Sliding { speed: 1e-3 * 300.0_f64.powf(f64::from(i) / 9.0) }, ..TRUTH };
         let solution = solve(&experiment.parameters(&Substrate::default()), &Settings::default()).unwrap();
-        let mu = solution.quantities.friction.total() * experiment.scales().friction;
+        let mu = solution.quantities.friction.drag * experiment.scales().friction;
         format!("{:e},119,{mu:e},{:e}\n", 1e3 * experiment.motion.flat_speed(), 0.01 * mu)
     });
     let text = format!("# made for a test\nspeed (mm/s),load,mu,error\n{}", rows.collect::<String>());

@@ -263,14 +263,14 @@ fn a_curve_is_drawn_and_written() {
     let said = curve(&["--at", "load=110", "--csv", "curve.csv", "--measured", "points.csv"]);
     assert_eq!(code(&said), 0, "{}", err(&said));
     let text = out(&said);
-    assert!(text.contains("mu_tot against speed in m/s, logarithmic; crosses: measured"), "{text}");
+    assert!(text.contains("mu_drag against speed in m/s, logarithmic; crosses: measured"), "{text}");
     let drawn = text.chars().filter(|c| ('\u{2801}'..='\u{28ff}').contains(c)).count();
     assert!(drawn > 100, "{text}");
     let rows = table(&directory.path().join("curve.csv"));
     let published = table(&directory.path().join("results/small/summary.csv"));
     for (one, other) in rows.iter().zip(published.iter().filter(|row| row["load"] == "119.0")) {
         assert_eq!(number(one, "speed"), number(other, "speed"));
-        for name in ["alpha", "beta", "mu_tot", "film_min", "p_max"] {
+        for name in ["alpha", "beta", "mu_drag", "mu_tot", "film_min", "p_max"] {
             assert!(close(number(one, name), number(other, name), 3e-6), "{name}");
         }
     }
@@ -309,21 +309,21 @@ fn pictures_run_along_the_speed_and_show_what_was_measured() {
     let points = "speed,load,mu,error\n1e-4,60,0.01,0.001\n1e-3,119,0.03,0.002\n1e-3,80,0.5,0.1\n";
     fs::write(directory.path().join("points.csv"), points).unwrap();
     let plot = |arguments: &[&str]| say(directory.path(), &[&["plot", "results/small"][..], arguments].concat());
-    let curves = ["--what", "curves", "--of", "mu_tot", "--along", "speed", "--measured", "points.csv"];
+    let curves = ["--what", "curves", "--of", "mu_drag", "--along", "speed", "--measured", "points.csv"];
     let said = plot(&curves);
     assert_eq!(code(&said), 0, "{}", err(&said));
-    let picture = fs::read_to_string(directory.path().join("results/small/figures/mu_tot-along-speed.svg")).unwrap();
+    let picture = fs::read_to_string(directory.path().join("results/small/figures/mu_drag-along-speed.svg")).unwrap();
     for word in ["speed V", "(m/s)", "N = 60 N/m", "N = 119 N/m", "measured"] {
         assert!(picture.contains(word), "{word}");
     }
     assert!(!picture.contains("a₀/R"), "friction is absolute");
     // The numbers behind it name the quantities; the point of a load without a curve is not drawn, so the axis ends
     // below it.
-    let rows = table(&directory.path().join("results/small/figures/mu_tot-along-speed.csv"));
+    let rows = table(&directory.path().join("results/small/figures/mu_drag-along-speed.csv"));
     assert!(rows.iter().all(|row| ["f", "load", "speed", "alpha", "beta"].iter().all(|name| row.contains_key(*name))));
     let said = plot(&[]);
     assert_eq!(code(&said), 0, "{}", err(&said));
-    for name in ["surface-mu_tot", "map-mu_v", "profile-pressure", "loop", "errors-along-speed"] {
+    for name in ["surface-mu_drag", "map-mu_v", "profile-pressure", "loop", "errors-along-speed"] {
         let is_there = directory.path().join(format!("results/small/figures/{name}.svg")).exists();
         assert_eq!(is_there, name != "errors-along-speed", "{name}");
     }
@@ -364,7 +364,7 @@ fn a_page_holds_the_measured_points() {
     let (_, rest) = page.split_once("id=\"contents\">").unwrap();
     let contents: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
     assert_eq!(contents["measured"]["coordinates"]["speed"], serde_json::json!([1e-3]));
-    assert_eq!(contents["measured"]["column"], "mu_tot");
+    assert_eq!(contents["measured"]["column"], "mu_drag");
     let words: Vec<&str> =
         contents["axis_words"].as_array().unwrap().iter().map(|axis| axis["name"].as_str().unwrap()).collect();
     assert_eq!(words, ["f", "load", "speed"]);
@@ -397,6 +397,8 @@ fn laboratory() -> impl Strategy<Value = (String, [usize; 3])> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+
     /// Chains hold every problem once, in ascending β, at one value of all but the speed; ids are those of its place.
     #[test]
     fn chains_run_along_the_speed_and_hold_every_problem_once((text, shape) in laboratory()) {

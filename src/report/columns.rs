@@ -27,7 +27,11 @@ pub(super) struct CostPart {
     seed: String,
 }
 
-/// Reads the columns of `summary.csv` in their order, for a laboratory with α and β behind them.
+/// Columns of `summary.csv` that a page has no room for: each follows from others here, or is for those who check.
+const LEFT_OUT: [Column; 4] = [Column::MuVFlat, Column::MuVRoller, Column::MuTorque, Column::EnergyResidual];
+
+/// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), for a laboratory with α and β behind
+/// them.
 pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart>, StoreError> {
     let part = |name, long_name, units: &'static str| {
         let values = data.variable(name)?;
@@ -35,6 +39,7 @@ pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart
         Ok(ColumnPart { name, long_name, units, values: floats(places.iter().map(|place| values[*place])) })
     };
     let mut columns = Column::summary()
+        .filter(|column| !LEFT_OUT.contains(column))
         .map(|column| part(column.name(), column.long_name(), column.units()))
         .collect::<Result<Vec<_>, StoreError>>()?;
     if data.laboratory {

@@ -10,7 +10,7 @@ use super::thinning::{deviation, shape_points};
 use stribeck_sweep::store::{DataSet, Status, StoreError};
 
 /// Bytes that all fields together may take in the page.
-const BUDGET: usize = 5_000_000;
+const BUDGET: usize = 6_000_000;
 /// Fewer points than this show no shape.
 const FEWEST_POINTS: usize = 48;
 

@@ -31,7 +31,7 @@ def numbers(name):
 assert set(data.dims) == {"f", "alpha", "beta", "x"}, data.dims
 assert set(data.coords) == {"f", "alpha", "beta", "x"}, data.coords
 shape = tuple(data.sizes[name] for name in ("f", "alpha", "beta"))
-fields = ["pressure", "film_thickness", "displacement"]
+fields = ["pressure", "film_thickness", "displacement", "shear_traction", "hysteresis_traction"]
 for name, variable in data.data_vars.items():
     expected = ("f", "alpha", "beta") + (("x",) if name in fields else ())
     assert variable.dims == expected, (name, variable.dims)

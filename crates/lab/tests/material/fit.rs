@@ -134,7 +134,10 @@ fn what_no_material_fits_is_told() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::with_cases(100)
+    })]
 
     /// Noise, few rows, many terms: a fit ends, with a material or a reason.
     #[test]

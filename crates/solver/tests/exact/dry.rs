@@ -167,7 +167,10 @@ fn friction_vanishes_in_both_elastic_limits() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::with_cases(64)
+    })]
     #[test]
     fn laws_hold_everywhere(log_alpha in -6.0..6.0_f64, log_f in -6.0..6.0_f64) {
         let (alpha, f) = (10_f64.powf(log_alpha), 10_f64.powf(log_f));

@@ -191,7 +191,7 @@ pub fn bad_files() -> Vec<Row> {
         (
             with_axes("[output]\nfields = [\"presure\"]\n"),
             "6:11",
-            "\"film_thickness\" or \"displacement\"",
+            "\"shear_traction\" or \"hysteresis_traction\"",
             "\"pressure\"?",
         ),
         (with_axes("[output]\nfields = [\"pressure\", \"pressure\"]\n"), "6:23", "only once", "remove one"),
