@@ -11,7 +11,8 @@ use crate::program::{code, err, out, say, with_results};
 use proptest::prelude::*;
 use serde_json::Value;
 use stribeck_solver::Parameters;
-use stribeck_sweep::{GridIndex, MAX_CHAIN, Plan, Sweep};
+use stribeck_sweep::store::{DataSet, Status};
+use stribeck_sweep::{Column, Field, GridIndex, MAX_CHAIN, Plan, Sweep};
 
 /// The paper's example (β ≈ 1.9·10³), at three speeds, with two loads.
 const EXAMPLE: &str = "\
@@ -65,6 +66,55 @@ fn the_example_of_the_paper_has_its_beta_and_its_scales() {
         assert!(close(number(row, "film_scale"), a0 * a0 / radius, 1e-14));
         assert!(close(number(row, "pressure_scale"), 2.0 * load / (PI * a0), 1e-14));
     }
+}
+
+/// Rolling and sliding: friction follows from one solution for each film, and a roller that does not turn is one that
+/// slides at twice the entrainment speed.
+#[test]
+fn rolling_and_sliding_are_published_at_their_ratio() {
+    let rolling = "entrainment_speed = [5e-5, 5e-4]\nslide_roll_ratio = [-1.0, 0.0, 1.0, 2.0]";
+    let text =
+        EXAMPLE.replace("[\"60 N/m\", \"119 N/m\"]", "119.0").replace("[1e-4, 1e-3, \"20 mm/s\"]", "[1e-4, 1e-3]");
+    let fields = "fields = [\"film_thickness\", \"shear_traction\", \"hysteresis_traction\"]";
+    let text = text.replace("fields = [\"pressure\", \"film_thickness\"]", fields);
+    let text = text.replace("from = -2.0, to = 2.0, points = 81", "from = -20.0, to = 20.0, points = 4001");
+    let rolls = with_results(&text.replace("speed = [1e-4, 1e-3]", rolling));
+    let slides = with_results(&text);
+    let rows = |directory: &tempfile::TempDir| table(&directory.path().join("results/small/summary.csv"));
+    let (rows, sliding) = (rows(&rolls), rows(&slides));
+    assert_eq!(rows.len(), 8);
+    for (row, other) in rows[6..].iter().zip(&sliding) {
+        assert_eq!(row["case"], other["case"]);
+        for column in Column::summary() {
+            assert_eq!(row[column.name()], other[column.name()], "{}", column.name());
+        }
+    }
+    let data = DataSet::open(&rolls.path().join("results/small")).unwrap();
+    let statuses = data.statuses().unwrap();
+    for (place, row) in rows.iter().enumerate() {
+        assert_eq!(statuses[place], Status::Converged);
+        let [p, c, v, s] = ["mu_pressure", "mu_shear", "mu_v", "slide_roll_ratio"].map(|name| number(row, name));
+        let s = 0.5 * s;
+        // α is that of the flat, β that of both surfaces
+        let flat = number(row, "entrainment_speed") * (1.0 + s);
+        assert!(close(number(row, "alpha"), number(row, "a0") / (flat * 0.02), 1e-14));
+        let drag = v - p + s * c;
+        assert!(close(number(row, "mu_drag"), drag, 2e-5), "{row:?}");
+        assert!(close(number(row, "mu_h"), p + s * c, 1e-9) && close(number(row, "mu_torque"), p + s * c, 1e-9));
+        assert!(number(row, "energy_residual") < 2e-5, "{row:?}");
+        // tractions in Pa add up to friction, over N and the grid of a0/100
+        let index = data.shape().index(place);
+        let dx = 0.01 * number(row, "a0") / number(row, "load");
+        for (field, mu) in [(Field::ShearTraction, p + s * c), (Field::HysteresisTraction, v)] {
+            let sum = dx * data.field(field, index).unwrap().iter().sum::<f64>();
+            assert!((sum - mu).abs() < 0.03 * drag.abs(), "{}: {sum} {mu} {row:?}", field.name());
+        }
+    }
+    let alone = "fields = [\"shear_traction\"]";
+    let text = text.replace("speed = [1e-4, 1e-3]", rolling).replace(fields, alone);
+    fs::write(rolls.path().join("alone.toml"), text).unwrap();
+    let said = say(rolls.path(), &["plan", "alone.toml"]);
+    assert!(code(&said) == 2 && err(&said).contains("needs `film_thickness` too"), "{}", err(&said));
 }
 
 /// A case is the same case as without units, and its numbers are those times the scales.

@@ -265,8 +265,10 @@ fn what_cannot_be_fitted_is_refused() {
     let mut negative = measured.clone();
     negative.friction[3] = -0.1;
     assert!(refused(&negative, &["viscosity"]).contains("the friction coefficient on line 5 is not above 0"));
-    let drag = Measured { column: "mu_drag", ..measured.clone() };
-    assert!(refused(&drag, &["viscosity"]).contains("mu_drag cannot be fitted"));
+    let motion = Motion::Rolling { entrainment_speed: 1e-3, slide_roll_ratio: 0.5 };
+    let rolling = Experiment { motion, ..TRUTH };
+    let error = fitted(&measured, rolling, &substrate, &["viscosity"]).unwrap_err().to_string();
+    assert!(error.contains("the sweep file gives slide_roll_ratio and entrainment_speed"), "{error}");
     let elastic = Experiment { f: 0.0, ..TRUTH };
     let error = fitted(&measured, elastic, &substrate, &["f"]).unwrap_err().to_string();
     assert!(error.contains("f begins at 0"), "{error}");
@@ -274,7 +276,10 @@ fn what_cannot_be_fitted_is_refused() {
     extreme.coordinates[0].1[0] = 1e-60;
     let error = refused(&extreme, &["viscosity"]);
     assert!(error.contains("the point on line 2 has no solution at the start of the fit"), "{error}");
-    assert!(Unknown::named("poisson_ratio").is_none() && Unknown::all().count() == LaboratoryQuantity::ALL.len());
+    for name in ["poisson_ratio", "slide_roll_ratio", "roller_speed", "flat_speed"] {
+        assert!(Unknown::named(name).is_none(), "{name}");
+    }
+    assert_eq!(Unknown::all().count(), LaboratoryQuantity::ALL.len() - 4 + 1);
 }
 
 /// Friction that no f can make: the search runs after it, and says that there is no minimum.

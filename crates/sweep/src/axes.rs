@@ -53,6 +53,11 @@ impl LaboratoryAxes {
         self.given.last().expect("the speed is given")
     }
 
+    /// True if the roller may turn: its speed is given beside that of the flat.
+    pub fn rolls(&self) -> bool {
+        self.speed().quantity != LaboratoryQuantity::Speed
+    }
+
     /// The lengths of the grid.
     pub fn shape(&self) -> GridShape {
         let rows = self.between().map(|given| given.values.len()).product();

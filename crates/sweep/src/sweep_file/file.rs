@@ -9,6 +9,7 @@ use super::{laboratory, output, solver};
 use crate::{Axes, Grid};
 use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
 use stribeck_input::{is_printable, printable};
+use stribeck_solver::Output;
 
 /// What the file is called in messages.
 const KIND: stribeck_input::Kind = "sweep file";
@@ -47,6 +48,7 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
     let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
     // what can be asked for depends on the method
     let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
+    check_fields(&root, &grid, &output)?;
     Ok(Sweep {
         title: title.unwrap_or_else(|| printable(name).into_owned()),
         grid,
@@ -56,6 +58,18 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
         text: text.to_owned(),
         name: name.to_owned(),
     })
+}
+
+/// Refuses the shear on a roller that turns without the film that it follows from.
+fn check_fields(root: &Section<'_>, grid: &Grid, output: &Output) -> Result<(), Fault> {
+    let rolls = matches!(grid, Grid::Laboratory(axes) if axes.rolls());
+    if !(rolls && output.fields.shear_traction) || output.fields.film_thickness {
+        return Ok(());
+    }
+    let entry = root.require("output", "add \"film_thickness\" to output.fields")?;
+    let what =
+        "`shear_traction` of a roller that turns follows from the film: `output.fields` needs `film_thickness` too";
+    Err(entry.fault(what, "no film_thickness in its fields", "add \"film_thickness\" to output.fields"))
 }
 
 /// Reads a title.

@@ -38,6 +38,11 @@ pub fn with_laboratory(key: &str, value: &str) -> String {
     format!("[laboratory]\n{}", lines.concat())
 }
 
+/// The same with other speeds.
+fn with_speeds(speeds: &str) -> String {
+    with_laboratory("speed", "V").replace("speed = V", speeds)
+}
+
 /// (text, place `line:column`, words of the message, words of the remedy)
 pub type Row = (String, &'static str, &'static str, &'static str);
 
@@ -216,6 +221,11 @@ pub fn bad_files() -> Vec<Row> {
         (with_laboratory("radius", "\"-2 mm\""), "2:10", "must be finite and above 0", "with its unit in quotes"),
         (with_laboratory("radius", "0.0"), "2:10", "must be finite and above 0", "SI units"),
         (with_laboratory("poisson_ratio", "0.6"), "5:17", "must be from 0 to 0.5", "0.5 is usual"),
+        (with_speeds("speed = 1.0\nflat_speed = 1.0"), "9:14", "two ways to say", "give `speed`"),
+        (with_speeds("roller_speed = -1.0\nflat_speed = 1.0"), "8:16", "at least 0", "enters from both sides"),
+        (with_speeds("roller_speed = 0.0\nflat_speed = 0.0"), "9:14", "nothing drives a film", "begin one of the two"),
+        (with_speeds("entrainment_speed = 1.0\nslide_roll_ratio = 50.0"), "9:20", "from -2 to 2", "a hundredth"),
+        (with_speeds("entrainment_speed = 1.0"), "1:1", "needs `slide_roll_ratio`", "slide_roll_ratio = 0.5"),
         (with_laboratory("speed", "[2.0, 1.0]"), "8:15", "must ascend", "sort the list"),
         (with_laboratory("speed", "[]"), "8:9", "at least one value", "[100.0]"),
         (
