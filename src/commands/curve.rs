@@ -15,7 +15,7 @@ use stribeck_lab::{Experiment, Measured, Scales};
 use stribeck_solver::{FieldSelection, Output, shortest};
 use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
-use stribeck_sweep::{Column, Grid, LaboratoryAxes, Plan, Sweep};
+use stribeck_sweep::{Column, Extent, Grid, LaboratoryAxes, Plan, Sweep};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -56,6 +56,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         write_whole(file.clone(), &table(&cases).csv())?;
     }
     let mut text = format!("{}\n{}\n", sweep.title, describe(&cases[0].experiment));
+    if let Grid::Laboratory(axes) = &sweep.grid {
+        let extent = Extent::of(axes);
+        text += &format!("{extent}\n");
+        text += &extent.note().map_or_else(String::new, |note| format!("note: {note}\n"));
+    }
     text += &drawing(&cases, measured.as_ref());
     text += &rows(&cases);
     let failed: Vec<&Solved> = cases.iter().filter(|case| case.entry.outcome == Status::Failed).collect();

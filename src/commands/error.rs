@@ -43,6 +43,11 @@ pub enum CliError {
         /// How many values it has.
         values: usize,
     },
+    /// A flat that does not move, with a time to retard.
+    #[error(
+        "with --slide-roll -1 the flat is at rest in the contact and has all the time there is to creep: write --alpha inf"
+    )]
+    FlatAtRest,
     /// More than one value of an axis of a curve.
     #[error("--at {axis}=… asks for several values, and a curve has one of each axis; give one")]
     SeveralAsked {
@@ -226,6 +231,7 @@ impl CliError {
             CliError::Input(_)
             | CliError::Measured(_)
             | CliError::NotLaboratory { .. }
+            | CliError::FlatAtRest
             | CliError::SeveralCurves { .. }
             | CliError::NoSuchAxis { .. }
             | CliError::SeveralAsked { .. }

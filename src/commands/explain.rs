@@ -67,8 +67,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Some(place) => describe_place(place),
         None => "  it has no place in the present sweep.toml, so its f, alpha and beta are not known here\n".to_owned(),
     };
+    let experiment = report.place.as_ref().and_then(|place| place.experiment);
+    let slide_roll = experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
     text += &match &report.storage {
-        CaseStorage::Stored { entry, origin, .. } => describe_stored(entry, origin),
+        CaseStorage::Stored { entry, origin, .. } => describe_stored(entry, origin, slide_roll),
         CaseStorage::Missing { worker, stale } => describe_missing(worker.as_deref(), stale.as_ref()),
     };
     console::print(&text)?;
@@ -119,8 +121,8 @@ fn describe_place(place: &CasePlace) -> String {
     )
 }
 
-/// What is stored of a case, and how it came there.
-fn describe_stored(entry: &CaseEntry, origin: &Origin) -> String {
+/// What is stored of a case, with its numbers at the slide-to-roll ratio S, and how it came there.
+fn describe_stored(entry: &CaseEntry, origin: &Origin, slide_roll: f64) -> String {
     let mut text = "\n".to_owned();
     let mut line = |name: &str, words: &str| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
     if entry.outcome == Status::Failed {
@@ -146,7 +148,8 @@ fn describe_stored(entry: &CaseEntry, origin: &Origin) -> String {
     if let Some(limit) = timing.time_limit {
         line("time limit", &format!("given up at {} s", shortest(limit)));
     }
-    text + "\n" + &numbers(entry)
+    let values = entry.values.at_slide_roll(slide_roll);
+    text + "\n" + &numbers(&CaseEntry { values, ..entry.clone() }, slide_roll)
 }
 
 /// What becomes of a case that is not stored, and why one of the same problem is of no use.

@@ -12,7 +12,7 @@ use crate::format::{bytes, count, duration};
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{CaseSeconds, Cost, DirectoryState, PlanOptions, PlanReport, plan, read_sweep};
 use stribeck_sweep::store::Inspection;
-use stribeck_sweep::{Grid, Sweep};
+use stribeck_sweep::{Extent, Grid, Sweep};
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
@@ -76,6 +76,13 @@ fn describe_sweep(sweep: &Sweep, file: &Path, directory: &Path, report: &PlanRep
     line("sweep", format!("{} ({})", sweep.title, shown(file)));
     line("directory", format!("{} ({state})", shown(directory)));
     line("cases", format!("{} = {}", report.plan.cases(), axes.join(" x ")));
+    if let Grid::Laboratory(axes) = &sweep.grid {
+        let extent = Extent::of(axes);
+        line("range", extent.to_string());
+        if let Some(note) = extent.note() {
+            line("note", note);
+        }
+    }
     let chains = count(report.plan.chain_count() as u64, "chain");
     line("problems", format!("{} distinct, in {chains}; {once}", report.plan.problems()));
     text

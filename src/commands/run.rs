@@ -10,9 +10,9 @@ use super::destination::destination;
 use super::run_report::{about_other_sweep, about_part, about_whole, how_to_resume};
 use super::{CliError, Exit, console, threads};
 use crate::format::count;
-use stribeck_sweep::Part;
 use stribeck_sweep::campaign::{CampaignError, Event, RunOptions, RunOutcome, read_sweep, run};
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
+use stribeck_sweep::{Extent, Grid, Part};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -50,6 +50,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let options = RunOptions { threads, part, ..RunOptions::default() };
     let signals = Signals::watch(&options.interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
+    if let Grid::Laboratory(axes) = &sweep.grid
+        && let Some(note) = Extent::of(axes).note()
+    {
+        console::tell(&format!("note: {note}"));
+    }
     let mut display = Display { style: ProgressStyle::detect(arguments.quiet), progress: None };
     let report = run(&sweep, &directory, &options, &mut |event| display.tell(&event));
     drop(display);

@@ -4,8 +4,8 @@ use crate::format::{Align, table_line};
 use stribeck_solver::Sensitivities;
 use stribeck_sweep::{Column, Values};
 
-/// A table of dμ/d ln θ and d ln μ/d ln θ for θ = α, β and f; a dash where μ = 0.
-pub fn table(sensitivities: &Sensitivities, values: &Values) -> String {
+/// A table of dμ/d ln θ and d ln μ/d ln θ for θ = α, β and f at the slide-to-roll ratio S; a dash where μ = 0.
+pub fn table(sensitivities: &Sensitivities, values: &Values, slide_roll: f64) -> String {
     let mut text = String::new();
     let columns = [Align::Left(15), Align::Right(13), Align::Right(13), Align::Right(13), Align::Left(0)];
     let mut row = |symbol: &str, [alpha, beta, f]: [String; 3], unit: &str| {
@@ -14,9 +14,9 @@ pub fn table(sensitivities: &Sensitivities, values: &Values) -> String {
     row("derivative of", ["ln(alpha)", "ln(beta)", "ln(f)"].map(|over| format!("by {over}")), "unit");
     let derivatives = [
         (Column::MuV, sensitivities.viscoelastic),
-        (Column::MuH, sensitivities.hydrodynamic),
-        (Column::MuTot, sensitivities.total_at(1.0)),
-        (Column::MuDrag, sensitivities.drag_at(1.0)),
+        (Column::MuH, sensitivities.hydrodynamic_at(slide_roll)),
+        (Column::MuTot, sensitivities.total_at(slide_roll)),
+        (Column::MuDrag, sensitivities.drag_at(slide_roll)),
         (Column::MuPressure, sensitivities.pressure),
         (Column::MuShear, sensitivities.shear()),
     ];

@@ -14,6 +14,8 @@ use stribeck_sweep::{Column, Method, SolverSettings};
 pub struct SolvedProblem<'a> {
     /// The case as it was asked for; an elastic one keeps the f and α given.
     pub asked: &'a Parameters,
+    /// The slide-to-roll ratio S that the numbers belong to.
+    pub slide_roll: f64,
     /// How it was to be solved.
     pub settings: &'a SolverSettings,
     /// What came of it.
@@ -24,15 +26,16 @@ pub struct SolvedProblem<'a> {
     pub unknowns: usize,
 }
 
-/// One row for each quantity of a case, with its error and its limit for large β; of a failed case the limits.
-pub fn numbers(entry: &CaseEntry) -> String {
+/// One row for each quantity of a case, whose values are those at the slide-to-roll ratio S, with its error and its limit
+/// for large β; of a failed case the limits.
+pub fn numbers(entry: &CaseEntry, slide_roll: f64) -> String {
     match entry.outcome {
-        Status::Converged => quantities(entry),
+        Status::Converged => quantities(entry, slide_roll),
         Status::Failed => limits(entry),
     }
 }
 
-fn quantities(entry: &CaseEntry) -> String {
+fn quantities(entry: &CaseEntry, slide_roll: f64) -> String {
     let mut text = String::new();
     let widths =
         [Align::Left(13), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10), Align::Left(0)];
@@ -47,7 +50,7 @@ fn quantities(entry: &CaseEntry) -> String {
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
-        text += &format!("\n{}", sensitivities::table(known, &entry.values));
+        text += &format!("\n{}", sensitivities::table(known, &entry.values, slide_roll));
     }
     text
 }
@@ -76,7 +79,7 @@ impl SolvedProblem<'_> {
         text += &self.cost();
         text += &self.path();
         text += "\n";
-        text + &numbers(entry)
+        text + &numbers(entry, self.slide_roll)
     }
 
     /// One line: id, seed, effort and time.
@@ -136,7 +139,8 @@ impl SolvedProblem<'_> {
         ];
         pairs.extend(Column::summary().map(|column| (column.name(), Value::from(entry.values[column]))));
         if let Some(known) = &entry.sensitivities {
-            pairs.extend(Sensitivities::NAMES.into_iter().zip(known.row().map(Value::from)));
+            let row = Sensitivities { hydrodynamic: known.hydrodynamic_at(self.slide_roll), ..*known }.row();
+            pairs.extend(Sensitivities::NAMES.into_iter().zip(row.map(Value::from)));
         }
         pairs.push(("seed", Value::from(self.seed())));
         let point = |point: &PathPoint| {

@@ -22,6 +22,7 @@ Examples:
   stribeck solve --alpha inf --beta 100 --f 10          relaxed: the elastic case, whatever f is
   stribeck solve --alpha 1 --beta 1000 --f 100 --tolerance 1e-8 --json | jq .mu_tot
   stribeck solve --alpha 1 --beta 100 --f 10 --modes 0.7:1,0.3:100
+  stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0        pure rolling
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
 
 Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
@@ -62,6 +63,10 @@ pub struct Arguments {
     /// Retardation modes as SHARE:TIME, shares of f and times over the one in alpha, as in 0.7:1,0.3:100 [default: 1:1]
     #[arg(long, value_name = "MODES", value_parser = modes)]
     modes: Option<Substrate>,
+    /// Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that slides without turning, 0
+    /// pure rolling; alpha is that of the flat as it moves
+    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = slide_roll, allow_negative_numbers = true)]
+    slide_roll: f64,
     /// What fills the gap behind the film: full, streamers or none
     #[arg(long, default_value_t, value_parser = cavity_shear)]
     cavity_shear: CavityShear,
@@ -89,6 +94,11 @@ fn alpha(text: &str) -> Result<f64, String> {
 fn beta(text: &str) -> Result<f64, String> {
     let allowed = "a finite number above 0; dry sliding is the limit of large beta";
     number(text, allowed, |beta| beta > 0.0 && beta.is_finite())
+}
+
+fn slide_roll(text: &str) -> Result<f64, String> {
+    let allowed = "a number from -1 to 1; beyond, the surfaces would move against each other, which is not computed";
+    number(text, allowed, |slide_roll| (-1.0..=1.0).contains(&slide_roll))
 }
 
 fn strength(text: &str) -> Result<f64, String> {
@@ -227,6 +237,9 @@ impl Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = arguments.sweep()?;
+    if arguments.slide_roll == -1.0 && arguments.f > 0.0 && arguments.alpha != f64::INFINITY {
+        return Err(CliError::FlatAtRest);
+    }
     let settings = &sweep.solver;
     if settings.method == Method::Relaxation && !settings.relaxation.estimate && arguments.estimate.is_none() {
         console::tell(&format!("note: no errors are estimated; that takes {ESTIMATE_POINTS} points or more"));
@@ -237,9 +250,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let solved = solver.solve_chain(std::slice::from_ref(&parameters), &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);
     let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
-    let entry = case_entry(&plan, &parameters, case);
+    let mut entry = case_entry(&plan, &parameters, case);
+    entry.values = entry.values.at_slide_roll(arguments.slide_roll);
     let asked = Parameters { alpha: arguments.alpha, beta: arguments.beta, f: arguments.f, ..parameters };
-    let problem = SolvedProblem { asked: &asked, settings, entry: &entry, path: &path, unknowns };
+    let slide_roll = arguments.slide_roll;
+    let problem = SolvedProblem { asked: &asked, slide_roll, settings, entry: &entry, path: &path, unknowns };
     console::print(&if arguments.json { problem.json() } else { problem.table() })?;
     Ok(match entry.outcome {
         Status::Converged => Exit::Success,
