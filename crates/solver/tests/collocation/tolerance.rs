@@ -8,8 +8,11 @@ use stribeck_solver::Parameters;
 use crate::collocation::cases::{EXACTLY, ROWS, numbers, relative, settings, solutions};
 use crate::collocation::measure::{TOLERANCES, quantile, reference, true_error, worst};
 
-/// True errors and estimates of the reference cases, solved as these chains.
-fn errors(tolerance: f64, chains: &[&[Parameters]]) -> Vec<(f64, f64)> {
+/// True error and estimate of each reference case.
+type Errors = Vec<(f64, f64)>;
+
+/// The errors of the reference cases, solved as these chains.
+fn errors(tolerance: f64, chains: &[&[Parameters]]) -> Errors {
     let solved: Vec<_> =
         chains.par_iter().flat_map_iter(|chain| solutions(settings(tolerance), chain, &numbers())).collect();
     assert_eq!(solved.len(), EXACTLY.len());
@@ -18,7 +21,7 @@ fn errors(tolerance: f64, chains: &[&[Parameters]]) -> Vec<(f64, f64)> {
 }
 
 /// The same of each case alone, for each tolerance.
-static ALONE: LazyLock<Vec<(f64, Vec<(f64, f64)>)>> = LazyLock::new(|| {
+static ALONE: LazyLock<Vec<(f64, Errors)>> = LazyLock::new(|| {
     let alone: Vec<&[Parameters]> = ROWS.chunks(1).collect();
     TOLERANCES.map(|tolerance| (tolerance, errors(tolerance, &alone))).to_vec()
 });
