@@ -1,19 +1,30 @@
 //! The tolerance is kept, and the estimated error is the error.
 
+use std::sync::LazyLock;
+
 use rayon::prelude::*;
 use stribeck_solver::Parameters;
 
 use crate::collocation::cases::{EXACTLY, ROWS, numbers, relative, settings, solutions};
 use crate::collocation::measure::{TOLERANCES, quantile, reference, true_error, worst};
 
-/// True errors and estimates of the reference cases, solved as these chains.
-fn errors(tolerance: f64, chains: &[&[Parameters]]) -> Vec<(f64, f64)> {
+/// True error and estimate of each reference case.
+type Errors = Vec<(f64, f64)>;
+
+/// The errors of the reference cases, solved as these chains.
+fn errors(tolerance: f64, chains: &[&[Parameters]]) -> Errors {
     let solved: Vec<_> =
         chains.par_iter().flat_map_iter(|chain| solutions(settings(tolerance), chain, &numbers())).collect();
     assert_eq!(solved.len(), EXACTLY.len());
     let pairs = solved.iter().zip(&*EXACTLY);
     pairs.map(|(solution, exact)| (true_error(&solution.quantities, exact), worst(&solution.errors))).collect()
 }
+
+/// The same of each case alone, for each tolerance.
+static ALONE: LazyLock<Vec<(f64, Errors)>> = LazyLock::new(|| {
+    let alone: Vec<&[Parameters]> = ROWS.chunks(1).collect();
+    TOLERANCES.map(|tolerance| (tolerance, errors(tolerance, &alone))).to_vec()
+});
 
 /// What is taken as exact here is so: another method, mesh and program agree on it.
 #[test]
@@ -32,12 +43,11 @@ fn exact_is_what_the_reference_has() {
 /// So is every estimate, without exception: it is what stops the solver.
 #[test]
 fn every_tolerance_is_kept() {
-    for tolerance in TOLERANCES {
-        let errors = errors(tolerance, &ROWS.chunks(1).collect::<Vec<_>>());
-        let within = errors.iter().filter(|(error, _)| *error <= tolerance).count();
+    for (tolerance, errors) in &*ALONE {
+        let within = errors.iter().filter(|(error, _)| error <= tolerance).count();
         assert!(within as f64 >= 0.95 * errors.len() as f64, "{tolerance:e}: {within} of {}", errors.len());
-        for ((error, estimate), case) in errors.into_iter().zip(&*ROWS) {
-            assert!(error <= 3.0 * tolerance, "{tolerance:e}, {case:?}: off by {error:.1e}");
+        for ((error, estimate), case) in errors.iter().zip(&*ROWS) {
+            assert!(*error <= 3.0 * tolerance, "{tolerance:e}, {case:?}: off by {error:.1e}");
             assert!(estimate <= tolerance, "{tolerance:e}, {case:?}: estimate {estimate:.1e}");
         }
     }
@@ -59,8 +69,7 @@ fn every_tolerance_is_kept_along_chains() {
 /// The median of estimated over true error lies between one half and two, for each tolerance.
 #[test]
 fn the_estimate_is_the_error() {
-    for tolerance in TOLERANCES {
-        let errors = errors(tolerance, &ROWS.chunks(1).collect::<Vec<_>>());
+    for (tolerance, errors) in &*ALONE {
         let ratios: Vec<f64> = errors.iter().map(|(error, estimate)| estimate / error).collect();
         let median = quantile(&ratios, 0.5);
         assert!((0.5..=2.0).contains(&median), "{tolerance:e}: {median}");

@@ -2,8 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
 use proptest::prelude::*;
 use stribeck_solver::exact::{ChainLimits, DryContact, DrySliding, contact_bounds, limits};
 use stribeck_solver::kernel::retarded_log_integral;
@@ -149,6 +147,26 @@ fn slope_of_hat(modes: &[Retardation], compliance: f64, hat: [f64; 3], x: f64) -
     (rise * (integral(x - left) - integral(x - middle)) - fall * (integral(x - middle) - integral(x - right))) / PI
 }
 
+/// The solution of a linear system, of whose rows each ends with its right side: by elimination with pivots.
+fn by_elimination(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
+    let n = rows.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs())).expect("a row");
+        rows.swap(k, pivot);
+        let (above, below) = rows.split_at_mut(k + 1);
+        for row in below {
+            let factor = row[k] / above[k][k];
+            row[k..].iter_mut().zip(&above[k][k..]).for_each(|(to, from)| *to -= factor * from);
+        }
+    }
+    let mut solution = vec![0.0; n];
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| rows[k][j] * solution[j]).sum();
+        solution[k] = (rows[k][n] - known) / rows[k][k];
+    }
+    solution
+}
+
 /// In the contact w′ = x. For a half width, that is a linear system for the pressure, zero at both ends, and the
 /// centre; the load must then come out as π/2 and the moment as the friction.
 #[test]
@@ -167,13 +185,14 @@ fn the_surface_follows_the_cylinder() {
         let place = |i: usize| -contact.half_width() * (PI * i as f64 / cells as f64).cos();
         let middle = |i: usize| 0.5 * (place(i) + place(i + 1));
         // The last unknown is the centre: w′ − b = x − b.
-        let matrix = Mat::from_fn(cells, cells, |i, k| {
+        let coefficient = |i: usize, k: usize| {
             let hat = || [place(k), place(k + 1), place(k + 2)];
             if k + 1 == cells { -1.0 } else { slope_of_hat(&retardation, compliance, hat(), middle(i)) }
-        });
-        let solution = matrix.partial_piv_lu().solve(Mat::from_fn(cells, 1, |i, _| middle(i)));
-        let centre = solution[(cells - 1, 0)];
-        let share = |k: usize| solution[(k, 0)] * 0.5 * (place(k + 2) - place(k));
+        };
+        let row = |i: usize| (0..cells).map(|k| coefficient(i, k)).chain([middle(i)]).collect();
+        let solution = by_elimination((0..cells).map(row).collect());
+        let centre = solution[cells - 1];
+        let share = |k: usize| solution[k] * 0.5 * (place(k + 2) - place(k));
         let load: f64 = (0..cells - 1).map(share).sum();
         // The mean place of a hat is that of its three places.
         let place_of = |k: usize| centre + (place(k) + place(k + 1) + place(k + 2)) / 3.0;
