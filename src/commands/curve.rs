@@ -204,7 +204,8 @@ fn rows(cases: &[Solved]) -> String {
         });
         text += &table_line(&columns, &cells);
     }
-    text + "\nmu_drag = mu_v + mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow\n\
+    text + "\nmu_drag = mu_v + S mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow; \
+            S = 1 if the roller does not turn\n\
             error: the largest estimated relative error of mu_drag, mu_v, mu_h and the film c\n"
 }
 

@@ -44,7 +44,7 @@ pub struct Powers {
     pub beta: f64,
     /// Of a₀/R.
     pub friction: f64,
-    /// dS/d ln q of the slide-to-roll ratio S (I1).
+    /// dS/d ln q of the slide-to-roll ratio S (T52).
     pub slide_roll: f64,
 }
 
@@ -63,12 +63,12 @@ impl Experiment {
         (4.0 * self.load * self.radius / (PI * self.plane_strain_modulus())).sqrt()
     }
 
-    /// α = a₀/(u₂τ) (Eq. 13, I3), with the speed of the flat, which is the soft body; ∞ where it is at rest.
+    /// α = a₀/(u₂τ) (Eq. 13, T52), with the speed of the flat, which is the soft body; ∞ where it is at rest.
     pub fn alpha(&self) -> f64 {
         self.contact_length() / (self.motion.flat_speed() * self.retardation_time)
     }
 
-    /// β = E∞* a₀⁴/(12 η (u₁+u₂) R³) (Eq. 14, I2).
+    /// β = E∞* a₀⁴/(12 η (u₁+u₂) R³) (Eq. 14, T52).
     pub fn beta(&self) -> f64 {
         let slenderness = self.contact_length() / self.radius;
         self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length()

@@ -15,9 +15,9 @@ pub enum Motion {
     },
     /// The roller turns.
     Rolling {
-        /// U = (u₁ + u₂)/2 (I1).
+        /// U = (u₁ + u₂)/2 (T52).
         entrainment_speed: f64,
-        /// (u₂ − u₁)/U, from −2 to 2 (I1); 2 is a roller that does not turn, 0 is pure rolling.
+        /// (u₂ − u₁)/U, from −2 to 2 (T52); 2 is a roller that does not turn, 0 is pure rolling.
         slide_roll_ratio: f64,
     },
     /// Each speed by itself.
@@ -48,7 +48,7 @@ impl Motion {
         }
     }
 
-    /// u₁ + u₂, the speed in β (I2).
+    /// u₁ + u₂, the speed in β (T52).
     pub fn sum(&self) -> f64 {
         match *self {
             Self::Sliding { speed } => speed,
@@ -57,7 +57,7 @@ impl Motion {
         }
     }
 
-    /// S = (u₂ − u₁)/(u₁ + u₂), half of the slide-to-roll ratio (I1).
+    /// S = (u₂ − u₁)/(u₁ + u₂), half of the slide-to-roll ratio (T52).
     pub fn slide_roll(&self) -> f64 {
         match *self {
             Self::Sliding { .. } => 1.0,

@@ -209,7 +209,7 @@ impl Values {
         }))
     }
 
-    /// The same case at another slide-to-roll ratio S (I1): pressure, film, P and C stay, and what is made of them
+    /// The same case at another slide-to-roll ratio S (T52): pressure, film, P and C stay, and what is made of them
     /// follows. What is known for S = 1 alone, the approximation of μ_h, is left out.
     pub fn at_slide_roll(&self, slide_roll: f64) -> Self {
         if slide_roll == 1.0 {

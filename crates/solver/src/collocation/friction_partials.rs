@@ -44,7 +44,7 @@ impl Partials {
         }
     }
 
-    /// The partial derivatives of P (I5).
+    /// The partial derivatives of P (T53).
     pub fn of_pressure(displacement: &Displacement, beta: f64, state: &State) -> Self {
         Self::of_film(displacement, beta, state, 0.0)
     }

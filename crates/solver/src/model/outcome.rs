@@ -2,22 +2,22 @@
 
 /// Friction forces over N a₀/R, that is friction coefficients over a₀/R (section "Friction" of `docs/theory.md`).
 ///
-/// They are those of a roller that slides without turning, S = 1 (I1). [`Friction::drag_at`] and its neighbours give
+/// They are those of a roller that slides without turning, S = 1 (T52). [`Friction::drag_at`] and its neighbours give
 /// them for other slide-to-roll ratios: pressure, film, P and C do not depend on S.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
     /// F_v, viscoelastic (hysteresis) friction (Eq. 22, sign corrected), of both bodies.
     pub viscoelastic: f64,
-    /// F_v,1, the roller's part of it (I5); 0 unless the roller is viscoelastic.
+    /// F_v,1, the roller's part of it (T53); 0 unless the roller is viscoelastic.
     pub viscoelastic_roller: f64,
     /// F_h,film, shear on the cylinder where the film carries pressure (Eq. 20).
     pub hydrodynamic_film: f64,
     /// F_h,cavity, shear on the cylinder behind the outlet.
     pub hydrodynamic_cavity: f64,
-    /// P, part of F_h by the pressure gradient (Poiseuille flow), (1/π) ∫ p′u dx (I5); negative.
+    /// P, part of F_h by the pressure gradient (Poiseuille flow), (1/π) ∫ p′u dx (T53); negative.
     pub pressure: f64,
     /// F_drag, all that holds the cylinder back: shear and the horizontal part of the pressure on it. It is what a
-    /// load cell reads, on the flat and on the roller's bearing (I6).
+    /// load cell reads, on the flat and on the roller's bearing (T54).
     pub drag: f64,
 }
 
@@ -27,7 +27,7 @@ impl Friction {
         self.hydrodynamic_film + self.hydrodynamic_cavity
     }
 
-    /// C, part of F_h by the difference of the speeds (Couette flow), (1/(3πβ)) ∫ dx/u, the cavity included (I5);
+    /// C, part of F_h by the difference of the speeds (Couette flow), (1/(3πβ)) ∫ dx/u, the cavity included (T53);
     /// positive.
     pub fn shear(&self) -> f64 {
         self.hydrodynamic() - self.pressure
@@ -38,17 +38,17 @@ impl Friction {
         self.hydrodynamic() - (1.0 - slide_roll) * self.shear()
     }
 
-    /// F_v,2, the flat's part of the viscoelastic friction (I5).
+    /// F_v,2, the flat's part of the viscoelastic friction (T53).
     pub fn viscoelastic_flat(&self) -> f64 {
         self.viscoelastic - self.viscoelastic_roller
     }
 
-    /// M = P + S C − F_v,1, the torque on the roller about its axis over N a₀, at the slide-to-roll ratio S (I7).
+    /// M = P + S C − F_v,1, the torque on the roller about its axis over N a₀, at the slide-to-roll ratio S (T55).
     pub fn torque_at(&self, slide_roll: f64) -> f64 {
         self.hydrodynamic_at(slide_roll) - self.viscoelastic_roller
     }
 
-    /// D, the drag at the slide-to-roll ratio S (I6).
+    /// D, the drag at the slide-to-roll ratio S (T54).
     pub fn drag_at(&self, slide_roll: f64) -> f64 {
         self.drag - (1.0 - slide_roll) * self.shear()
     }
@@ -94,7 +94,7 @@ pub struct Quantities {
     pub x_outlet: f64,
     /// Load-weighted centroid of the pressure, (2/π) ∫ p x dx.
     pub centroid: f64,
-    /// (β/π) ∫ u³p′² dx, the power that the pressure-driven flow dissipates, over N a₀ V/R; −P in exact arithmetic (I8).
+    /// (β/π) ∫ u³p′² dx, the power that the pressure-driven flow dissipates, over N a₀ V/R; −P in exact arithmetic (T56).
     pub dissipation: f64,
     /// h₀ of (T3), with the displacement as (T10) defines it.
     pub separation: f64,
@@ -103,7 +103,7 @@ pub struct Quantities {
 }
 
 impl Quantities {
-    /// What is left of the balance of power (I8) at the slide-to-roll ratio S, over the power that is dissipated.
+    /// What is left of the balance of power (T56) at the slide-to-roll ratio S, over the power that is dissipated.
     ///
     /// Power comes in as drag on the flat and torque on the roller, both by the centroid of the pressure. It goes to
     /// hysteresis of each body, to the flow that pressure drives, and to shear by the difference of the speeds.

@@ -14,7 +14,7 @@ pub struct RetardationMode {
 
 /// The retardation spectrum of the contact: at least one mode, shares adding up to 1.
 ///
-/// Each mode belongs to the flat or to the roller. Pressure and film do not know which: compliances add (I4). It
+/// Each mode belongs to the flat or to the roller. Pressure and film do not know which: compliances add (T59). It
 /// decides on which body hysteresis works.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Substrate {

@@ -12,7 +12,7 @@ pub struct Sensitivities {
     pub viscoelastic: [f64; 3],
     /// Derivatives of F_h, the cavity included.
     pub hydrodynamic: [f64; 3],
-    /// Derivatives of P (I5).
+    /// Derivatives of P (T53).
     pub pressure: [f64; 3],
 }
 
@@ -47,7 +47,7 @@ impl Sensitivities {
         std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic_at(slide_roll)[i])
     }
 
-    /// Derivatives of C = F_h − P (I5).
+    /// Derivatives of C = F_h − P (T53).
     pub fn shear(&self) -> [f64; 3] {
         std::array::from_fn(|i| self.hydrodynamic[i] - self.pressure[i])
     }
@@ -57,7 +57,7 @@ impl Sensitivities {
         std::array::from_fn(|i| self.hydrodynamic[i] - (1.0 - slide_roll) * self.shear()[i])
     }
 
-    /// Derivatives of the drag D = F_v − P + S C at the slide-to-roll ratio S, the flat being the soft body (I6).
+    /// Derivatives of the drag D = F_v − P + S C at the slide-to-roll ratio S, the flat being the soft body (T54).
     pub fn drag_at(&self, slide_roll: f64) -> [f64; 3] {
         std::array::from_fn(|i| self.viscoelastic[i] - self.pressure[i] + slide_roll * self.shear()[i])
     }

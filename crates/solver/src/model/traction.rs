@@ -18,7 +18,7 @@ pub struct Lubricant {
 }
 
 /// The shear on the roller's surface at x, where the film is u, over N/R: p′u/π + S/(3πβu) with the slide-to-roll ratio
-/// S (I1) and p′ of Reynolds' equation (T2), βu³p′ = c − u.
+/// S (T52) and p′ of Reynolds' equation (T2), βu³p′ = c − u.
 ///
 /// Behind the outlet there is no p′, and the second part has the share θ of the gap that the fluid fills.
 pub fn shear_traction(lubricant: &Lubricant, x: f64, u: f64, slide_roll: f64) -> f64 {

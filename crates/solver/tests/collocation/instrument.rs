@@ -26,7 +26,7 @@ fn on_roller(case: &Parameters, part: f64) -> Parameters {
     Parameters { substrate, ..case.clone() }
 }
 
-/// Power in is power out, for every slide-to-roll ratio and whichever body is soft (I8). The pressure-driven flow is
+/// Power in is power out, for every slide-to-roll ratio and whichever body is soft (T56). The pressure-driven flow is
 /// dissipation by itself, (β/π) ∫ u³p′² dx; drag and torque come from the centroid of the pressure.
 #[test]
 fn power_is_balanced() {
@@ -53,7 +53,7 @@ fn power_is_balanced() {
     });
 }
 
-/// The parts of friction are made of three integrals, and the balance of forces (I6) holds for each ratio.
+/// The parts of friction are made of three integrals, and the balance of forces (T54) holds for each ratio.
 #[test]
 fn drag_and_torque_are_made_of_their_parts() {
     for exactly in &*EXACTLY {
