@@ -175,7 +175,10 @@ fn sensitivities_are_the_derivatives_of_what_is_published() {
         ("speed", 0.02),
         ("f", 4.0),
     ];
-    for (varied, _) in inputs {
+    let rolling = [&inputs[..6], &inputs[7..], &[("entrainment_speed", 0.02), ("slide_roll_ratio", 0.6)]].concat();
+    let of_motion = ["entrainment_speed", "slide_roll_ratio"];
+    let sliding = inputs.iter().map(|(varied, _)| (*varied, inputs.to_vec()));
+    for (varied, inputs) in sliding.chain(of_motion.map(|varied| (varied, rolling.clone()))) {
         let line = |(name, value): &(&str, f64)| {
             let values: Vec<f64> = (-2..=2).map(|i| value * (STEP * f64::from(i)).exp()).collect();
             if *name == varied { format!("{name} = {values:?}\n") } else { format!("{name} = {value:?}\n") }
@@ -188,8 +191,9 @@ fn sensitivities_are_the_derivatives_of_what_is_published() {
         let directory = with_results(&sweep);
         let rows = table(&directory.path().join("results/small/summary.csv"));
         assert_eq!(rows.len(), 5);
-        for mu in ["mu_v", "mu_h", "mu_tot"] {
-            let at = |i: usize| number(&rows[i], mu).ln();
+        for mu in ["mu_v", "mu_h", "mu_tot", "mu_drag", "mu_pressure", "mu_shear"] {
+            // mu_pressure is negative
+            let at = |i: usize| number(&rows[i], mu).abs().ln();
             let difference = (8.0 * (at(3) - at(1)) - (at(4) - at(0))) / (12.0 * STEP);
             let stated = number(&rows[2], &format!("dln_{mu}_dln_{varied}"));
             assert!((stated - difference).abs() < 1e-5, "{mu} by {varied}: {stated} {difference}");
