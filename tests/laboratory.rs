@@ -107,7 +107,7 @@ fn rolling_and_sliding_are_published_at_their_ratio() {
         let dx = 0.01 * number(row, "a0") / number(row, "load");
         for (field, mu) in [(Field::ShearTraction, p + s * c), (Field::HysteresisTraction, v)] {
             let sum = dx * data.field(field, index).unwrap().iter().sum::<f64>();
-            assert!((sum - mu).abs() < 0.03 * drag.abs(), "{}: {sum} {mu} {row:?}", field.name());
+            assert!((sum - mu).abs() < 0.06 * drag.abs(), "{}: {sum} {mu} {row:?}", field.name());
         }
     }
     let alone = "fields = [\"shear_traction\"]";
@@ -521,7 +521,7 @@ fn dimensions_that_are_none_are_refused() {
         let said = say(directory.path(), &["plot", "passed-on", "--what", "curves", "--of", "c"]);
         assert_eq!(code(&said), if is_right { 0 } else { 4 }, "{dimensions}: {}", err(&said));
         assert!(
-            is_right || err(&said).contains("its dimensions are not f, quantities of the laboratory and the speed")
+            is_right || err(&said).contains("its dimensions are not f, quantities of the laboratory and a speed")
         );
     }
 }
