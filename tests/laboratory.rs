@@ -520,8 +520,6 @@ fn dimensions_that_are_none_are_refused() {
         check(&Command::new(python()).args(["-c", rename]).arg(&file).arg(dimensions).output().unwrap());
         let said = say(directory.path(), &["plot", "passed-on", "--what", "curves", "--of", "c"]);
         assert_eq!(code(&said), if is_right { 0 } else { 4 }, "{dimensions}: {}", err(&said));
-        assert!(
-            is_right || err(&said).contains("its dimensions are not f, quantities of the laboratory and a speed")
-        );
+        assert!(is_right || err(&said).contains("its dimensions are not f, quantities of the laboratory and a speed"));
     }
 }

@@ -441,7 +441,8 @@ fn the_summary_keeps_the_contract() {
     drop(finished(directory.path()));
     let text = fs::read_to_string(directory.path().join("summary.csv")).unwrap();
     let header = "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
-                  error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h";
+                  error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,mu_pressure,mu_shear,mu_v_flat,\
+                  mu_v_roller,mu_torque,energy_residual,error_mu_drag";
     assert_eq!(text.lines().next(), Some(header));
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let mut places =

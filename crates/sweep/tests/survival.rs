@@ -103,7 +103,7 @@ fn bulky(output: &Output) -> Vec<CaseEntry> {
 #[ignore = "started with a limit by another test"]
 fn limited() {
     let Some(directory) = std::env::var_os(DIRECTORY).map(PathBuf::from) else { return };
-    let output = Output { x: (0..500).map(f64::from).collect(), ..Output::default() };
+    let output = Output { x: (0..900).map(f64::from).collect(), ..Output::default() };
     let mut store = Store::open(&directory, SWEEP, &output).unwrap();
     for _ in 0..5 {
         let error = store.commit(&bulky(&output)).unwrap_err();
@@ -123,8 +123,8 @@ fn limited() {
 fn a_write_that_fails_half_way_is_an_error_and_no_crash() {
     let directory = tempdir().unwrap();
     let binary = std::env::current_exe().unwrap();
-    // 100 to 140 kB: more than any file of the small sweep, less than one bulky shard (160 kB).
-    for blocks in [200, 220, 240, 260, 280] {
+    // 170 to 210 kB: more than any file of the small sweep, less than one bulky shard (280 kB).
+    for blocks in [340, 360, 380, 400, 420] {
         let run = Command::new("sh")
             .arg("-c")
             .arg(format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" --exact survival::limited --ignored"))

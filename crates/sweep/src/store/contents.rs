@@ -109,7 +109,8 @@ mod tests {
         let all = Contents::of(&Output::default());
         let pressure = FieldSelection { pressure: true, ..FieldSelection::default() };
         let modest = Contents::of(&Output { fields: pressure, limits: false, ..Output::default() });
-        assert_eq!(modest.lacks(&all), ["film_thickness", "displacement", "limits"]);
+        let lacks = ["film_thickness", "displacement", "shear_traction", "hysteresis_traction", "limits"];
+        assert_eq!(modest.lacks(&all), lacks);
         let more = Contents::of(&Output { sensitivities: true, ..Output::default() });
         assert_eq!(all.lacks(&more), ["sensitivities"]);
         let moved = Contents::of(&Output { x: [0.0, 1.0].into(), ..Output::default() });
