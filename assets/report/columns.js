@@ -7,7 +7,7 @@ import { failedAt, placeCount } from "./grid.js";
 export const headline = contents.laboratory ? "mu_drag" : "mu_tot";
 
 // Its parts.
-export const parts = contents.laboratory ? ["mu_v", "mu_shear", "mu_pressure"] : ["mu_v", "mu_h", "mu_drag"];
+export const frictionParts = contents.laboratory ? ["mu_v", "mu_shear", "mu_pressure"] : ["mu_v", "mu_h", "mu_drag"];
 
 // Each column is decoded when it is first asked for.
 export const columns = new Map(contents.columns.map((part) => [part.name, { ...part, decoded: null }]));

@@ -1,6 +1,6 @@
 // The rows of the table of all cases: what stands in them, filtered and sorted.
 
-import { column, costs, headline, largestErrors, parts } from "./columns.js";
+import { column, costs, frictionParts, headline, largestErrors } from "./columns.js";
 import { axes, axisWords, failedAt, indicesOf, placeCount } from "./grid.js";
 import { axisName, pointWords } from "./words.js";
 
@@ -17,7 +17,7 @@ function axisColumn(axis) {
   return { name, title: unit ? `${symbol} (${unit})` : symbol, of: (place) => axisValue(axis, place) };
 }
 
-const numberColumns = [headline, ...parts, "c", "film_min", "p_max", "x_outlet"];
+const numberColumns = [headline, ...frictionParts, "c", "film_min", "p_max", "x_outlet"];
 
 // The columns of the table: name, title, and what a place has in it.
 export const tableColumns = [

@@ -1,6 +1,6 @@
 // What columns, units, values of axes and places are called.
 
-import { column, columns, headline, largestErrors, parts } from "./columns.js";
+import { column, columns, frictionParts, headline, largestErrors } from "./columns.js";
 import { axes, axisWords, failedAt, indicesOf } from "./grid.js";
 import { digits } from "./numbers.js";
 
@@ -80,7 +80,7 @@ export function hoverWords(place) {
   const number = (name) => `${symbols[name]} ${digits(column(name)[place])}`;
   return [
     pointWords(place),
-    `${[headline, ...parts].map(number).join(", ")}  ${unitOf(headline)}`,
+    `${[headline, ...frictionParts].map(number).join(", ")}  ${unitOf(headline)}`,
     `${number("film_min")}  ${unitOf("film_min")}`,
     `largest estimated error ${digits(largestErrors[place], 2)}`,
   ].join("<br>");
