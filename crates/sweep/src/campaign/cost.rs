@@ -14,13 +14,13 @@ const FIELD_VALUE: f64 = 6.3;
 const FIELD: f64 = 350.0;
 /// Bytes of a shard without fields.
 const SHARD: f64 = 8_200.0;
-/// Bytes of a case in the log.
-const LOGGED_CASE: f64 = 180.0;
+/// Bytes of a case in the log, and of its numbers in a shard.
+const LOGGED_CASE: f64 = 260.0;
 /// Bytes of `results.h5` for a place of the sweep, without fields, and of its frame.
-const PLACE: f64 = 200.0;
+const PLACE: f64 = 285.0;
 const FRAME: f64 = 25_000.0;
 /// Bytes of a place in the two tables.
-const TABLE_ROW: f64 = 435.0;
+const TABLE_ROW: f64 = 605.0;
 
 /// What a sweep is expected to take until it is done.
 #[derive(Clone, Copy, Debug, PartialEq)]
