@@ -286,7 +286,9 @@ def filter_table(visit):
     with page.expect_download() as waiting:
         page.click("#download")
     table = list(csv.DictReader(Path(waiting.value.path()).read_text(encoding="utf-8").splitlines()))
-    assert len(table) == rows.count() and list(table[0]) == list(visit.summary[0])
+    # What follows from other columns, or is for those who check, has no room in a page.
+    left_out = {"mu_v_flat", "mu_v_roller", "mu_torque", "energy_residual"}
+    assert len(table) == rows.count() and list(table[0]) == [name for name in visit.summary[0] if name not in left_out]
     summary = {row["case"]: row for row in visit.summary}
     for row in table:
         other = summary[row["case"]]
