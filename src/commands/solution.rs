@@ -38,7 +38,7 @@ pub fn numbers(entry: &CaseEntry, slide_roll: f64) -> String {
 fn quantities(entry: &CaseEntry, slide_roll: f64) -> String {
     let mut text = String::new();
     let widths =
-        [Align::Left(13), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10), Align::Left(0)];
+        [Align::Left(15), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10), Align::Left(0)];
     text += &table_line(&widths, &["symbol", "value", "error", "large beta", "unit", "name"]);
     for column in Column::ALL.into_iter().filter(|column| !column.is_error() && !column.is_limit()) {
         let known = |column: Option<Column>| column.and_then(|column| entry.values.known(column));
@@ -60,7 +60,7 @@ fn limits(entry: &CaseEntry) -> String {
     let mut text = String::new();
     for column in Column::ALL.into_iter().filter(|column| column.is_limit()) {
         let limit = entry.values.known(column).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-        let widths = [Align::Left(13), Align::Right(13), Align::Left(10), Align::Left(0)];
+        let widths = [Align::Left(15), Align::Right(13), Align::Left(10), Align::Left(0)];
         text += &table_line(&widths, &[column.name(), &limit, column.units(), column.long_name()]);
     }
     text
