@@ -138,11 +138,21 @@ def figure_14b(data):
         )
 
 
+def print_drag(case):
+    """Prints what viscoelastic friction is of the drag, and the drag over the total of the paper."""
+    share = case.mu_v / case.mu_drag
+    alpha = case.alpha.values[share.values > 0.5]
+    where = f"for α from {alpha[0]:.3g} to {alpha[-1]:.3g}" if alpha.size else "nowhere"
+    print(f"  F_v is more than half of the drag {where}, at most {100 * float(share.max()):.1f} %")
+    print_range("drag over F_tot", case.mu_drag / case.mu_tot)
+
+
 def figure_15(data):
     """Prints which part of friction is larger, and how the sum of approximations compares with the total."""
     case = data.isel(f=0, beta=0)
     ratio = (case.dry_mu_v + case.approx_mu_h) / case.mu_tot
     print(f"  β = {float(case.beta):g}: {viscoelastic_range(case)}")
+    print_drag(case)
     print_range("dry F_v + approximate F_h over F_tot", ratio)
     print_range("the same for α from 0.3 to 3", ratio.sel(alpha=slice(0.3, 3)))
 
@@ -153,6 +163,7 @@ def figure_16(data):
     for beta in (10, 100, 1000):
         case = retarded.sel(beta=beta, method="nearest")
         print(f"  β = {beta}: {viscoelastic_range(case)}; μ_tot at most {float(case.mu_tot.max()):.3f}")
+        print_drag(case)
     apart = 100 * float(abs(retarded.mu_h.isel(alpha=-1) / elastic.mu_h - 1).max())
     print(f"  μ_h at α = 1000 is μ_h of the elastic substrate within {apart:.2f} %")
     print_range("dry F_v + elastic F_h over F_tot", (retarded.dry_mu_v + elastic.mu_h) / retarded.mu_tot)
