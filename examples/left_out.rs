@@ -43,7 +43,7 @@ fn entry(name: &'static str, sections: &[&str]) -> Entry {
 fn outputs() -> Vec<Entry> {
     let sweep = |name, output| entry(name, &[AXES, BETA, "[output]\n", output]);
     vec![
-        sweep("all three fields, limits, full cavity", ""),
+        sweep("three fields, limits, full cavity", "fields = [\"pressure\", \"film_thickness\", \"displacement\"]\n"),
         sweep("two fields: no `displacement`", "fields = [\"pressure\", \"film_thickness\"]\n"),
         sweep("one field: `pressure`", "fields = [\"pressure\"]\n"),
         sweep("`fields = []`", "fields = []\n"),

@@ -499,7 +499,7 @@ fn assert_is_of_the_library<S: CaseSolver>(object: &serde_json::Value, solver: &
     let mut header: Vec<&str> =
         "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_tot,mu_drag,mu_h_cavity,c,film_min,p_max,x_outlet,\
          error_mu_v,error_mu_h,error_c,load_residual,dry_mu_v,approx_mu_h,mu_pressure,mu_shear,mu_v_flat,mu_v_roller,\
-         mu_torque,energy_residual,error_mu_drag,seed,path,iterations,factorisations,unknowns,seconds"
+         mu_torque,energy_residual,error_mu_drag,slide_roll,seed,path,iterations,factorisations,unknowns,seconds"
             .split(',')
             .collect();
     header.sort_unstable();

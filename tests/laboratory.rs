@@ -175,7 +175,7 @@ fn sensitivities_are_the_derivatives_of_what_is_published() {
         ("speed", 0.02),
         ("f", 4.0),
     ];
-    let rolling = [&inputs[..6], &inputs[7..], &[("entrainment_speed", 0.02), ("slide_roll_ratio", 0.6)]].concat();
+    let rolling = [&inputs[..6], &inputs[7..], &[("entrainment_speed", 0.02), ("slide_roll_ratio", 1.6)]].concat();
     let of_motion = ["entrainment_speed", "slide_roll_ratio"];
     let sliding = inputs.iter().map(|(varied, _)| (*varied, inputs.to_vec()));
     for (varied, inputs) in sliding.chain(of_motion.map(|varied| (varied, rolling.clone()))) {

@@ -1,4 +1,5 @@
-// Where the values of the grid stand on the axes of pictures: at their logarithms; 0 and ∞ stand beyond the ends.
+// Where the values of the grid stand on the axes of pictures: at their logarithms; 0 and ∞ stand beyond the ends. An axis
+// with values below 0 is linear.
 
 import { axes, axisWords } from "./grid.js";
 import { digits } from "./numbers.js";
@@ -6,7 +7,10 @@ import { logTicks } from "./ticks.js";
 
 const isLogarithmic = (value) => value > 0 && value < Infinity;
 
+const isLinear = (values) => values.some((value) => value < 0);
+
 function positions(values) {
+  if (isLinear(values)) return values;
   const finite = values.filter(isLogarithmic).map(Math.log10);
   const low = finite.length ? Math.min(...finite) : 0;
   const high = finite.length ? Math.max(...finite) : 0;
@@ -20,6 +24,7 @@ export const axisPlaces = axes.map(positions);
 // The axis of a picture over the values of an axis of the grid.
 export function gridAxis(axis) {
   const [values, places] = [axes[axis], axisPlaces[axis]];
+  if (isLinear(values)) return { title: { text: axisWords[axis].label }, tickangle: 0 };
   const finite = places.filter((_, i) => isLogarithmic(values[i]));
   const ticks = finite.length ? logTicks(Math.min(...finite), Math.max(...finite)) : { values: [], text: [] };
   const { values: tickvals, text: ticktext } = ticks;

@@ -149,6 +149,11 @@ fn describe_stored(entry: &CaseEntry, origin: &Origin, slide_roll: f64) -> Strin
         line("time limit", &format!("given up at {} s", shortest(limit)));
     }
     let values = entry.values.at_slide_roll(slide_roll);
+    if slide_roll != 1.0 {
+        let ratio = shortest(2.0 * slide_roll);
+        text +=
+            &format!("\nnumbers at the slide-to-roll ratio {ratio} of its first place; other ratios share the film\n");
+    }
     text + "\n" + &numbers(&CaseEntry { values, ..entry.clone() }, slide_roll)
 }
 
@@ -202,7 +207,11 @@ fn describe_comparison(comparison: &Comparison) -> String {
 
 /// The commands that solve the case again.
 fn how_to_repeat(report: &CaseReport, place: &CasePlace, directory: &Path) -> String {
-    let alone = solve_command(report.plan.recipe(), &place.parameters);
+    let slide_roll = place.experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
+    let mut alone = solve_command(report.plan.recipe(), &place.parameters);
+    if slide_roll != 1.0 {
+        alone += &format!(" --slide-roll {}", shortest(slide_roll));
+    }
     let (directory, id) = (quoted(directory.as_os_str()), report.id);
     format!("\nto solve it again\n  alone          {alone}\n  in its chain   stribeck explain {directory} {id}\n")
 }

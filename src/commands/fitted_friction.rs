@@ -89,14 +89,19 @@ impl FittedFriction<'_> {
         let (points, (from, to)) = self.residuals();
         let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
         let drawn = plot(&[(from, 0.0), (to, 0.0)], &points, x, y);
-        format!("\nresiduals {} against speed in m/s, logarithmic\n{drawn}\n", self.residual_label())
+        format!("\nresiduals {} against {} in m/s, logarithmic\n{drawn}\n", self.residual_label(), self.along())
     }
 
-    /// The residuals over speed, and the range of the speeds.
+    /// The name of the speed that points are drawn over.
+    fn along(&self) -> &'static str {
+        self.fit.points[0].experiment.motion.along().0.name()
+    }
+
+    /// The residuals over speed, and the range of the speeds above 0.
     fn residuals(&self) -> (Vec<(f64, f64)>, (f64, f64)) {
         let points: Vec<(f64, f64)> =
             self.fit.points.iter().map(|point| (point.experiment.motion.along().1, point.residual)).collect();
-        let speeds = || points.iter().map(|(speed, _)| *speed);
+        let speeds = || points.iter().map(|(speed, _)| *speed).filter(|speed| *speed > 0.0);
         let range = (speeds().fold(f64::INFINITY, f64::min), speeds().fold(0.0, f64::max));
         (points, range)
     }
@@ -162,7 +167,7 @@ impl FittedFriction<'_> {
             fit.points.iter().map(|point| (point.experiment.motion.along().1, point.fitted)).collect();
         fitted.sort_by(|one, other| one.0.total_cmp(&other.0));
         // Points that differ in more than their speed are on no common curve.
-        let along = fit.points[0].experiment.motion.along().0.name();
+        let along = self.along();
         let along_speed = measured.coordinates.iter().all(|(name, _)| *name == along);
         let mut curves = vec![if along_speed {
             curve("fitted", fitted, Stroke::Solid, Colour::Kind(0), false)
@@ -181,7 +186,8 @@ impl FittedFriction<'_> {
             let (value, error) = (three(it.value), three(it.error));
             format!("{} = {value} ± {error} {}", it.unknown.name(), unit(it.unknown)).trim_end().to_owned()
         });
-        chart("friction, measured and fitted", found.collect::<Vec<_>>().join(", "), "friction coefficient μ", curves)
+        let labels = [along, "friction coefficient μ"];
+        chart("friction, measured and fitted", found.collect::<Vec<_>>().join(", "), labels, curves)
     }
 
     /// Residuals over speed.
@@ -191,7 +197,7 @@ impl FittedFriction<'_> {
             curve("", vec![(from, 0.0), (to, 0.0)], Stroke::Dashed, Colour::Black, false),
             curve("residual", points, Stroke::Points, Colour::Kind(0), true),
         ];
-        chart("residuals", String::new(), self.residual_label(), curves)
+        chart("residuals", String::new(), [self.along(), self.residual_label()], curves)
     }
 }
 
@@ -204,11 +210,11 @@ fn curve(label: &str, points: Vec<(f64, f64)>, stroke: Stroke, colour: Colour, m
     Curve { label: label.to_owned(), points, failed: vec![], stroke, colour, marked }
 }
 
-fn chart(title: &str, subtitle: String, y: &str, curves: Vec<Curve>) -> Lines {
+fn chart(title: &str, subtitle: String, [along, y]: [&str; 2], curves: Vec<Curve>) -> Lines {
     Lines {
         title: title.to_owned(),
         subtitle,
-        x: LineAxis { label: "speed V  (m/s)".to_owned(), logarithmic: true, range: None },
+        x: LineAxis { label: format!("{along}  (m/s)"), logarithmic: true, range: None },
         y: LineAxis { label: y.to_owned(), logarithmic: false, range: None },
         curves,
     }

@@ -22,7 +22,7 @@ Examples:
   stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
   stribeck plot results/surface --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
   stribeck plot results/surface --what stress --alpha 0.1,0.3,1,10 --beta 1000
-  stribeck plot results/rubber --what curves --of mu_tot --along speed --measured points.csv
+  stribeck plot results/rubber --what curves --of mu_drag --along speed --measured points.csv
 
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
 nearest ones it has, which the picture names. Columns and fields are those of docs/output.md; docs/figures.md

@@ -72,7 +72,11 @@ impl SolvedProblem<'_> {
     pub fn table(&self) -> String {
         let (Parameters { f, alpha, beta, .. }, entry) = (self.asked, self.entry);
         let same = if self.asked.is_relaxed_elastic() { " (elastic: depends on beta alone)" } else { "" };
-        let mut text = format!("f = {f}, alpha = {alpha}, beta = {beta}{same}: {}\n", entry.outcome.name());
+        let rolling = match self.slide_roll {
+            1.0 => String::new(),
+            slide_roll => format!(", slide-roll {slide_roll}"),
+        };
+        let mut text = format!("f = {f}, alpha = {alpha}, beta = {beta}{rolling}{same}: {}\n", entry.outcome.name());
         if entry.outcome == Status::Failed {
             text += &format!("  {}\n", entry.reason);
         }
@@ -134,6 +138,7 @@ impl SolvedProblem<'_> {
             ("f", Value::from(*f)),
             ("alpha", number(*alpha)),
             ("beta", Value::from(*beta)),
+            ("slide_roll", Value::from(self.slide_roll)),
             ("status", Value::from(entry.outcome.name())),
             ("reason", reason),
         ];

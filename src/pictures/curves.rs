@@ -5,7 +5,7 @@ use super::measured_points::measured_points;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
 use super::reference_curves::{self, ReferenceCurve, Values};
-use super::request::{Kind, Request, Selection};
+use super::request::{AxisScale, Kind, Request, Selection};
 use super::sweep_data::SweepData;
 use super::table::Table;
 use super::{Axis, PictureError};
@@ -21,7 +21,8 @@ pub(super) const ERRORS: [Column; 4] = [Column::ErrorMuV, Column::ErrorMuH, Colu
 
 /// The pictures of curves that are asked for.
 pub(super) fn curves(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    along_each(sweep, request, Kind::Curves, &named_columns(request, &[&friction(sweep)[..], &[Column::C]].concat()))
+    let columns = [&friction(sweep, request)[..], &[Column::C]].concat();
+    along_each(sweep, request, Kind::Curves, &named_columns(request, &columns))
 }
 
 /// Errors along each axis: for sweeps that have no map of them.
@@ -31,12 +32,15 @@ pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
 }
 
 /// The friction that is shown where nothing else is asked for: of an experiment the drag, which an instrument reads,
-/// and its parts; else that of the paper, with the drag beside it.
-pub(super) fn friction(sweep: &SweepData) -> [Column; 4] {
-    match sweep.data.laboratory {
-        true => [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure],
-        false => [Column::MuTot, Column::MuV, Column::MuH, Column::MuDrag],
-    }
+/// and its parts, but that by pressure, which is negative, on a logarithmic axis; else that of the paper, with the drag
+/// beside it.
+pub(super) fn friction(sweep: &SweepData, request: &Request) -> Vec<Column> {
+    let mut columns = match sweep.data.laboratory {
+        true => vec![Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure],
+        false => vec![Column::MuTot, Column::MuV, Column::MuH, Column::MuDrag],
+    };
+    columns.retain(|column| *column != Column::MuPressure || request.scale != AxisScale::Log);
+    columns
 }
 
 /// The columns asked for, or a choice.
@@ -217,12 +221,12 @@ fn vertical_range(solved: &[Curve], known: &[Curve], logarithmic: bool) -> Optio
     })
 }
 
-/// True if the running axis spans more than a factor of five.
+/// True if the running axis spans more than a factor of five, and has no value below 0.
 fn is_logarithmic(sweep: &SweepData, family: &CurveFamily) -> bool {
-    let positive: Vec<f64> = family.points.iter().map(|point| sweep.value(family.along, *point)).collect();
-    let finite = || positive.iter().copied().filter(|value| *value > 0.0 && value.is_finite());
+    let all: Vec<f64> = family.points.iter().map(|point| sweep.value(family.along, *point)).collect();
+    let finite = || all.iter().copied().filter(|value| *value > 0.0 && value.is_finite());
     let (least, most) = (finite().fold(f64::INFINITY, f64::min), finite().fold(0.0, f64::max));
-    most > 5.0 * least || positive.contains(&f64::INFINITY)
+    all.iter().all(|value| *value >= 0.0) && (most > 5.0 * least || all.contains(&f64::INFINITY))
 }
 
 /// The points of a reference curve for a member of a family; NaN where it does not hold.

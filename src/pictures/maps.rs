@@ -29,6 +29,12 @@ impl<'a> Shown<'a> {
             if selection.on(axis).len() < 2 {
                 return Err(kind.missing(why_no_grid(sweep, axis, "map")));
             }
+            if selection.on(axis).iter().any(|index| sweep.value(axis, *index) < 0.0) {
+                let name = &sweep.axis(axis).name;
+                let why =
+                    format!("{name} has values below 0, and the axes of a map are logarithmic; try --what curves");
+                return Err(kind.missing(why));
+            }
         }
         let strengths = selection.on(Axis::F);
         let asked = selection.is_asked(Axis::F);
@@ -96,7 +102,7 @@ pub(super) fn maps(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>,
     let shown = Shown::of(sweep, request, Kind::Maps)?;
     let statuses = sweep.data.statuses()?;
     let mut pictures = Vec::new();
-    for column in named_columns(request, &[&friction(sweep)[..], &[Column::FilmMin]].concat()) {
+    for column in named_columns(request, &[&friction(sweep, request)[..], &[Column::FilmMin]].concat()) {
         let quantity = Quantity::from(column);
         let values = sweep.data.column(column)?;
         let label = quantity.label(sweep.data.laboratory);

@@ -192,7 +192,7 @@ impl Selection {
 pub fn nearest(axis: &str, values: &[f64], wanted: f64) -> Result<usize, PictureError> {
     let (first, last) = (values[0], values[values.len() - 1]);
     // What was written with a few digits means the end itself.
-    if !(wanted >= first * (1.0 - 1e-3) && wanted <= last * (1.0 + 1e-3)) {
+    if !(wanted >= first * (1.0 - 1e-3 * first.signum()) && wanted <= last * (1.0 + 1e-3 * last.signum())) {
         let there =
             if values.len() == 1 { shortest(first) } else { format!("from {} to {}", shortest(first), shortest(last)) };
         let (option, axis) = (option(axis, &shortest(wanted)), axis.to_owned());
@@ -201,6 +201,8 @@ pub fn nearest(axis: &str, values: &[f64], wanted: f64) -> Result<usize, Picture
     let distance = |value: f64| {
         if value == wanted {
             0.0
+        } else if first < 0.0 {
+            (value - wanted).abs()
         } else if value > 0.0 && wanted > 0.0 {
             (value / wanted).ln().abs()
         } else {
@@ -259,6 +261,17 @@ mod tests {
             assert_eq!(nearest("alpha", &values, wanted).unwrap(), index, "{wanted}");
         }
         assert!(nearest("alpha", &values, f64::NAN).is_err());
+    }
+
+    #[test]
+    fn values_on_both_sides_of_zero_are_found_by_their_distance() {
+        let ratios = [-1.0, 0.0, 1.0, 2.0];
+        for (wanted, index) in [(-1.0, 0), (-0.4, 1), (0.3, 1), (0.6, 2), (2.0, 3)] {
+            assert_eq!(nearest("slide_roll_ratio", &ratios, wanted).unwrap(), index, "{wanted}");
+        }
+        assert!(
+            nearest("slide_roll_ratio", &ratios, -1.1).is_err() && nearest("slide_roll_ratio", &ratios, 2.1).is_err()
+        );
     }
 
     #[test]

@@ -9,18 +9,23 @@ use super::{Axis, PictureError};
 pub(super) struct SurfaceGrid {
     alphas: Vec<usize>,
     betas: Vec<usize>,
-    /// Values of α without a place: 0 and ∞.
-    special: Vec<usize>,
+    /// Values without a place, each by its axis and index: those that are not above 0, and ∞.
+    special: Vec<(Axis, usize)>,
 }
 
 impl SurfaceGrid {
     /// The values chosen that are positive and finite, two or more on each axis.
     pub(super) fn of(sweep: &SweepData, selection: &Selection, kind: Kind) -> Result<Self, PictureError> {
-        let (alphas, special): (Vec<usize>, Vec<usize>) = selection.on(Axis::Middle).iter().partition(|i_alpha| {
-            let alpha = sweep.value(Axis::Middle, **i_alpha);
-            alpha > 0.0 && alpha.is_finite()
-        });
-        let betas = selection.on(Axis::Inner).to_vec();
+        let mut special = Vec::new();
+        let mut with_a_place = |axis: Axis| -> Vec<usize> {
+            let (there, others): (Vec<usize>, Vec<usize>) = selection.on(axis).iter().partition(|index| {
+                let value = sweep.value(axis, **index);
+                value > 0.0 && value.is_finite()
+            });
+            special.extend(others.into_iter().map(|index| (axis, index)));
+            there
+        };
+        let (alphas, betas) = (with_a_place(Axis::Middle), with_a_place(Axis::Inner));
         for (axis, indices) in [(Axis::Middle, &alphas), (Axis::Inner, &betas)] {
             if indices.len() < 2 {
                 return Err(kind.missing(match sweep.axis(axis).name.as_str() {
@@ -62,11 +67,12 @@ impl SurfaceGrid {
 
     /// What is not shown, in words; empty if all is.
     pub(super) fn left_out(&self, sweep: &SweepData) -> String {
-        let values: Vec<String> = self.special.iter().map(|i| rounded(sweep.value(Axis::Middle, *i))).collect();
-        if values.is_empty() {
-            String::new()
-        } else {
-            format!("not shown: {} = {}", sweep.axis(Axis::Middle).symbol, values.join(", "))
-        }
+        let on = |axis: Axis| -> Option<String> {
+            let own = self.special.iter().filter(|(of, _)| *of == axis);
+            let values: Vec<String> = own.map(|(_, index)| rounded(sweep.value(axis, *index))).collect();
+            (!values.is_empty()).then(|| format!("{} = {}", sweep.axis(axis).symbol, values.join(", ")))
+        };
+        let all: Vec<String> = [Axis::Middle, Axis::Inner].into_iter().filter_map(on).collect();
+        if all.is_empty() { String::new() } else { format!("not shown: {}", all.join("; ")) }
     }
 }

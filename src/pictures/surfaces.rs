@@ -30,7 +30,7 @@ pub(super) fn surfaces(sweep: &SweepData, request: &Request) -> Result<Vec<Pictu
         return Err(Kind::Surfaces
             .missing(format!("at most {MOST_PANELS} surfaces have room side by side; give fewer values with --f")));
     }
-    named_columns(request, &friction(sweep))
+    named_columns(request, &friction(sweep, request))
         .into_iter()
         .filter_map(|column| surface(sweep, request, &grid, &strengths, column).transpose())
         .collect()

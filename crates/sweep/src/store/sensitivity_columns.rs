@@ -89,7 +89,9 @@ pub(super) fn values(
         let sheared = [Column::MuH, Column::MuTot, Column::MuDrag].contains(&column);
         let by_ratio = if sheared { values[Column::MuShear] / mu * powers.slide_roll } else { 0.0 };
         let own = by_strength + by_ratio;
-        with_alpha * powers.alpha + with_beta * powers.beta + own + powers.friction
+        // What does not depend on α does not, however fast α changes: it does beyond bounds where the flat comes to rest.
+        let by_alpha = if with_alpha == 0.0 { 0.0 } else { with_alpha * powers.alpha };
+        by_alpha + with_beta * powers.beta + own + powers.friction
     };
     let of = |column: Column| inputs.iter().map(move |input| relative(column, input)).collect::<Vec<_>>();
     FRICTION.into_iter().flat_map(of).collect()

@@ -66,10 +66,12 @@ fn check_fields(root: &Section<'_>, grid: &Grid, output: &Output) -> Result<(), 
     if !(rolls && output.fields.shear_traction) || output.fields.film_thickness {
         return Ok(());
     }
-    let entry = root.require("output", "add \"film_thickness\" to output.fields")?;
-    let what =
-        "`shear_traction` of a roller that turns follows from the film: `output.fields` needs `film_thickness` too";
-    Err(entry.fault(what, "no film_thickness in its fields", "add \"film_thickness\" to output.fields"))
+    let help = "add \"film_thickness\" to output.fields";
+    let output = root.require("output", help)?;
+    let entry = section(&output)?.require("fields", help)?;
+    let what = "where the roller's speed is given `shear_traction` follows from the film: `output.fields` needs \
+                `film_thickness` too";
+    Err(entry.fault(what, "no film_thickness among them", help))
 }
 
 /// Reads a title.

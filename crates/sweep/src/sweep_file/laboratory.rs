@@ -140,7 +140,7 @@ fn read_quantity(
                 Q::EntrainmentSpeed => {
                     "entrainment_speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }"
                 }
-                Q::SlideRollRatio => "slide_roll_ratio = 0.5, (flat - roller) / entrainment speed",
+                Q::SlideRollRatio => "slide_roll_ratio = 0.5 # (flat - roller) / entrainment speed",
                 Q::RollerSpeed => "roller_speed = \"1 mm/s\"",
                 Q::FlatSpeed => "flat_speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }",
             };
