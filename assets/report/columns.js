@@ -37,9 +37,9 @@ const solvedCosts = costs && { seconds: solvedOnly(costs.seconds), iterations: s
 
 // The quantities that surface, map and curves can show, in the order of the list.
 export const quantities = [
-  ...(contents.laboratory ? ["mu_drag", "mu_tot"] : ["mu_tot", "mu_drag"]),
-  ...["mu_v", "mu_h", "mu_shear", "mu_pressure", "mu_h_cavity"],
-  ...["c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual"],
+  ...[headline, ...frictionParts],
+  ...(contents.laboratory ? ["mu_tot", "mu_h"] : ["mu_shear", "mu_pressure"]),
+  ...["mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual"],
   ...["dry_mu_v", "approx_mu_h"],
   ...(contents.laboratory ? ["alpha", "beta"] : []),
   ...(costs ? ["seconds", "iterations"] : []),
