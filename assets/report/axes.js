@@ -1,5 +1,5 @@
-// Where the values of the grid stand on the axes of pictures: at their logarithms; 0 and ∞ stand beyond the ends. An axis
-// with values below 0 is linear.
+// Where the values of the grid stand on the axes of pictures: at their logarithms; 0 and ∞ stand beyond the ends.
+// An axis with values below 0 is linear.
 
 import { axes, axisWords } from "./grid.js";
 import { digits } from "./numbers.js";

@@ -37,7 +37,8 @@ const solvedCosts = costs && { seconds: solvedOnly(costs.seconds), iterations: s
 
 // The quantities that surface, map and curves can show, in the order of the list.
 export const quantities = [
-  ...[headline, ...frictionParts],
+  headline,
+  ...frictionParts,
   ...(contents.laboratory ? ["mu_tot", "mu_h"] : ["mu_shear", "mu_pressure"]),
   ...["mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual"],
   ...["dry_mu_v", "approx_mu_h"],
