@@ -110,6 +110,17 @@ fn rolling_and_sliding_are_published_at_their_ratio() {
             assert!((sum - mu).abs() < 0.06 * drag.abs(), "{}: {sum} {mu} {row:?}", field.name());
         }
     }
+    // Pictures show ratios on both sides of 0, and choose them.
+    for arguments in [&["plot", "results/small"][..], &["report", "results/small"]] {
+        let said = say(rolls.path(), arguments);
+        assert_eq!(code(&said), 0, "{}", err(&said));
+    }
+    let picture = fs::read_to_string(rolls.path().join("results/small/figures/mu_drag-along-slide_roll_ratio.svg"));
+    assert!(picture.unwrap().contains("slide-to-roll ratio"));
+    let said = say(rolls.path(), &["curve", "small.toml", "--at", "slide_roll_ratio=-1"]);
+    assert!(code(&said) == 0 && out(&said).contains("entrainment_speed (m/s)"), "{}", err(&said));
+    let said = say(rolls.path(), &["explain", "results/small", &rows[0]["case"], "--stored"]);
+    assert!(out(&said).contains("--slide-roll -0.5"), "{}", out(&said));
     let alone = "fields = [\"shear_traction\"]";
     let text = text.replace("speed = [1e-4, 1e-3]", rolling).replace(fields, alone);
     fs::write(rolls.path().join("alone.toml"), text).unwrap();
