@@ -50,7 +50,7 @@ fn every_case_is_explained_with_the_numbers_that_are_stored_and_reached_again_to
         assert!(text.contains("the same numbers to the last bit\n"), "{text}");
         for (symbol, cell) in [("mu_v", 6), ("mu_h", 7), ("c", 11)] {
             let number: f64 = row[cell].parse().expect("a number");
-            assert!(text.contains(&format!("\n{symbol:<13} {:>14} ", format!("{number:.6e}"))), "{symbol}: {text}");
+            assert!(text.contains(&format!("\n{symbol:<15} {:>14} ", format!("{number:.6e}"))), "{symbol}: {text}");
         }
         for words in ["\nseed ", "\ncost ", "iteration ", "step over solution ", "of the tolerance\n", "  accepted\n"] {
             assert!(text.contains(words), "{words}: {text}");
