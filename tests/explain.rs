@@ -1,5 +1,5 @@
-//! `stribeck explain`: what it says of a case is what is stored, what it does again leads to the same bits, and the command
-//! it gives solves the same case.
+//! `stribeck explain`: what it says of a case is what is stored, what it does again leads to the same bits, and the
+//! command it gives solves the same case.
 
 use std::fs;
 use std::path::Path;

@@ -462,7 +462,10 @@ fn laboratory() -> impl Strategy<Value = (String, [usize; 3])> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::default()
+    })]
 
     /// Chains hold every problem once, in ascending β, at one value of all but the speed; ids are those of its place.
     #[test]

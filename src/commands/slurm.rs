@@ -332,7 +332,10 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+            ..ProptestConfig::default()
+        })]
 
         #[test]
         fn every_task_is_in_one_array_and_no_array_is_too_large(tasks in 1..=Part::MOST, size in 2u32..5000) {

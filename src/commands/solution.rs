@@ -26,8 +26,8 @@ pub struct SolvedProblem<'a> {
     pub unknowns: usize,
 }
 
-/// One row for each quantity of a case, whose values are those at the slide-to-roll ratio S, with its error and its limit
-/// for large β; of a failed case the limits.
+/// One row for each quantity of a case, whose values are those at the slide-to-roll ratio S, with its error and its
+/// limit for large β; of a failed case the limits.
 pub fn numbers(entry: &CaseEntry, slide_roll: f64) -> String {
     match entry.outcome {
         Status::Converged => quantities(entry, slide_roll),

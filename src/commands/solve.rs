@@ -63,8 +63,8 @@ pub struct Arguments {
     /// Retardation modes as SHARE:TIME, shares of f and times over the one in alpha, as in 0.7:1,0.3:100 [default: 1:1]
     #[arg(long, value_name = "MODES", value_parser = modes)]
     modes: Option<Substrate>,
-    /// Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that slides without turning, 0
-    /// pure rolling; alpha is that of the flat as it moves
+    /// Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that slides without turning,
+    /// 0 pure rolling; alpha is that of the flat as it moves
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = slide_roll, allow_negative_numbers = true)]
     slide_roll: f64,
     /// What fills the gap behind the film: full, streamers or none

@@ -228,7 +228,10 @@ mod tests {
     use super::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+            ..ProptestConfig::default()
+        })]
 
         #[test]
         fn a_spread_keeps_the_ends_and_the_order(count in 1usize..200, most in 2usize..9) {

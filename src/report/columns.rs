@@ -30,8 +30,8 @@ pub(super) struct CostPart {
 /// Columns of `summary.csv` that a page has no room for: each follows from others here, or is for those who check.
 const LEFT_OUT: [Column; 4] = [Column::MuVFlat, Column::MuVRoller, Column::MuTorque, Column::EnergyResidual];
 
-/// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), for a laboratory with α and β behind
-/// them.
+/// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), for a laboratory with α and β
+/// behind them.
 pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart>, StoreError> {
     let part = |name, long_name, units: &'static str| {
         let values = data.variable(name)?;

@@ -45,7 +45,10 @@ mod tests {
     use super::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+            ..ProptestConfig::default()
+        })]
 
         #[test]
         fn no_text_ends_the_element_it_stands_in(text in any::<String>()) {

@@ -34,7 +34,10 @@ mod tests {
     use super::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+            ..ProptestConfig::default()
+        })]
 
         #[test]
         fn numbers_come_back_to_half_a_step(

@@ -188,7 +188,10 @@ fn the_examples_of_the_documentation_are_valid() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::default()
+    })]
 
     /// Any text is a study or an error that names a place in it; nothing panics.
     #[test]

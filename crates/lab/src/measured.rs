@@ -193,8 +193,8 @@ impl Measured {
         Ok(())
     }
 
-    /// True if a point was measured at the quantities of an experiment, the speed along which curves run apart, as far as
-    /// the file has them.
+    /// True if a point was measured at the quantities of an experiment, the speed along which curves run apart, as far
+    /// as the file has them.
     pub fn belongs_to(&self, point: usize, experiment: &Experiment) -> bool {
         let along = experiment.motion.along().0.name();
         self.coordinates.iter().filter(|(name, _)| *name != along).all(|(name, values)| {

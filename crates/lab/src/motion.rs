@@ -4,8 +4,8 @@ use crate::LaboratoryQuantity as Quantity;
 
 /// The speeds of both surfaces, in m/s, in the form in which they are given.
 ///
-/// In the frame of the contact both surfaces move the same way, the roller's with u₁ ≥ 0 and the flat's with u₂ ≥ 0, not
-/// both 0.
+/// In the frame of the contact both surfaces move the same way, the roller's with u₁ ≥ 0 and the flat's with u₂ ≥ 0,
+/// not both 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
     /// The roller does not turn, and slides over the flat: u₁ = 0, u₂ = V.

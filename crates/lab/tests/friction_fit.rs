@@ -79,8 +79,8 @@ fn exact(speeds: &[f64], truth: Experiment, substrate: &Substrate) -> Vec<f64> {
     drag(&motions, truth, substrate)
 }
 
-/// Drag of the truth: what pushes on the flat, from the pressure and the shear along it. The pressure works on the slope
-/// of the flat, which the rigid roller makes, and the shear on the flat is P − S C the other way.
+/// Drag of the truth: what pushes on the flat, from the pressure and the shear along it. The pressure works on the
+/// slope of the flat, which the rigid roller makes, and the shear on the flat is P − S C the other way.
 fn drag(motions: &[Motion], truth: Experiment, substrate: &Substrate) -> Vec<f64> {
     let method = Method::Collocation(collocation::Settings::for_tolerance(1e-8));
     let settings = Settings { method, ..Settings::default() };
@@ -113,9 +113,9 @@ fn exact_points_are_fitted_exactly() {
     }
 }
 
-/// Forty sets of points of an experiment with 2 % of noise: the squares of the deviations over the stated errors have the
-/// mean 1 that the theory of errors gives them, with its standard deviation √(2/n), and so has χ² over its degrees of
-/// freedom. The errors of the points are in the file or not.
+/// Forty sets of points of an experiment with 2 % of noise: the squares of the deviations over the stated errors have
+/// the mean 1 that the theory of errors gives them, with its standard deviation √(2/n), and so has χ² over its degrees
+/// of freedom. The errors of the points are in the file or not.
 fn check_deviations((truth, substrate): (Experiment, &Substrate), speeds: &[f64], names: &[&str], known: bool) {
     const SETS: usize = 40;
     let exact = exact(speeds, truth, substrate);

@@ -93,7 +93,10 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn every_problem_is_in_exactly_one_chain(sweep in sweeps()) {

@@ -12,8 +12,8 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// All unknowns that there are. Poisson's ratio is none: it appears in the plane-strain modulus only. Nor is what may
-    /// be 0: the slide-to-roll ratio and the speed of one surface.
+    /// All unknowns that there are. Poisson's ratio is none: it appears in the plane-strain modulus only. Nor is what
+    /// may be 0: the slide-to-roll ratio and the speed of one surface.
     pub fn all() -> impl Iterator<Item = Self> {
         use LaboratoryQuantity::{FlatSpeed, PoissonRatio, RollerSpeed, SlideRollRatio};
         let quantities = LaboratoryQuantity::ALL.into_iter();

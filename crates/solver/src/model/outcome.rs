@@ -94,7 +94,8 @@ pub struct Quantities {
     pub x_outlet: f64,
     /// Load-weighted centroid of the pressure, (2/π) ∫ p x dx.
     pub centroid: f64,
-    /// (β/π) ∫ u³p′² dx, the power that the pressure-driven flow dissipates, over N a₀ V/R; −P in exact arithmetic (T56).
+    /// (β/π) ∫ u³p′² dx, the power that the pressure-driven flow dissipates, over N a₀ V/R; −P in exact arithmetic
+    /// (T56).
     pub dissipation: f64,
     /// h₀ of (T3), with the displacement as (T10) defines it.
     pub separation: f64,

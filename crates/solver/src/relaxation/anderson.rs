@@ -185,7 +185,10 @@ mod tests {
     }
 
     proptest::proptest! {
-        #![proptest_config(proptest::prelude::ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..proptest::prelude::ProptestConfig::default() })]
+        #![proptest_config(proptest::prelude::ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+            ..proptest::prelude::ProptestConfig::default()
+        })]
 
         /// Whatever the contraction, the mixed iterate is never farther from the fixed point than plain iteration gets
         /// in as many steps, and stays there: the same map, its fixed point as start.

@@ -70,7 +70,10 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+            ..ProptestConfig::default()
+        })]
 
         /// Both interpolations hit the points; the linear one is exact for lines, the cubic one for cubics, up to the
         /// ends.

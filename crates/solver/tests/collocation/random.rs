@@ -21,8 +21,8 @@ fn cases() -> impl Strategy<Value = Parameters> {
     )
 }
 
-/// A case has a solution with the wanted accuracy that obeys what any solution obeys. With panels of a higher degree and
-/// a twentieth of the tolerance nothing moves by more than three times the tolerance.
+/// A case has a solution with the wanted accuracy that obeys what any solution obeys. With panels of a higher degree
+/// and a twentieth of the tolerance nothing moves by more than three times the tolerance.
 fn is_solved_sane_and_accurate(case: &Parameters, tolerance: f64) -> Result<(), TestCaseError> {
     let found = solution(settings(tolerance), case, &numbers());
     let quantities = &found.quantities;

@@ -11,7 +11,10 @@ fn case() -> impl Strategy<Value = Parameters> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn both_ends_are_the_cases_bit_for_bit(from in case(), to in case()) {

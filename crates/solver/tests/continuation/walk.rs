@@ -134,7 +134,10 @@ fn a_walk_that_gives_up_says_where() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::default()
+    })]
 
     /// Whatever the solver can reach: no step is shorter than the smallest (save the last), a walk arrives if the reach
     /// allows a step that may be taken, and it is the same walk every time.

@@ -89,7 +89,7 @@ pub(super) fn values(
         let sheared = [Column::MuH, Column::MuTot, Column::MuDrag].contains(&column);
         let by_ratio = if sheared { values[Column::MuShear] / mu * powers.slide_roll } else { 0.0 };
         let own = by_strength + by_ratio;
-        // What does not depend on α does not, however fast α changes: it does beyond bounds where the flat comes to rest.
+        // Where the flat comes to rest α grows without bound; what does not depend on α stays as it is.
         let by_alpha = if with_alpha == 0.0 { 0.0 } else { with_alpha * powers.alpha };
         by_alpha + with_beta * powers.beta + own + powers.friction
     };

@@ -136,7 +136,10 @@ fn written(sweep: &Sweep) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn a_written_sweep_reads_back(sweep in sweeps()) {
