@@ -1,11 +1,12 @@
 //! The three axes of a sweep as pictures show them.
 
+use stribeck_sweep::Dimension;
 use stribeck_sweep::store::DataSet;
 
 /// An axis of a sweep, in the order of the indices of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// Strength of retardation.
+    /// Strength of retardation, together with the slide-to-roll ratio where that is a dimension.
     F,
     /// α, or the quantities of the laboratory between f and the speed, taken together.
     Middle,
@@ -55,12 +56,18 @@ impl AxisWords {
     /// The axes of a data set.
     pub fn of(data: &DataSet) -> [Self; 3] {
         let (last, before) = data.dimensions.split_last().expect("a data set has at least two dimensions");
-        let middle = match &before[1..] {
+        let named = |it: &Dimension| Self::named(&it.name, &it.units, &it.values);
+        let (outer, between) = before.split_at(data.outer());
+        let middle = match between {
             [] => Self { values: vec![0.0], ..Self::none() },
-            [one] => Self::named(&one.name, &one.units, &one.values),
-            several => Self::together(several.iter().map(|it| Self::named(&it.name, &it.units, &it.values)).collect()),
+            [one] => named(one),
+            several => Self::together(several.iter().map(named).collect()),
         };
-        [Self::named("f", "1", &before[0].values), middle, Self::named(&last.name, &last.units, &last.values)]
+        let first = match outer {
+            [one] => named(one),
+            several => Self::together(several.iter().map(named).collect()),
+        };
+        [first, middle, named(last)]
     }
 
     fn none() -> Self {
@@ -78,6 +85,7 @@ impl AxisWords {
 
     fn named(name: &str, units: &str, values: &[f64]) -> Self {
         let (symbol, words) = match name {
+            "slide_roll" => ("S", "slide-to-roll ratio S = (u₂ − u₁)/(u₁ + u₂)"),
             "f" => ("f", "f = E₀/E∞ − 1"),
             "alpha" => ("α", "α = a₀/(Vτ)"),
             "beta" => ("β", "β = E∞* a₀⁴/(12ηVR³)"),
@@ -101,7 +109,7 @@ impl AxisWords {
         Self { name, symbol, label, unit, values: values.to_vec(), ..Self::none() }
     }
 
-    /// Several axes as one, the last fastest.
+    /// Several axes as one, the last fastest. Where one of them alone has several values it lends its name and numbers.
     fn together(axes: Vec<Self>) -> Self {
         // Indices on the axes.
         let mut places: Vec<Vec<usize>> = vec![Vec::new()];
@@ -118,13 +126,19 @@ impl AxisWords {
             place.iter().zip(&axes).map(|(i, axis)| (axis.name.clone(), axis.values[*i])).collect()
         };
         let symbols: Vec<String> = axes.iter().map(|axis| axis.symbol.clone()).collect();
+        let combinations = places.iter().map(words).collect();
+        let members = places.iter().map(members).collect();
+        let mut varied = axes.iter().filter(|axis| axis.values.len() > 1);
+        if let (Some(alone), None) = (varied.next(), varied.next()) {
+            return Self { combinations, members, ..alone.clone() };
+        }
         Self {
             name: "combination".to_owned(),
             symbol: format!("({})", symbols.join(", ")),
             label: format!("combination of {}", symbols.join(", ")),
             values: (1..=places.len()).map(|number| number as f64).collect(),
-            combinations: places.iter().map(words).collect(),
-            members: places.iter().map(members).collect(),
+            combinations,
+            members,
             ..Self::none()
         }
     }

@@ -8,9 +8,11 @@
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
 //! | `sections` | the sections of a sweep file and their keys |
-//! | `laboratory`, `substrate`, `solver`, `output` | a reader for each section of these names |
+//! | `laboratory`, `solver`, `output` | a reader for each section of these names |
+//! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
+mod bodies;
 mod file;
 mod laboratory;
 mod output;
