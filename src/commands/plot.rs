@@ -110,14 +110,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
     };
     let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
-    let sweep = SweepData::new(data, sweep, measured)?;
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
+    let values: Vec<(String, Vec<f64>)> = named.chain(arguments.at.iter().cloned()).collect();
+    let sweep = SweepData::new(data, sweep, measured, &values)?;
     let request = Request {
         kinds: arguments.what.clone(),
         of: arguments.of.clone(),
         along: arguments.along.clone(),
-        values: named.chain(arguments.at.iter().cloned()).collect(),
+        values,
         x: arguments.x,
         y: arguments.y,
         scale: arguments.scale,

@@ -63,10 +63,10 @@ pub struct Arguments {
     domain: Option<Domain>,
     /// Retardation modes as SHARE:TIME, shares of f and times over the one in alpha, as in 0.7:1,0.3:100 [default: 1:1]
     #[arg(long, value_name = "MODES", value_parser = modes)]
-    modes: Option<Vec<RetardationMode>>,
+    modes: Option<Modes>,
     /// Retardation modes of the roller, written in the same way; the shares of both bodies add up to 1 [default: none]
     #[arg(long, value_name = "MODES", value_parser = modes)]
-    roller_modes: Option<Vec<RetardationMode>>,
+    roller_modes: Option<Modes>,
     /// Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that slides without turning,
     /// 0 pure rolling; alpha is that of the flat as it moves
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = slide_roll, allow_negative_numbers = true)]
@@ -150,13 +150,19 @@ fn domain(text: &str) -> Result<Domain, String> {
     }
 }
 
-fn modes(text: &str) -> Result<Vec<RetardationMode>, String> {
+/// The modes of a body, as one argument.
+#[derive(Clone, Debug)]
+struct Modes(Vec<RetardationMode>);
+
+fn modes(text: &str) -> Result<Modes, String> {
     let mode = |part: &str| {
         let (share, time) = part.split_once(':')?;
         Some(RetardationMode { share: share.parse().ok()?, time: time.parse().ok()? })
     };
     let modes: Option<Vec<_>> = text.split(',').map(mode).collect();
-    modes.ok_or_else(|| "give SHARE:TIME, or several with commas between them, as in 0.7:1,0.3:100".to_owned())
+    modes
+        .map(Modes)
+        .ok_or_else(|| "give SHARE:TIME, or several with commas between them, as in 0.7:1,0.3:100".to_owned())
 }
 
 fn cavity_shear(text: &str) -> Result<CavityShear, String> {
@@ -224,7 +230,7 @@ impl Arguments {
         match (&self.modes, &self.roller_modes) {
             (None, None) => Ok(Substrate::default()),
             (flat, roller) => {
-                let modes = |modes: &Option<Vec<_>>| modes.clone().unwrap_or_default();
+                let modes = |modes: &Option<Modes>| modes.as_ref().map_or_else(Vec::new, |modes| modes.0.clone());
                 Substrate::of_two_bodies(modes(flat), modes(roller)).map_err(CliError::Modes)
             }
         }

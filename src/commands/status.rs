@@ -9,10 +9,10 @@ use super::run_report::note_line;
 use super::{CliError, Exit, console};
 use crate::format::{count, duration, utc_timestamp, whole_seconds};
 use stribeck_input::shown;
+use stribeck_sweep::NoteCounts;
 use stribeck_sweep::campaign::{FailureRegion, PartActivity, PartState, PlannedStatus, StatusReport, status};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::{Ending, Inspection, Start};
-use stribeck_sweep::{Note, NoteCounts};
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
@@ -164,8 +164,8 @@ fn describe_starts(report: &StatusReport) -> String {
 
 /// A line for each note that published places have.
 fn describe_notes(notes: &NoteCounts, places: u64) -> String {
-    let line = |(note, count): (Note, u64)| format!("\n{}", note_line(note, count, places));
-    notes.iter().map(line).collect()
+    let lines: String = notes.iter().map(|(note, count)| note_line(note, count, places)).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
 fn describe_failures(regions: &[FailureRegion]) -> String {

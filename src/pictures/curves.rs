@@ -8,7 +8,7 @@ use super::reference_curves::{self, ReferenceCurve, Values};
 use super::request::{AxisScale, Kind, Request, Selection};
 use super::sweep_data::SweepData;
 use super::table::Table;
-use super::{Axis, PictureError};
+use super::{Axis, AxisWords, PictureError};
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
@@ -64,7 +64,13 @@ fn along_each(
             return Err(kind.missing(format!("{name} has one value here, and a curve needs two")));
         }
         Some(axis) => vec![axis],
-        None => Axis::ALL.into_iter().filter(long).collect(),
+        None => {
+            let all: Vec<Axis> = Axis::ALL.into_iter().filter(long).collect();
+            // The numbers of combinations are no quantity to draw along, if there is another.
+            let is_quantity = |axis: &Axis| sweep.axis(*axis).name != AxisWords::COMBINATION;
+            let quantities: Vec<Axis> = all.iter().copied().filter(is_quantity).collect();
+            if quantities.is_empty() { all } else { quantities }
+        }
     };
     if axes.is_empty() {
         return Err(kind.missing("every axis has one value here, and a curve needs two"));

@@ -25,11 +25,16 @@ pub struct SweepData {
 }
 
 impl SweepData {
-    /// The pictures of a data set.
+    /// The pictures of a data set, of which values of some dimensions are asked for.
     ///
     /// # Errors
     /// [`StoreError`] if it cannot be read.
-    pub fn new(data: DataSet, sweep: Option<Sweep>, measured: Option<Measured>) -> Result<Self, StoreError> {
+    pub fn new(
+        data: DataSet,
+        sweep: Option<Sweep>,
+        measured: Option<Measured>,
+        asked: &[(String, Vec<f64>)],
+    ) -> Result<Self, StoreError> {
         let scales = match data.laboratory {
             true => {
                 let [length, height, pressure, friction] = Scales::VARIABLES.map(|(name, ..)| data.variable(name));
@@ -37,7 +42,7 @@ impl SweepData {
             }
             false => None,
         };
-        Ok(Self { axes: AxisWords::of(&data), numbers: data.numbers()?, scales, data, sweep, measured })
+        Ok(Self { axes: AxisWords::of(&data, asked), numbers: data.numbers()?, scales, data, sweep, measured })
     }
 
     /// What an axis is called, and its values.

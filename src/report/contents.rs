@@ -57,7 +57,7 @@ impl Contents {
     pub(super) fn of(data: &DataSet, measured: Option<&Measured>) -> Result<Self, StoreError> {
         let mut notes =
             vec!["Numbers are shown to at most seven digits; summary.csv and results.h5 have all.".to_owned()];
-        let (grid, axes) = (Grid::of(data), AxisWords::of(data));
+        let (grid, axes) = (Grid::of(data), AxisWords::of(data, &[]));
         notes.extend(grid.note(data, &axes));
         let (masks, all) = (data.notes()?, data.shape().places());
         for (note, count) in NoteCounts::of_masks(masks.into_iter().flatten()).iter() {

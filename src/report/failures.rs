@@ -74,7 +74,7 @@ impl FailurePart {
 
 impl FailureList {
     fn of<'a>(data: &DataSet, failed: impl Iterator<Item = (usize, &'a str)>, notes: &mut Vec<String>) -> Self {
-        let (shape, axes) = (data.shape(), AxisWords::of(data));
+        let (shape, axes) = (data.shape(), AxisWords::of(data, &[]));
         let (mut kinds, mut list) = (Texts::default(), Self::default());
         for (place, reason) in failed {
             let index = kinds.index(kind_name_of_text(reason));
