@@ -61,6 +61,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Grid::Laboratory(axes) = &sweep.grid {
         let extent = Extent::of(axes);
         text += &format!("{extent}\n");
+        let cavity = sweep.output.cavity_shear;
+        text += &format!("cavity_shear = \"{cavity}\": {}\n", cavity.meaning());
         text += &reach(&cases);
         text += &notes(&cases, axes);
     }

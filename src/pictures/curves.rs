@@ -49,6 +49,13 @@ pub(super) fn named_columns(request: &Request, otherwise: &[Column]) -> Vec<Colu
     if named.is_empty() { otherwise.to_vec() } else { named }
 }
 
+/// What all curves of a picture have in common.
+fn subtitle(sweep: &SweepData, family: &CurveFamily) -> String {
+    let held = sweep.held_along(family.along, family.start[family.along.dimension()]);
+    let fixed = Some(sweep.list(&family.fixed, family.start)).filter(|words| !words.is_empty());
+    held.into_iter().chain(fixed).collect::<Vec<_>>().join(", ")
+}
+
 /// The pictures of these columns along the axis asked for, or along each that has several values.
 fn along_each(
     sweep: &SweepData,
@@ -140,7 +147,7 @@ fn draw(
     let x_label = sweep.axis(family.along).label.clone();
     let chart = Lines {
         title: sweep.data.title.clone(),
-        subtitle: sweep.list(&family.fixed, family.start),
+        subtitle: subtitle(sweep, family),
         x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
         y: LineAxis { label: Quantity::common_label(columns, sweep.data.laboratory), logarithmic, range },
         curves: solved.into_iter().chain(references).chain(measured).collect(),

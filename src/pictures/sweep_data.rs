@@ -130,6 +130,16 @@ impl SweepData {
         format!("-{}-{value}", self.axis(axis).name)
     }
 
+    /// "f = 100" of the quantities that an axis is made of but does not run along.
+    pub(super) fn held_along(&self, axis: Axis, index: usize) -> Vec<String> {
+        if self.axis(axis).name == AxisWords::COMBINATION {
+            return Vec::new();
+        }
+        let own = format!("{} = ", self.axis(axis).symbol);
+        let words = self.words(axis, index);
+        words.split(", ").filter(|words| !words.is_empty() && !words.starts_with(&own)).map(str::to_owned).collect()
+    }
+
     /// "f = 100, α = 1" of the axes named.
     pub(super) fn list(&self, axes: &[Axis], indices: [usize; 3]) -> String {
         let words: Vec<String> = axes

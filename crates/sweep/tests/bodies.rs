@@ -53,7 +53,8 @@ const FILM: [Column; 6] =
 /// that of the other name.
 #[test]
 fn exchanged_bodies_exchange_their_names() {
-    for (ratio, [one, other]) in [(0.6, [RUBBER, SOFTER]), (-1.2, [RUBBER, "rigid = true\n"]), (2.0, [SOFTER, RUBBER])] {
+    for (ratio, [one, other]) in [(0.6, [RUBBER, SOFTER]), (-1.2, [RUBBER, "rigid = true\n"]), (2.0, [SOFTER, RUBBER])]
+    {
         let here = solved(&sweep(&rolling(SPEEDS, ratio), &format!("[flat]\n{one}[roller]\n{other}")));
         let there = solved(&sweep(&rolling(SPEEDS, -ratio), &format!("[flat]\n{other}[roller]\n{one}")));
         for (here, there) in here.iter().zip(&there) {
@@ -137,7 +138,12 @@ fn ratios_cost_no_solution() {
     let (one, several) = (solved(&one), solved(&several));
     for (ratio, values) in [-0.5, 0.0, 1.0].into_iter().zip(several.chunks(one.len())) {
         for (at_one, values) in one.iter().zip(values) {
-            check(values[Column::MuDrag], at_one[Column::MuDrag] - (1.0 - ratio) * at_one[Column::MuShear], 1e-12, "drag");
+            check(
+                values[Column::MuDrag],
+                at_one[Column::MuDrag] - (1.0 - ratio) * at_one[Column::MuShear],
+                1e-12,
+                "drag",
+            );
             assert_eq!(values[Column::FilmMin], at_one[Column::FilmMin]);
         }
     }
@@ -147,7 +153,8 @@ fn ratios_cost_no_solution() {
 /// does not turn.
 #[test]
 fn modes_of_the_roller_go_with_its_speed() {
-    let axes = |ratio: f64| format!("[axes]\nslide_roll = [{ratio:?}]\nf = [10.0]\nalpha = [1.0]\nbeta = [30.0, 100.0]\n");
+    let axes =
+        |ratio: f64| format!("[axes]\nslide_roll = [{ratio:?}]\nf = [10.0]\nalpha = [1.0]\nbeta = [30.0, 100.0]\n");
     let flat = "[flat]\nmodes = [{ share = 0.6, time = 1.0 }, { share = 0.4, time = 10.0 }]\n";
     let both = "[flat]\nmodes = [{ share = 0.6, time = 1.0 }]\n[roller]\nmodes = [{ share = 0.4, time = 10.0 }]\n";
     let parsed = |ratio, bodies: &str| Sweep::parse("modes", &(axes(ratio) + bodies + TOLERANCE)).expect("valid");

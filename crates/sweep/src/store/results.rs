@@ -58,6 +58,7 @@ impl Results {
     ) -> Result<Self> {
         let mut file = NewFile::create(path)?;
         describe_file(&file, publication)?;
+        file.set_text("cavity_shear", &output.cavity_shear.to_string())?;
         let names: Vec<&str> = publication.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
         if experiment.is_some() {
             file.set_text(DIMENSIONS, &names.join(" "))?;
