@@ -12,8 +12,10 @@
 //! let (radius, load, modulus) = (2e-3, 119.0, Modulus::Relaxed(material.relaxed_modulus));
 //! let (viscosity, motion) = (5.1, Motion::Sliding { speed: 1e-3 });
 //! let Material { retardation_time, f, ref substrate, .. } = material;
-//! let (poisson_ratio, roller) = (0.5, Roller::RIGID);
-//! let experiment = Experiment { radius, load, modulus, poisson_ratio, viscosity, retardation_time, motion, f, roller };
+//! let (poisson_ratio, roller, temperature) = (0.5, Roller::RIGID, None);
+//! let experiment = Experiment {
+//!     radius, load, modulus, poisson_ratio, viscosity, retardation_time, motion, f, roller, temperature,
+//! };
 //! let solution = solve(&experiment.parameters(substrate), &Settings::default()).expect("a solution");
 //! let friction = experiment.scales().friction * solution.quantities.friction.drag;
 //! assert!((0.02..0.1).contains(&friction), "{friction}");
@@ -24,6 +26,7 @@
 //! | `quantity`, `units` | quantities of the laboratory; values with units |
 //! | `motion` | speeds of both surfaces |
 //! | `roller` | what the roller is made of |
+//! | `temperature`, `viscosity_law` | how times and viscosity change with temperature |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
 //! | `measured` | measured friction |
@@ -37,9 +40,11 @@ mod motion;
 mod quantity;
 mod roller;
 mod scales;
+mod temperature;
 mod units;
+mod viscosity_law;
 
-pub use experiment::{Experiment, Modulus, Powers};
+pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
     Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
@@ -49,4 +54,6 @@ pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use roller::Roller;
 pub use scales::{Scales, si_units};
+pub use temperature::{GAS_CONSTANT, ShiftLaw, TemperatureUnit, parse_temperature};
 pub use units::Dimension;
+pub use viscosity_law::{ViscosityLaw, ViscosityTable};

@@ -1,9 +1,10 @@
 //! The two bodies of a sweep: the sections `[flat]` (or `[substrate]`, its other name) and `[roller]`.
 
-use super::sections::section;
+use super::sections::{keys, section};
 use super::substrate::{self, Given, MaterialDefaults, ReadSubstrate};
+use super::temperature::read_shift;
 use stribeck_input::{Entry, Fault, Quantity, Section, Values};
-use stribeck_lab::{Dimension, LaboratoryQuantity, Roller};
+use stribeck_lab::{Dimension, LaboratoryQuantity, Roller, ShiftLaw};
 use stribeck_solver::Substrate;
 
 /// The two bodies as a sweep file has them.
@@ -21,6 +22,8 @@ pub(super) struct ReadBodies {
     pub(super) roller: Roller,
     /// The spectrum of the roller, where it has an f.
     pub(super) roller_spectrum: Substrate,
+    /// How the times of flat and roller change with temperature.
+    pub(super) shifts: [Option<ShiftLaw>; 2],
 }
 
 /// Reads the sections of both bodies.
@@ -92,6 +95,10 @@ fn read_quantities(flat: Option<&Entry<'_>>, roller: Option<&Entry<'_>>) -> Resu
         }
         _ => {}
     }
+    for (shift, entry) in bodies.shifts.iter_mut().zip([flat, roller]) {
+        let body = entry.map(section).transpose()?;
+        *shift = body.and_then(|body| body.get("shift")).map(|entry| read_shift(&entry)).transpose()?;
+    }
     Ok(bodies)
 }
 
@@ -101,8 +108,7 @@ fn is_rigid(entry: &Entry<'_>) -> Result<bool, Fault> {
     if !body.get("rigid").map_or(Ok(false), |rigid| rigid.boolean())? {
         return Ok(false);
     }
-    let others =
-        ["modes", "relaxation", "relaxed_modulus", "instantaneous_modulus", "poisson_ratio", "f", "retardation_time"];
+    let others = keys(entry.path()).iter().filter(|key| **key != "rigid");
     match others.into_iter().find_map(|key| body.get(key)) {
         None => Ok(true),
         Some(other) => {

@@ -10,6 +10,7 @@
 //! | `sections` | the sections of a sweep file and their keys |
 //! | `laboratory`, `solver`, `output` | a reader for each section of these names |
 //! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
+//! | `temperature` | the readers of laws of temperature |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
 mod bodies;
@@ -20,6 +21,7 @@ mod sections;
 mod solver;
 mod specification;
 mod substrate;
+mod temperature;
 
 pub use file::{read_axes, read_title};
 pub use solver::{read_error, read_points};

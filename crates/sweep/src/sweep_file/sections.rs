@@ -16,6 +16,7 @@ const SECTIONS: [(&str, &[&str]); 9] = [
             "poisson_ratio",
             "viscosity",
             "retardation_time",
+            "temperature",
             "speed",
             "entrainment_speed",
             "slide_roll_ratio",
@@ -45,6 +46,7 @@ const BODY: &[&str] = &[
     "poisson_ratio",
     "f",
     "retardation_time",
+    "shift",
 ];
 
 /// The keys of a section.
