@@ -183,6 +183,12 @@ impl<'t> Entry<'t> {
         matches!(self.value, DeValue::Table(_))
     }
 
+    /// The value of a key, known or not, if this is a table with such a key.
+    pub fn member(&self, key: &str) -> Option<Entry<'t>> {
+        let DeValue::Table(table) = self.value else { return None };
+        Section { path: Rc::clone(&self.path), span: self.span.clone(), table }.get(key)
+    }
+
     /// A table in which no key but the `known` ones stands.
     pub fn section(&self, known: &[&str], elsewhere: fn(&str) -> Option<&'static str>) -> Result<Section<'t>, Fault> {
         match self.value {

@@ -39,7 +39,8 @@ mod units;
 pub use experiment::{Experiment, Modulus, Powers};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
-    Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
+    Material, MaterialError, Measurement, Measurements, ModulusKind, Relaxation, RelaxationFit, RelaxationFitError,
+    RelaxationTerm,
 };
 pub use measured::{Measured, MeasuredError};
 pub use motion::Motion;

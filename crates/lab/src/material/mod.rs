@@ -8,16 +8,19 @@
 //! | `relaxation` | [`Relaxation`]: E(t) = E∞ + Σ E_i e^{−t/τ_i}, in pascals and seconds |
 //! | `creep` | [`Material`]: the same material by its creep, as a case needs it |
 //! | `conversion` | from one to the other |
+//! | `modulus_kind` | [`ModulusKind`]: Young's modulus or shear modulus |
 //! | `measurements` | [`Measurements`]: storage and loss modulus over frequency |
 //! | `relaxation_fit` | [`RelaxationFit`]: the relaxation spectrum that fits the measurements |
 
 mod conversion;
 mod creep;
 mod measurements;
+mod modulus_kind;
 mod relaxation;
 mod relaxation_fit;
 
 pub use creep::Material;
 pub use measurements::{Measurement, Measurements};
+pub use modulus_kind::ModulusKind;
 pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};
 pub use relaxation_fit::{RelaxationFit, RelaxationFitError};

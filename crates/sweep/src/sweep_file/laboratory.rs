@@ -1,5 +1,6 @@
 //! The section `[laboratory]` of a sweep file: quantities with units in place of α and β.
 
+use super::modulus;
 use super::sections::section;
 use super::substrate::MaterialDefaults;
 use crate::{Given, LaboratoryAxes};
@@ -108,17 +109,20 @@ fn read_quantity(
     f: &[f64],
 ) -> Result<Option<Varying>, Fault> {
     use LaboratoryQuantity as Q;
-    if let Some(entry) = section.get(quantity.name()) {
-        if quantity == Q::InstantaneousModulus && section.get(Q::RelaxedModulus.name()).is_some() {
-            let what = "[laboratory] may have `relaxed_modulus` or `instantaneous_modulus`, not both";
-            let help = "remove one of the two: the other one follows from f";
-            return Err(entry.fault(what, "both are there", help));
+    if matches!(quantity, Q::RelaxedModulus | Q::InstantaneousModulus) {
+        match modulus::find(section, "laboratory", "the other one follows from f")? {
+            Some(given) if given.quantity == quantity => return modulus::read_young(section, &given).map(Some),
+            Some(_) => return Ok(None),
+            None => {}
         }
+    } else if let Some(entry) = section.get(quantity.name()) {
         return read_varying(&entry, quantity).map(Some);
     }
     let default = match quantity {
-        Q::RelaxedModulus if section.get(Q::InstantaneousModulus.name()).is_some() => return Ok(None),
-        Q::RelaxedModulus => material.relaxed_modulus,
+        Q::RelaxedModulus => match material.relaxed_modulus {
+            Some((value, kind)) => Some(value * modulus::young_factor(section, kind)?),
+            None => None,
+        },
         Q::InstantaneousModulus => return Ok(None),
         // An elastic substrate responds at once: α = ∞.
         Q::RetardationTime => material.retardation_time.or((f == [0.0]).then_some(0.0)),

@@ -9,10 +9,12 @@
 //! | `specification` | [`Sweep`] and its parts |
 //! | `sections` | the sections of a sweep file and their keys |
 //! | `laboratory`, `substrate`, `solver`, `output` | a reader for each section of these names |
+//! | `modulus` | a modulus of `laboratory` or `substrate`: relaxed or instantaneous, Young's or shear |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
 mod file;
 mod laboratory;
+mod modulus;
 mod output;
 mod sections;
 mod solver;

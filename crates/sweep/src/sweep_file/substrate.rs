@@ -1,8 +1,9 @@
 //! The section `[substrate]` of a sweep file.
 
+use super::modulus;
 use super::sections::section;
 use stribeck_input::{Entry, Fault, Section, Values};
-use stribeck_lab::{Dimension, Material, Relaxation, RelaxationTerm};
+use stribeck_lab::{Dimension, LaboratoryQuantity, Material, ModulusKind, Relaxation, RelaxationTerm};
 use stribeck_solver::{RetardationMode, Substrate};
 
 /// Most terms of a relaxation.
@@ -12,11 +13,14 @@ const MODES: &str = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, 
 const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, \
                      { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
 
+/// Why there is no second modulus.
+const ONE_MODULUS: &str = "the terms are the difference";
+
 /// What a material says of itself, for what `[laboratory]` leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MaterialDefaults {
-    /// E∞ (Pa).
-    pub relaxed_modulus: Option<f64>,
+    /// E∞ or G∞ (Pa), and which of the two.
+    pub relaxed_modulus: Option<(f64, ModulusKind)>,
     /// f.
     pub f: Option<f64>,
     /// τ (s).
@@ -41,12 +45,10 @@ pub fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
             Err(relaxation.fault(what, "both are there", "remove one of the two: each describes the whole substrate"))
         }
         (modes, None) => {
-            if let Some(modulus) =
-                ["relaxed_modulus", "instantaneous_modulus"].into_iter().find_map(|key| section.get(key))
-            {
-                let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
+            if let Some(modulus) = modulus::find(&section, "substrate", ONE_MODULUS)? {
+                let what = format!("`{}` goes with `relaxation`, which is not there", modulus.entry.path());
                 let help = "beside `modes` the modulus stands in [laboratory]: move it there";
-                return Err(modulus.fault(what, "without `relaxation`", help));
+                return Err(modulus.entry.fault(what, "without `relaxation`", help));
             }
             let substrate = modes.map(|modes| read_modes(&modes)).transpose()?.unwrap_or_default();
             Ok(ReadSubstrate { substrate, material: MaterialDefaults::default() })
@@ -110,9 +112,11 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
             .fault("terms have `modulus` or `fraction`, all of them the same", "both are there", TERMS)
             .unquoted());
     }
-    let given = given_modulus(section)?;
     // Fractions alone say nothing of the modulus: f and the times are the same whatever it is.
-    let is_known = given.is_some();
+    let (given, kind) = match modulus::find(section, "substrate", ONE_MODULUS)? {
+        None => (None, None),
+        Some(given) => (Some((Dimension::Modulus.read(&given.entry)?, given.quantity)), Some(given.kind)),
+    };
     let parts: f64 = terms.iter().map(|(Part::Modulus(part) | Part::Fraction(part), _)| part).sum();
     let (relaxed, unit) = match (given, fractions > 0) {
         (None, true) => (1.0 - parts, 1.0),
@@ -120,10 +124,10 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
             let help = "add relaxed_modulus = \"1 MPa\", the modulus after a long time, or instantaneous_modulus";
             return Err(section.fault("[substrate] needs a modulus beside `relaxation`", "no modulus", help));
         }
-        (Some(Given::Relaxed(modulus)), false) => (modulus, 1.0),
-        (Some(Given::Relaxed(modulus)), true) => (modulus, modulus / (1.0 - parts)),
-        (Some(Given::Instantaneous(modulus)), false) => (modulus - parts, 1.0),
-        (Some(Given::Instantaneous(modulus)), true) => (modulus * (1.0 - parts), modulus),
+        (Some((modulus, LaboratoryQuantity::RelaxedModulus)), false) => (modulus, 1.0),
+        (Some((modulus, LaboratoryQuantity::RelaxedModulus)), true) => (modulus, modulus / (1.0 - parts)),
+        (Some((modulus, _)), false) => (modulus - parts, 1.0),
+        (Some((modulus, _)), true) => (modulus * (1.0 - parts), modulus),
     };
     if parts.is_nan() || (fractions > 0 && parts >= 1.0) || relaxed <= 0.0 {
         let what = "the terms of `substrate.relaxation` must leave a relaxed modulus above 0";
@@ -139,7 +143,7 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
         .map_err(|error| entry.fault(format!("`substrate.relaxation`: {error}"), "these terms", TERMS).unquoted())?;
     let Material { relaxed_modulus, f, retardation_time, substrate } = relaxation.material();
     let material = MaterialDefaults {
-        relaxed_modulus: is_known.then_some(relaxed_modulus),
+        relaxed_modulus: kind.map(|kind| (relaxed_modulus, kind)),
         f: Some(f),
         retardation_time: Some(retardation_time),
     };
@@ -153,23 +157,4 @@ fn read_fraction(entry: &Entry<'_>) -> Result<f64, Fault> {
     }
     let help = "a fraction is the term's part of the instantaneous modulus, g_i of a normalised Prony series";
     Err(entry.fault("a `fraction` must be above 0 and below 1", "not a fraction", help))
-}
-
-/// The modulus beside a relaxation, in Pa.
-enum Given {
-    Relaxed(f64),
-    Instantaneous(f64),
-}
-
-fn given_modulus(section: &Section<'_>) -> Result<Option<Given>, Fault> {
-    let read = |entry: Entry<'_>| Dimension::Modulus.read(&entry);
-    match (section.get("relaxed_modulus"), section.get("instantaneous_modulus")) {
-        (None, None) => Ok(None),
-        (Some(relaxed), None) => read(relaxed).map(Given::Relaxed).map(Some),
-        (None, Some(instantaneous)) => read(instantaneous).map(Given::Instantaneous).map(Some),
-        (Some(_), Some(instantaneous)) => {
-            let what = "[substrate] may have `relaxed_modulus` or `instantaneous_modulus`, not both";
-            Err(instantaneous.fault(what, "both are there", "remove one of the two: the terms are the difference"))
-        }
-    }
 }

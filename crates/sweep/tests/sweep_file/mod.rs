@@ -1,6 +1,7 @@
 //! Sweep files: what is taken, what is refused, and how the refusal reads.
 
 mod documents;
+mod moduli;
 mod refused;
 mod round_trip;
 
