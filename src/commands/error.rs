@@ -10,7 +10,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
-use stribeck_lab::{MeasuredError, RelaxationFitError};
+use stribeck_lab::{MasterCurveError, MeasuredError, PronyError, RelaxationFitError};
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::ThreadsError;
@@ -206,6 +206,36 @@ pub enum CliError {
         /// Why there is none.
         source: RelaxationFitError,
     },
+    /// A series that is no material.
+    #[error("{}: {source}", shown(file))]
+    Series {
+        /// The file.
+        file: PathBuf,
+        /// Why it is none.
+        source: PronyError,
+    },
+    /// Moduli that are no master curve.
+    #[error("{}: {source}", shown(data))]
+    MasterCurve {
+        /// The table of measurements.
+        data: PathBuf,
+        /// Why they are none.
+        source: MasterCurveError,
+    },
+    /// Moduli at several temperatures, and none to shift them to.
+    #[error(
+        "{}: the moduli are at temperatures from {:.1} to {:.1} degC and no one material; say to which temperature they are \
+         to be shifted, as in --reference-temperature \"20 degC\"",
+        shown(data),
+        range.0 - 273.15,
+        range.1 - 273.15
+    )]
+    SeveralTemperatures {
+        /// The table of measurements.
+        data: PathBuf,
+        /// The lowest and the highest temperature, in K.
+        range: (f64, f64),
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -237,6 +267,9 @@ impl CliError {
             | CliError::SeveralAsked { .. }
             | CliError::NoFit { .. }
             | CliError::Fit { .. }
+            | CliError::Series { .. }
+            | CliError::MasterCurve { .. }
+            | CliError::SeveralTemperatures { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }

@@ -52,7 +52,7 @@ impl Study {
 fn interpret(name: &str, text: &str) -> Result<Study, Fault> {
     let document = stribeck_input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), &KEYS, home)?;
-    let read_substrate = root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?;
+    let read_substrate = root.get("substrate").map(|entry| read_substrate(&entry, None)).transpose()?;
     let (substrate, own_f) = read_substrate.map(|read| (read.substrate, read.material.f)).unwrap_or_default();
     let axes = root.get("axes").map(|entry| read_axes(&entry, own_f)).transpose()?;
     let single = root.get("case").map(|entry| read_cases(&entry, &substrate)).transpose()?.unwrap_or_default();

@@ -75,6 +75,11 @@ impl<'t> Entry<'t> {
         &self.path
     }
 
+    /// Where the value stands in the text; of a section that has a header of its own, where that stands.
+    pub fn span(&self) -> Range<usize> {
+        self.span.clone()
+    }
+
     /// A fault of this value: `what` says what is allowed.
     pub fn fault(&self, what: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Fault {
         Fault::new(self.span.clone(), what, label, help)

@@ -24,6 +24,7 @@
 //! | `motion` | speeds of both surfaces |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
+//! | `temperature` | units of temperature; how times change with it |
 //! | `measured` | measured friction |
 //! | `friction_fit` | fits to measured friction |
 
@@ -34,16 +35,20 @@ mod measured;
 mod motion;
 mod quantity;
 mod scales;
+mod temperature;
 mod units;
 
 pub use experiment::{Experiment, Modulus, Powers};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
-    Material, MaterialError, Measurement, Measurements, ModulusKind, Relaxation, RelaxationFit, RelaxationFitError,
-    RelaxationTerm,
+    Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
+    MaterialFile, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile, PronyParts,
+    PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError,
+    TermChoice,
 };
 pub use measured::{Measured, MeasuredError};
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use scales::{Scales, si_units};
+pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
 pub use units::Dimension;

@@ -84,7 +84,7 @@ impl Dimension {
     }
 
     /// The number of SI units in a unit, written in any way; `None` if the unit has another dimension.
-    pub(crate) fn factor_of(self, unit: &str) -> Option<f64> {
+    pub fn factor_of(self, unit: &str) -> Option<f64> {
         self.factor(&canonical(unit))
     }
 

@@ -10,11 +10,13 @@
 //! | `sections` | the sections of a sweep file and their keys |
 //! | `laboratory`, `substrate`, `solver`, `output` | a reader for each section of these names |
 //! | `modulus` | a modulus of `laboratory` or `substrate`: relaxed or instantaneous, Young's or shear |
+//! | `named_series` | a Prony series in a file that the sweep file names |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
 mod file;
 mod laboratory;
 mod modulus;
+mod named_series;
 mod output;
 mod sections;
 mod solver;

@@ -1,17 +1,20 @@
 //! The section `[substrate]` of a sweep file.
 
+use std::path::Path;
+
 use super::modulus;
+use super::named_series::{self, NamedSeries};
 use super::sections::section;
 use stribeck_input::{Entry, Fault, Section, Values};
-use stribeck_lab::{Dimension, LaboratoryQuantity, Material, ModulusKind, Relaxation, RelaxationTerm};
+use stribeck_lab::{
+    Dimension, LaboratoryQuantity, Material, Modulus, ModulusKind, PronyError, PronyParts, PronySeries,
+};
 use stribeck_solver::{RetardationMode, Substrate};
-
-/// Most terms of a relaxation.
-const MOST_TERMS: usize = 1000;
 
 const MODES: &str = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, time = 100.0 }]";
 const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, \
-                     { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
+                     { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the \
+                     instantaneous modulus; or { file = \"prony.csv\" }";
 
 /// Why there is no second modulus.
 const ONE_MODULUS: &str = "the terms are the difference";
@@ -34,10 +37,13 @@ pub struct ReadSubstrate {
     pub substrate: Substrate,
     /// Of a material: modulus, f and retardation time.
     pub material: MaterialDefaults,
+    /// The series of a file that the section names.
+    pub(super) named: Option<NamedSeries>,
 }
 
-/// Reads `[substrate]`: retardation modes, or a material by its relaxation.
-pub fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
+/// Reads `[substrate]`: retardation modes, or a material by its relaxation. Files that it names are relative to a folder;
+/// without one it may name none.
+pub fn read(entry: &Entry<'_>, folder: Option<&Path>) -> Result<ReadSubstrate, Fault> {
     let section = section(entry)?;
     match (section.get("modes"), section.get("relaxation")) {
         (Some(_), Some(relaxation)) => {
@@ -51,9 +57,9 @@ pub fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
                 return Err(modulus.entry.fault(what, "without `relaxation`", help));
             }
             let substrate = modes.map(|modes| read_modes(&modes)).transpose()?.unwrap_or_default();
-            Ok(ReadSubstrate { substrate, material: MaterialDefaults::default() })
+            Ok(ReadSubstrate { substrate, ..ReadSubstrate::default() })
         }
-        (None, Some(relaxation)) => read_relaxation(&section, &relaxation),
+        (None, Some(relaxation)) => read_relaxation(&section, &relaxation, entry, folder),
     }
 }
 
@@ -80,74 +86,79 @@ fn read_modes(modes_entry: &Entry<'_>) -> Result<Substrate, Fault> {
     })
 }
 
-/// Part of a modulus that a term has: in Pa, or of the instantaneous modulus.
-#[derive(Clone, Copy)]
-enum Part {
-    Modulus(f64),
-    Fraction(f64),
+/// A material by its relaxation: its terms, or a file with them.
+fn read_relaxation(
+    section: &Section<'_>,
+    entry: &Entry<'_>,
+    whole: &Entry<'_>,
+    folder: Option<&Path>,
+) -> Result<ReadSubstrate, Fault> {
+    let mut named = if entry.is_section() { Some(named_series::read(entry, whole, folder)?) } else { None };
+    let mut series = match &named {
+        Some(named) => named.series.clone(),
+        None => read_terms(entry)?,
+    };
+    if let Some(given) = modulus::find(section, "substrate", ONE_MODULUS)? {
+        let value = Dimension::Modulus.read(&given.entry)?;
+        let is_relaxed = given.quantity == LaboratoryQuantity::RelaxedModulus;
+        series.modulus = Some(if is_relaxed { Modulus::Relaxed(value) } else { Modulus::Instantaneous(value) });
+        series.kind = given.kind;
+        // the section says it already
+        if let Some(named) = &mut named {
+            named.series.modulus = None;
+        }
+    }
+    let relaxation = series.relaxation().map_err(|error| refused(section, entry, error))?;
+    let Material { relaxed_modulus, f, retardation_time, substrate } = relaxation.material();
+    let material = MaterialDefaults {
+        relaxed_modulus: series.modulus.map(|_| (relaxed_modulus, series.kind)),
+        f: Some(f),
+        retardation_time: Some(retardation_time),
+    };
+    Ok(ReadSubstrate { substrate, material, named })
 }
 
-fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
+/// Terms by their moduli, or by their fractions of the instantaneous modulus.
+fn read_terms(entry: &Entry<'_>) -> Result<PronySeries, Fault> {
     let read_term = |term: Entry<'_>| {
         let keys = term.section(&["modulus", "fraction", "time"], |_| None)?;
         let time = Dimension::Time.read(&keys.require("time", TERMS)?)?;
         let part = match (keys.get("modulus"), keys.get("fraction")) {
-            (Some(modulus), None) => Part::Modulus(Dimension::Modulus.read(&modulus)?),
-            (None, Some(fraction)) => Part::Fraction(read_fraction(&fraction)?),
+            (Some(modulus), None) => (PronyParts::Moduli, Dimension::Modulus.read(&modulus)?),
+            (None, Some(fraction)) => (PronyParts::Fractions, read_fraction(&fraction)?),
             (None, None) => return Err(keys.fault("a term has `modulus` or `fraction`", "has neither", TERMS)),
             (Some(_), Some(_)) => return Err(keys.fault("a term has `modulus` or `fraction`", "has both", TERMS)),
         };
         Ok((part, time))
     };
-    let list = entry.require_list(TERMS)?;
-    if list.len() > MOST_TERMS {
-        let what = format!("`substrate.relaxation` may have at most {MOST_TERMS} terms, not {}", list.len());
-        let help = "one or two for each decade of time describe any material";
-        return Err(entry.fault(what, "too many terms", help).unquoted());
+    let terms = entry.require_list(TERMS)?.map(read_term).collect::<Result<Vec<_>, _>>()?;
+    let parts = terms.first().map_or(PronyParts::Moduli, |((parts, _), _)| *parts);
+    if terms.iter().any(|((other, _), _)| *other != parts) {
+        let what = "terms have `modulus` or `fraction`, all of them the same";
+        return Err(entry.fault(what, "both are there", TERMS).unquoted());
     }
-    let terms = list.map(read_term).collect::<Result<Vec<_>, _>>()?;
-    let fractions = terms.iter().filter(|(part, _)| matches!(part, Part::Fraction(_))).count();
-    if fractions != 0 && fractions != terms.len() {
-        return Err(entry
-            .fault("terms have `modulus` or `fraction`, all of them the same", "both are there", TERMS)
-            .unquoted());
-    }
-    // Fractions alone say nothing of the modulus: f and the times are the same whatever it is.
-    let (given, kind) = match modulus::find(section, "substrate", ONE_MODULUS)? {
-        None => (None, None),
-        Some(given) => (Some((Dimension::Modulus.read(&given.entry)?, given.quantity)), Some(given.kind)),
-    };
-    let parts: f64 = terms.iter().map(|(Part::Modulus(part) | Part::Fraction(part), _)| part).sum();
-    let (relaxed, unit) = match (given, fractions > 0) {
-        (None, true) => (1.0 - parts, 1.0),
-        (None, false) => {
+    let terms = terms.into_iter().map(|((_, part), time)| (part, time)).collect();
+    Ok(PronySeries { parts, terms, modulus: None, kind: ModulusKind::Young })
+}
+
+/// What is wrong with a series, and what to do.
+fn refused(section: &Section<'_>, entry: &Entry<'_>, error: PronyError) -> Fault {
+    let path = entry.path();
+    match error {
+        PronyError::NoModulus => {
             let help = "add relaxed_modulus = \"1 MPa\", the modulus after a long time, or instantaneous_modulus";
-            return Err(section.fault("[substrate] needs a modulus beside `relaxation`", "no modulus", help));
+            section.fault("[substrate] needs a modulus beside `relaxation`", "no modulus", help)
         }
-        (Some((modulus, LaboratoryQuantity::RelaxedModulus)), false) => (modulus, 1.0),
-        (Some((modulus, LaboratoryQuantity::RelaxedModulus)), true) => (modulus, modulus / (1.0 - parts)),
-        (Some((modulus, _)), false) => (modulus - parts, 1.0),
-        (Some((modulus, _)), true) => (modulus * (1.0 - parts), modulus),
-    };
-    if parts.is_nan() || (fractions > 0 && parts >= 1.0) || relaxed <= 0.0 {
-        let what = "the terms of `substrate.relaxation` must leave a relaxed modulus above 0";
-        let help = "the parts of all terms together are less than the instantaneous modulus (less than 1 as fractions): a \
-                    solid keeps a load for ever; what flows at last is no substrate here";
-        return Err(entry.fault(what, "nothing is left", help).unquoted());
+        PronyError::NoFractionLeft { .. } | PronyError::NoModulusLeft { .. } => {
+            let what = format!("the terms of `{path}` must leave a relaxed modulus above 0; {error}");
+            let help = "the parts of all terms together are less than the instantaneous modulus (less than 1 as fractions): a \
+                        solid keeps a load for ever; what flows at last is no substrate here";
+            entry.fault(what, "nothing is left", help).unquoted()
+        }
+        PronyError::TooMany { .. } | PronyError::Material(_) => {
+            entry.fault(format!("`{path}`: {error}"), "these terms", TERMS).unquoted()
+        }
     }
-    let term = |(part, time): &(Part, f64)| {
-        let (Part::Modulus(part) | Part::Fraction(part)) = part;
-        RelaxationTerm { modulus: part * unit, time: *time }
-    };
-    let relaxation = Relaxation::new(relaxed, terms.iter().map(term).collect())
-        .map_err(|error| entry.fault(format!("`substrate.relaxation`: {error}"), "these terms", TERMS).unquoted())?;
-    let Material { relaxed_modulus, f, retardation_time, substrate } = relaxation.material();
-    let material = MaterialDefaults {
-        relaxed_modulus: kind.map(|kind| (relaxed_modulus, kind)),
-        f: Some(f),
-        retardation_time: Some(retardation_time),
-    };
-    Ok(ReadSubstrate { substrate, material })
 }
 
 fn read_fraction(entry: &Entry<'_>) -> Result<f64, Fault> {

@@ -2,6 +2,7 @@
 
 mod documents;
 mod moduli;
+mod named_series;
 mod refused;
 mod round_trip;
 
