@@ -5,14 +5,15 @@
 //! file, and [`FrictionFit`] finds quantities of the experiment from it.
 //!
 //! ```
-//! use stribeck_lab::{Experiment, Material, Modulus, Motion, Relaxation, RelaxationTerm};
+//! use stribeck_lab::{Experiment, Material, Modulus, Motion, Relaxation, RelaxationTerm, Roller};
 //! use stribeck_solver::{Settings, solve};
 //!
 //! let material = Relaxation::new(1e5, vec![RelaxationTerm { modulus: 1e6, time: 2e-3 }]).unwrap().material();
 //! let (radius, load, modulus) = (2e-3, 119.0, Modulus::Relaxed(material.relaxed_modulus));
 //! let (viscosity, motion) = (5.1, Motion::Sliding { speed: 1e-3 });
 //! let Material { retardation_time, f, ref substrate, .. } = material;
-//! let experiment = Experiment { radius, load, modulus, poisson_ratio: 0.5, viscosity, retardation_time, motion, f };
+//! let (poisson_ratio, roller) = (0.5, Roller::RIGID);
+//! let experiment = Experiment { radius, load, modulus, poisson_ratio, viscosity, retardation_time, motion, f, roller };
 //! let solution = solve(&experiment.parameters(substrate), &Settings::default()).expect("a solution");
 //! let friction = experiment.scales().friction * solution.quantities.friction.drag;
 //! assert!((0.02..0.1).contains(&friction), "{friction}");
@@ -22,6 +23,7 @@
 //! | --- | --- |
 //! | `quantity`, `units` | quantities of the laboratory; values with units |
 //! | `motion` | speeds of both surfaces |
+//! | `roller` | what the roller is made of |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
 //! | `temperature` | units of temperature; how times change with it |
@@ -34,6 +36,7 @@ mod material;
 mod measured;
 mod motion;
 mod quantity;
+mod roller;
 mod scales;
 mod temperature;
 mod units;
@@ -49,6 +52,7 @@ pub use material::{
 pub use measured::{Measured, MeasuredError};
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
+pub use roller::Roller;
 pub use scales::{Scales, si_units};
 pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
 pub use units::Dimension;

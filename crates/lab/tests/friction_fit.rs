@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use stribeck_lab::{
     Experiment, FrictionFit, FrictionFitError, FrictionTask, LaboratoryQuantity, Measured, Modulus, Motion, Relaxation,
-    RelaxationTerm, Unknown,
+    RelaxationTerm, Roller, Unknown,
 };
 use stribeck_solver::{
     CavityShear, Interrupt, Method, Parameters, RetardationMode, Settings, SolvedCase, Substrate, collocation,
@@ -19,6 +19,7 @@ const TRUTH: Experiment = Experiment {
     retardation_time: 0.02,
     motion: Motion::Sliding { speed: 1e-3 },
     f: 10.0,
+    roller: Roller::RIGID,
 };
 
 /// Numbers that are as good as random, from 0 to 1: a linear congruential generator (Knuth's MMIX).

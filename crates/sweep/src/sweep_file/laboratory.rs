@@ -1,11 +1,12 @@
 //! The section `[laboratory]` of a sweep file: quantities with units in place of α and β.
 
+use super::bodies::ReadBodies;
 use super::modulus;
 use super::sections::section;
 use super::substrate::MaterialDefaults;
-use crate::{Given, LaboratoryAxes};
-use stribeck_input::{Entry, Fault, Quantity, Section, Varying, read_varying};
-use stribeck_lab::LaboratoryQuantity;
+use crate::{Given, LaboratoryAxes, ModelLimits};
+use stribeck_input::{Entry, Fault, Quantity, Section, Values, Varying, read_varying};
+use stribeck_lab::{Dimension, LaboratoryQuantity};
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
 const MOST_PLACES: u128 = 10_000_000;
@@ -14,10 +15,14 @@ const MOST_PLACES: u128 = 10_000_000;
 pub(super) fn read(
     entry: &Entry<'_>,
     axis_of_f: Option<Vec<f64>>,
-    material: &MaterialDefaults,
+    bodies: &ReadBodies,
 ) -> Result<LaboratoryAxes, Fault> {
     let section = section(entry)?;
-    let f = read_strengths(&section, axis_of_f, material)?;
+    let material = &bodies.flat;
+    if bodies.flat_is_rigid {
+        refuse_softness(&section, axis_of_f.is_some())?;
+    }
+    let f = read_strengths(&section, axis_of_f, bodies)?;
     let speeds = form_of_motion(&section)?;
     let mut given = Vec::new();
     for quantity in LaboratoryQuantity::ALL {
@@ -35,7 +40,11 @@ pub(super) fn read(
         });
     }
     check_that_something_moves(&section, &given)?;
-    let axes = LaboratoryAxes { f, given };
+    let swap = read_swap(&section, &mut given)?;
+    let length = |key: &str| section.get(key).map(|entry| Dimension::Length.read(&entry)).transpose();
+    let limits = ModelLimits { roughness: length("roughness")?, thickness: length("thickness")? };
+    let (roller, roller_spectrum) = (bodies.roller, bodies.roller_spectrum.clone());
+    let axes = LaboratoryAxes { f, given, roller, roller_spectrum, swap, limits };
     let lengths = axes.dimensions().into_iter().map(|dimension| dimension.values.len() as u128);
     let places = lengths.fold(1, u128::saturating_mul);
     if places > MOST_PLACES {
@@ -64,6 +73,44 @@ fn form_of_motion(section: &Section<'_>) -> Result<&'static [LaboratoryQuantity]
     Ok(form)
 }
 
+/// Refuses moduli and times of a flat that is rigid.
+fn refuse_softness(section: &Section<'_>, has_axis_of_f: bool) -> Result<(), Fault> {
+    let others = ["poisson_ratio", "retardation_time", "f"];
+    let mut keys = modulus::KEYS.map(|(key, ..)| key).into_iter().chain(others);
+    let what = "says nothing of a rigid flat";
+    let help = "remove it, or `rigid` from the flat";
+    match keys.find_map(|key| section.get(key)) {
+        Some(entry) => Err(entry.fault(format!("`{}` {what}", entry.path()), "beside a rigid flat", help)),
+        None if has_axis_of_f => Err(section.fault(format!("`axes.f` {what}"), "beside a rigid flat", help)),
+        None => Ok(()),
+    }
+}
+
+/// Reads `swap`: each slide-to-roll ratio gets the opposite one beside it.
+fn read_swap(section: &Section<'_>, given: &mut [Given]) -> Result<bool, Fault> {
+    let Some(entry) = section.get("swap") else { return Ok(false) };
+    if !entry.boolean()? {
+        return Ok(false);
+    }
+    let ratio = given.iter_mut().find(|given| given.quantity == LaboratoryQuantity::SlideRollRatio);
+    let Some(ratio) = ratio else {
+        let what = "`swap` runs each case with the faster and the slower body swapped, for which it needs \
+                    `slide_roll_ratio`";
+        let help = "give `entrainment_speed` and `slide_roll_ratio` in place of the other speeds, or remove `swap`";
+        return Err(entry.fault(what, "without a slide-to-roll ratio", help));
+    };
+    if ratio.values[0] < 0.0 {
+        let what = "with `swap` ratios are given from 0 on: the opposite ones are added";
+        let help = "leave out the ratios below 0";
+        let entry = section.require(LaboratoryQuantity::SlideRollRatio.name(), help)?;
+        return Err(entry.fault(what, "below 0", help).unquoted());
+    }
+    let opposite = ratio.values.iter().rev().filter(|value| **value > 0.0).map(|value| -value);
+    ratio.values = opposite.chain(ratio.values.iter().copied()).collect();
+    ratio.is_axis = true;
+    Ok(true)
+}
+
 /// Refuses places at which neither surface moves.
 fn check_that_something_moves(section: &Section<'_>, given: &[Given]) -> Result<(), Fault> {
     use LaboratoryQuantity as Q;
@@ -77,12 +124,8 @@ fn check_that_something_moves(section: &Section<'_>, given: &[Given]) -> Result<
 }
 
 /// f, from `[laboratory]`, from `[axes]`, or that of the material.
-fn read_strengths(
-    section: &Section<'_>,
-    axis_of_f: Option<Vec<f64>>,
-    material: &MaterialDefaults,
-) -> Result<Vec<f64>, Fault> {
-    match (section.get("f"), axis_of_f, material.f) {
+fn read_strengths(section: &Section<'_>, axis_of_f: Option<Vec<f64>>, bodies: &ReadBodies) -> Result<Vec<f64>, Fault> {
+    match (section.get("f"), axis_of_f, bodies.flat.f) {
         (Some(entry), Some(_), _) => {
             let help = "remove one of the two";
             Err(entry.fault("f may stand in [laboratory] or in [axes], not in both", "also in [axes]", help))
@@ -93,9 +136,10 @@ fn read_strengths(
         }),
         (None, Some(values), _) => Ok(values),
         (None, None, Some(f)) => Ok(vec![f]),
+        (None, None, None) if bodies.flat_is_elastic && section.get("retardation_time").is_none() => Ok(vec![0.0]),
         (None, None, None) => {
             let help = "add f = 10.0, say: f = E0/Einf - 1, the instantaneous modulus over the relaxed one, less 1; or \
-                        describe the material by `relaxation` in [substrate]";
+                        describe the material by `relaxation` in [flat]";
             Err(section.fault("[laboratory] needs `f`, which is missing", "`f` is missing", help))
         }
     }
@@ -109,21 +153,21 @@ fn read_quantity(
     f: &[f64],
 ) -> Result<Option<Varying>, Fault> {
     use LaboratoryQuantity as Q;
-    if matches!(quantity, Q::RelaxedModulus | Q::InstantaneousModulus) {
-        match modulus::find(section, "laboratory", "the other one follows from f")? {
-            Some(given) if given.quantity == quantity => return modulus::read_young(section, &given).map(Some),
-            Some(_) => return Ok(None),
-            None => {}
-        }
-    } else if let Some(entry) = section.get(quantity.name()) {
+    let is_modulus = matches!(quantity, Q::RelaxedModulus | Q::InstantaneousModulus);
+    if let Some(given) = if is_modulus { modulus::find(section, "laboratory")? } else { None } {
+        let is_this = given.quantity == quantity;
+        return is_this.then(|| modulus::read_young(section, material, &given)).transpose();
+    }
+    if let Some(entry) = section.get(quantity.name()) {
         return read_varying(&entry, quantity).map(Some);
     }
+    let young = |modulus: f64| Ok(modulus * modulus::young_factor(section, material, material.kind)?);
     let default = match quantity {
-        Q::RelaxedModulus => match material.relaxed_modulus {
-            Some((value, kind)) => Some(value * modulus::young_factor(section, kind)?),
-            None => None,
-        },
-        Q::InstantaneousModulus => return Ok(None),
+        Q::RelaxedModulus if material.instantaneous_modulus.is_some() => return Ok(None),
+        Q::RelaxedModulus => material.relaxed_modulus.map(young).transpose()?,
+        Q::InstantaneousModulus if material.instantaneous_modulus.is_none() => return Ok(None),
+        Q::InstantaneousModulus => material.instantaneous_modulus.map(young).transpose()?,
+        Q::PoissonRatio => material.poisson_ratio,
         // An elastic substrate responds at once: α = ∞.
         Q::RetardationTime => material.retardation_time.or((f == [0.0]).then_some(0.0)),
         _ => None,

@@ -8,11 +8,13 @@
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
 //! | `sections` | the sections of a sweep file and their keys |
-//! | `laboratory`, `substrate`, `solver`, `output` | a reader for each section of these names |
-//! | `modulus` | a modulus of `laboratory` or `substrate`: relaxed or instantaneous, Young's or shear |
-//! | `named_series` | a Prony series in a file that the sweep file names |
+//! | `laboratory`, `solver`, `output` | a reader for each section of these names |
+//! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
+//! | `modulus` | a modulus of a section: relaxed or instantaneous, Young's or shear |
+//! | `named_series` | Prony series in files that a sweep file names |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
+mod bodies;
 mod file;
 mod laboratory;
 mod modulus;

@@ -1,10 +1,11 @@
 //! The modulus of a section: one of four keys, relaxed or instantaneous, Young's or shear.
 
+use super::substrate::MaterialDefaults;
 use stribeck_input::{Entry, Fault, Section, Varying, read_varying};
 use stribeck_lab::{LaboratoryQuantity, ModulusKind};
 
 /// The keys of moduli; the two that are none of [`LaboratoryQuantity`] are shear moduli.
-const KEYS: [(&str, LaboratoryQuantity, ModulusKind); 4] = [
+pub(super) const KEYS: [(&str, LaboratoryQuantity, ModulusKind); 4] = [
     ("relaxed_modulus", LaboratoryQuantity::RelaxedModulus, ModulusKind::Young),
     ("instantaneous_modulus", LaboratoryQuantity::InstantaneousModulus, ModulusKind::Young),
     ("relaxed_shear_modulus", LaboratoryQuantity::RelaxedModulus, ModulusKind::Shear),
@@ -21,8 +22,8 @@ pub(super) struct GivenModulus<'t> {
     pub(super) kind: ModulusKind,
 }
 
-/// The one modulus of a section, if it has one. `why` says why there is no second one.
-pub(super) fn find<'t>(section: &Section<'t>, place: &str, why: &str) -> Result<Option<GivenModulus<'t>>, Fault> {
+/// The one modulus of the section `name`, if it has one.
+pub(super) fn find<'t>(section: &Section<'t>, name: &str) -> Result<Option<GivenModulus<'t>>, Fault> {
     let mut given = KEYS.into_iter().filter_map(|(key, quantity, kind)| {
         section.get(key).map(|entry| (key, GivenModulus { entry, quantity, kind }))
     });
@@ -30,7 +31,9 @@ pub(super) fn find<'t>(section: &Section<'t>, place: &str, why: &str) -> Result<
     match given.next() {
         None => Ok(Some(modulus)),
         Some((other, second)) => {
-            let what = format!("[{place}] may have `{one}` or `{other}`, not both");
+            let what = format!("[{name}] may have `{one}` or `{other}`, not both");
+            let why =
+                if name == "laboratory" { "the other one follows from f" } else { "the terms are the difference" };
             Err(second.entry.fault(what, "both are there", format!("remove one of the two: {why}")))
         }
     }
@@ -45,12 +48,15 @@ pub(super) fn check_shear_modulus(entry: &Entry<'_>) -> Result<(), Fault> {
     Err(modulus.fault(what, "which of the two?", help))
 }
 
-/// Young's modulus over the modulus of a kind, by Poisson's ratio of `[laboratory]`.
-pub(super) fn young_factor(laboratory: &Section<'_>, kind: ModulusKind) -> Result<f64, Fault> {
+/// Young's modulus over the modulus of a kind, by Poisson's ratio of `[laboratory]`, or else that of the flat.
+pub(super) fn young_factor(laboratory: &Section<'_>, flat: &MaterialDefaults, kind: ModulusKind) -> Result<f64, Fault> {
     if kind == ModulusKind::Young {
         return Ok(1.0);
     }
     let name = LaboratoryQuantity::PoissonRatio.name();
+    if let Some(ratio) = flat.poisson_ratio.filter(|_| laboratory.get(name).is_none()) {
+        return Ok(kind.young_factor(ratio));
+    }
     let entry = laboratory.require(name, "add poisson_ratio = 0.5: Young's modulus is 2 (1 + nu) G")?;
     match read_varying(&entry, LaboratoryQuantity::PoissonRatio)? {
         Varying::Fixed(ratio) => Ok(kind.young_factor(ratio)),
@@ -63,8 +69,12 @@ pub(super) fn young_factor(laboratory: &Section<'_>, kind: ModulusKind) -> Resul
 }
 
 /// Young's moduli of the moduli that `[laboratory]` gives.
-pub(super) fn read_young(laboratory: &Section<'_>, modulus: &GivenModulus<'_>) -> Result<Varying, Fault> {
-    let factor = young_factor(laboratory, modulus.kind)?;
+pub(super) fn read_young(
+    laboratory: &Section<'_>,
+    flat: &MaterialDefaults,
+    modulus: &GivenModulus<'_>,
+) -> Result<Varying, Fault> {
+    let factor = young_factor(laboratory, flat, modulus.kind)?;
     Ok(match read_varying(&modulus.entry, modulus.quantity)? {
         Varying::Fixed(value) => Varying::Fixed(factor * value),
         Varying::Axis(values) => Varying::Axis(values.into_iter().map(|value| factor * value).collect()),

@@ -1,9 +1,7 @@
-//! The section `[substrate]` of a sweep file.
-
-use std::path::Path;
+//! The retardation spectrum of a body, in `[flat]` (or `[substrate]`, its other name) and `[roller]` of a sweep file.
 
 use super::modulus;
-use super::named_series::{self, NamedSeries};
+use super::named_series::NamedSeries;
 use super::sections::section;
 use stribeck_input::{Entry, Fault, Section, Values};
 use stribeck_lab::{
@@ -16,14 +14,17 @@ const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\"
                      { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the \
                      instantaneous modulus; or { file = \"prony.csv\" }";
 
-/// Why there is no second modulus.
-const ONE_MODULUS: &str = "the terms are the difference";
-
-/// What a material says of itself, for what `[laboratory]` leaves out.
+/// What a body says of itself, for what `[laboratory]` leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MaterialDefaults {
-    /// E∞ or G∞ (Pa), and which of the two.
-    pub relaxed_modulus: Option<(f64, ModulusKind)>,
+    /// E∞ or G∞ (Pa).
+    pub relaxed_modulus: Option<f64>,
+    /// E₀ or G₀ (Pa), where that is given and the relaxed one is not.
+    pub instantaneous_modulus: Option<f64>,
+    /// What these moduli are of.
+    pub kind: ModulusKind,
+    /// ν.
+    pub poisson_ratio: Option<f64>,
     /// f.
     pub f: Option<f64>,
     /// τ (s).
@@ -35,35 +36,78 @@ pub struct MaterialDefaults {
 pub struct ReadSubstrate {
     /// The retardation spectrum.
     pub substrate: Substrate,
-    /// Of a material: modulus, f and retardation time.
+    /// Of a material: moduli, f and retardation time.
     pub material: MaterialDefaults,
-    /// The series of a file that the section names.
-    pub(super) named: Option<NamedSeries>,
+    /// True if `modes` or `relaxation` is there.
+    pub has_spectrum: bool,
 }
 
-/// Reads `[substrate]`: retardation modes, or a material by its relaxation. Files that it names are relative to a folder;
-/// without one it may name none.
-pub fn read(entry: &Entry<'_>, folder: Option<&Path>) -> Result<ReadSubstrate, Fault> {
+/// Reads the substrate of dimensionless cases in a file that may name none: retardation modes, or a material by its
+/// relaxation.
+pub fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
+    read_with(entry, &NamedSeries::default())
+}
+
+/// The same with the series of files that are named.
+pub(super) fn read_with(entry: &Entry<'_>, files: &NamedSeries) -> Result<ReadSubstrate, Fault> {
     let section = section(entry)?;
-    match (section.get("modes"), section.get("relaxation")) {
-        (Some(_), Some(relaxation)) => {
-            let what = "[substrate] may have `modes` or `relaxation`, not both";
-            Err(relaxation.fault(what, "both are there", "remove one of the two: each describes the whole substrate"))
+    refuse_quantities(&section)?;
+    read_spectrum(&section, entry.path(), files)
+}
+
+/// Refuses what says nothing of dimensionless cases: moduli without relaxation, and other quantities.
+pub(super) fn refuse_quantities(section: &Section<'_>) -> Result<(), Fault> {
+    if let Some(other) =
+        ["rigid", "poisson_ratio", "f", "retardation_time"].into_iter().find_map(|key| section.get(key))
+    {
+        let what = format!("`{}` goes with [laboratory], which is not there", other.path());
+        let help = "sweeps over alpha, beta and f need the `modes` of their bodies alone: remove it";
+        return Err(other.fault(what, "without [laboratory]", help));
+    }
+    let modulus = modulus::KEYS.into_iter().find_map(|(key, ..)| section.get(key));
+    match modulus.filter(|_| section.get("relaxation").is_none()) {
+        None => Ok(()),
+        Some(modulus) => {
+            let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
+            let help = "beside `modes` the modulus stands in [laboratory]: move it there";
+            Err(modulus.fault(what, "without `relaxation`", help))
         }
-        (modes, None) => {
-            if let Some(modulus) = modulus::find(&section, "substrate", ONE_MODULUS)? {
-                let what = format!("`{}` goes with `relaxation`, which is not there", modulus.entry.path());
-                let help = "beside `modes` the modulus stands in [laboratory]: move it there";
-                return Err(modulus.entry.fault(what, "without `relaxation`", help));
-            }
-            let substrate = modes.map(|modes| read_modes(&modes)).transpose()?.unwrap_or_default();
-            Ok(ReadSubstrate { substrate, ..ReadSubstrate::default() })
-        }
-        (None, Some(relaxation)) => read_relaxation(&section, &relaxation, entry, folder),
     }
 }
 
-fn read_modes(modes_entry: &Entry<'_>) -> Result<Substrate, Fault> {
+/// Reads `modes` or `relaxation` of the section of a body.
+pub(super) fn read_spectrum(section: &Section<'_>, name: &str, files: &NamedSeries) -> Result<ReadSubstrate, Fault> {
+    match (section.get("modes"), section.get("relaxation")) {
+        (Some(_), Some(relaxation)) => {
+            let what = format!("[{name}] may have `modes` or `relaxation`, not both");
+            Err(relaxation.fault(what, "both are there", "remove one of the two: each describes the whole substrate"))
+        }
+        (None, None) => Ok(ReadSubstrate::default()),
+        (Some(modes), None) => {
+            let substrate = substrate_of(&modes, read_modes(&modes)?, Vec::new())?;
+            Ok(ReadSubstrate { substrate, has_spectrum: true, ..ReadSubstrate::default() })
+        }
+        (None, Some(relaxation)) => read_relaxation(section, name, &relaxation, files),
+    }
+}
+
+/// The substrate of modes of both bodies; `entry` is where they stand.
+pub(super) fn substrate_of(
+    entry: &Entry<'_>,
+    flat: Vec<RetardationMode>,
+    roller: Vec<RetardationMode>,
+) -> Result<Substrate, Fault> {
+    Substrate::of_two_bodies(flat, roller).map_err(|error| {
+        let section = entry.path().split('.').next().unwrap_or_default();
+        let help = format!(
+            "scale the shares so that they add up to 1, those of flat and roller together; for the usual single \
+             retardation time leave [{section}] out"
+        );
+        entry.fault(format!("`{}`: {error}", entry.path()), "these modes", help).unquoted()
+    })
+}
+
+pub(super) fn read_modes(modes_entry: &Entry<'_>) -> Result<Vec<RetardationMode>, Fault> {
     let read_mode = |mode: Entry<'_>| {
         let mode = mode.section(&["share", "time"], |_| None)?;
         let [share_entry, time_entry] = [mode.require("share", MODES)?, mode.require("time", MODES)?];
@@ -78,44 +122,33 @@ fn read_modes(modes_entry: &Entry<'_>) -> Result<Substrate, Fault> {
         }
         Ok(RetardationMode { share, time })
     };
-    let modes = modes_entry.require_list(MODES)?.map(read_mode).collect::<Result<Vec<_>, _>>()?;
-    Substrate::new(modes).map_err(|error| {
-        let help =
-            "scale the shares so that they add up to 1; for the usual single retardation time leave [substrate] out";
-        modes_entry.fault(format!("`substrate.modes`: {error}"), "these modes", help).unquoted()
-    })
+    modes_entry.require_list(MODES)?.map(read_mode).collect()
 }
 
 /// A material by its relaxation: its terms, or a file with them.
 fn read_relaxation(
     section: &Section<'_>,
+    name: &str,
     entry: &Entry<'_>,
-    whole: &Entry<'_>,
-    folder: Option<&Path>,
+    files: &NamedSeries,
 ) -> Result<ReadSubstrate, Fault> {
-    let mut named = if entry.is_section() { Some(named_series::read(entry, whole, folder)?) } else { None };
-    let mut series = match &named {
-        Some(named) => named.series.clone(),
-        None => read_terms(entry)?,
-    };
-    if let Some(given) = modulus::find(section, "substrate", ONE_MODULUS)? {
+    let mut series = if entry.is_section() { files.series(entry)?.clone() } else { read_terms(entry)? };
+    if let Some(given) = modulus::find(section, name)? {
         let value = Dimension::Modulus.read(&given.entry)?;
         let is_relaxed = given.quantity == LaboratoryQuantity::RelaxedModulus;
         series.modulus = Some(if is_relaxed { Modulus::Relaxed(value) } else { Modulus::Instantaneous(value) });
         series.kind = given.kind;
-        // the section says it already
-        if let Some(named) = &mut named {
-            named.series.modulus = None;
-        }
     }
-    let relaxation = series.relaxation().map_err(|error| refused(section, entry, error))?;
+    let relaxation = series.relaxation().map_err(|error| refused(section, name, entry, &error))?;
     let Material { relaxed_modulus, f, retardation_time, substrate } = relaxation.material();
     let material = MaterialDefaults {
-        relaxed_modulus: series.modulus.map(|_| (relaxed_modulus, series.kind)),
+        relaxed_modulus: series.modulus.map(|_| relaxed_modulus),
+        kind: series.kind,
         f: Some(f),
         retardation_time: Some(retardation_time),
+        ..MaterialDefaults::default()
     };
-    Ok(ReadSubstrate { substrate, material, named })
+    Ok(ReadSubstrate { substrate, material, has_spectrum: true })
 }
 
 /// Terms by their moduli, or by their fractions of the instantaneous modulus.
@@ -142,12 +175,12 @@ fn read_terms(entry: &Entry<'_>) -> Result<PronySeries, Fault> {
 }
 
 /// What is wrong with a series, and what to do.
-fn refused(section: &Section<'_>, entry: &Entry<'_>, error: PronyError) -> Fault {
+fn refused(section: &Section<'_>, name: &str, entry: &Entry<'_>, error: &PronyError) -> Fault {
     let path = entry.path();
     match error {
         PronyError::NoModulus => {
             let help = "add relaxed_modulus = \"1 MPa\", the modulus after a long time, or instantaneous_modulus";
-            section.fault("[substrate] needs a modulus beside `relaxation`", "no modulus", help)
+            section.fault(format!("[{name}] needs a modulus beside `relaxation`"), "no modulus", help)
         }
         PronyError::NoFractionLeft { .. } | PronyError::NoModulusLeft { .. } => {
             let what = format!("the terms of `{path}` must leave a relaxed modulus above 0; {error}");

@@ -13,6 +13,20 @@ fn moduli(text: &str) -> Vec<(LaboratoryQuantity, Vec<f64>)> {
     moduli.map(|given| (given.quantity, given.values)).collect()
 }
 
+/// A roller has the shear modulus of the flat that it is made of.
+#[test]
+fn a_roller_has_a_shear_modulus_too() {
+    let roller = |modulus: &str| {
+        let flat = "relaxed_modulus = 3e6\n[roller]\npoisson_ratio = 0.25\n";
+        let text = with("", &format!("{flat}{modulus}"), 0.5);
+        let Grid::Laboratory(axes) = Sweep::parse("roller", &text).expect("valid").grid else {
+            panic!("quantities of the laboratory");
+        };
+        axes.roller
+    };
+    assert_eq!(roller("relaxed_shear_modulus = \"2 MPa\""), roller("relaxed_modulus = \"5 MPa\""));
+}
+
 fn with(laboratory: &str, substrate: &str, poisson_ratio: f64) -> String {
     format!(
         "[laboratory]\nradius = 0.002\nload = 100.0\nviscosity = 5.1\nspeed = [0.01, 0.1]\npoisson_ratio = \
@@ -45,6 +59,8 @@ fn a_shear_modulus_is_youngs_modulus_over_twice_one_and_poissons_ratio() {
                 format!("{which}{kind}_modulus = [{low:?}, {high:?}]\nretardation_time = 1.0\nf = 2.0")
             };
             same((&laboratory("", 1e5, 3e6), ""), (&laboratory("_shear", shear(1e5), shear(3e6)), ""));
+            let elastic = |kind: &str, modulus: f64| format!("{which}{kind}_modulus = {modulus:?}");
+            same(("", &elastic("", 3e6)), ("", &elastic("_shear", shear(3e6))));
         }
     }
 }
