@@ -24,6 +24,7 @@ mod fit;
 mod fitted_friction;
 mod fitted_material;
 mod material;
+mod measured;
 mod merge;
 mod plan;
 mod plot;

@@ -20,10 +20,11 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `quantity`, `units` | quantities of the laboratory; values with units |
+//! | `quantity`, `units`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
 //! | `motion` | speeds of both surfaces |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
+//! | `table` | tables of numbers as laboratories have them |
 //! | `measured` | measured friction |
 //! | `friction_fit` | fits to measured friction |
 
@@ -32,8 +33,10 @@ mod friction_fit;
 mod material;
 mod measured;
 mod motion;
+mod notation;
 mod quantity;
 mod scales;
+mod table;
 mod units;
 
 pub use experiment::{Experiment, Modulus, Powers};
@@ -41,8 +44,12 @@ pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, Fri
 pub use material::{
     Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
 };
-pub use measured::{Measured, MeasuredError};
+pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use scales::{Scales, si_units};
-pub use units::Dimension;
+pub use table::{
+    Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
+    Table, TableError, TableFile, Understood, decode,
+};
+pub use units::{Conversion, Dimension};
