@@ -78,7 +78,7 @@ fn poisson_ratio(text: &str) -> Result<f64, &'static str> {
 }
 
 fn modulus_unit(text: &str) -> Result<f64, &'static str> {
-    Dimension::Modulus.factor_of(text).ok_or("a unit of a modulus, as in MPa")
+    Dimension::Modulus.conversion(text).map(|unit| unit.in_si(1.0)).ok_or("a unit of a modulus, as in MPa")
 }
 
 fn temperature(text: &str) -> Result<f64, &'static str> {

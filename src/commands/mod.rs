@@ -27,6 +27,7 @@ mod fitted_friction;
 mod fitted_material;
 mod material;
 mod material_text;
+mod measured;
 mod merge;
 mod plan;
 mod plot;

@@ -21,12 +21,13 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `quantity`, `units` | quantities of the laboratory; values with units |
+//! | `quantity`, `units`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
 //! | `motion` | speeds of both surfaces |
 //! | `roller` | what the roller is made of |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
 //! | `temperature` | units of temperature; how times change with it |
+//! | `table` | tables of numbers as laboratories have them |
 //! | `measured` | measured friction |
 //! | `friction_fit` | fits to measured friction |
 
@@ -35,9 +36,11 @@ mod friction_fit;
 mod material;
 mod measured;
 mod motion;
+mod notation;
 mod quantity;
 mod roller;
 mod scales;
+mod table;
 mod temperature;
 mod units;
 
@@ -49,10 +52,14 @@ pub use material::{
     PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError,
     TermChoice,
 };
-pub use measured::{Measured, MeasuredError};
+pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use roller::Roller;
 pub use scales::{Scales, si_units};
 pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
-pub use units::Dimension;
+pub use table::{
+    Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
+    Table, TableError, TableFile, Understood, decode,
+};
+pub use units::{Conversion, Dimension};

@@ -99,7 +99,8 @@ impl One {
 }
 
 fn read_unit(entry: &Entry<'_>) -> Result<f64, Fault> {
-    Dimension::Modulus.factor_of(entry.text()?).ok_or_else(|| {
+    let unit = Dimension::Modulus.conversion(entry.text()?).map(|unit| unit.in_si(1.0));
+    unit.ok_or_else(|| {
         entry.fault(format!("`{}` must be a unit of a modulus", entry.path()), "not one of them", "write \"MPa\", say")
     })
 }
