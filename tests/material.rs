@@ -155,7 +155,11 @@ fn what_cannot_be_fitted_ends_with_2() {
     for (arguments, said) in [
         (&["rubber.csv", "--terms", "0"][..], "error: rubber.csv: a fit has from 1 to 100 terms, not 0"),
         (&["rubber.csv", "--terms", "101"], "from 1 to 100 terms, not 101"),
-        (&["rubber.csv"], "--terms <N>"),
+        (&["rubber.csv", "--terms", "many"], "a whole number from 1 to 100, or auto"),
+        (&["rubber.csv", "--shear"], "--poisson-ratio <NU>"),
+        (&["rubber.csv", "--shear", "--poisson-ratio", "0.6"], "from 0 to 0.5"),
+        (&["rubber.csv", "--reference-temperature", "20"], "a temperature with its unit"),
+        (&["rubber.csv", "--modulus-unit", "m"], "a unit of a modulus"),
         (&["rubber.csv", "--terms", "9", "-o", "fit.pdf"], "ends in .svg or .png"),
         (&["liquid.csv", "--terms", "6"], "ask for 5 terms or fewer"),
         (&["liquid.csv", "--terms", "4"], "the best fit has no relaxed modulus"),

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::measured::MeasuredArguments;
 use super::plot::at;
 use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
@@ -39,9 +40,8 @@ pub struct Arguments {
     /// Write all numbers to this file
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Measured points (CSV), drawn beside the curve
-    #[arg(long, value_name = "FILE")]
-    measured: Option<PathBuf>,
+    #[command(flatten)]
+    measured: MeasuredArguments,
     /// Solver threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = threads::parse)]
     threads: Option<NonZeroUsize>,
@@ -49,7 +49,7 @@ pub struct Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut sweep = read_sweep(&arguments.sweep)?;
-    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let measured = arguments.measured.read()?;
     let axes = laboratory(&sweep, &arguments.sweep)?;
     sweep.grid = Grid::Laboratory(one_curve(axes, &arguments.at)?);
     sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };

@@ -10,7 +10,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
-use stribeck_lab::{MeasuredError, RelaxationFitError};
+use stribeck_lab::{MasterCurveError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
@@ -23,9 +23,9 @@ pub enum CliError {
     /// A sweep file, a study file or a table of measurements is not valid.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// A file of measured points is not valid.
+    /// A table is not valid.
     #[error(transparent)]
-    Measured(#[from] MeasuredError),
+    Table(#[from] TableError),
     /// A sweep without quantities of the laboratory.
     #[error(
         "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] \
@@ -67,10 +67,10 @@ pub enum CliError {
         known: String,
     },
     /// Measured points that nothing was fitted to.
-    #[error("nothing was fitted to {}: {what}", shown(file))]
+    #[error("nothing was fitted to {}: {what}", files.iter().map(|file| shown(file)).collect::<Vec<_>>().join(" and "))]
     NoFit {
-        /// The file of the points.
-        file: PathBuf,
+        /// The files of the points.
+        files: Vec<PathBuf>,
         /// Why.
         what: String,
     },
@@ -210,6 +210,36 @@ pub enum CliError {
         /// Why there is none.
         source: RelaxationFitError,
     },
+    /// A series that is no material.
+    #[error("{}: {source}", shown(file))]
+    Series {
+        /// The file.
+        file: PathBuf,
+        /// Why it is none.
+        source: PronyError,
+    },
+    /// Moduli that are no master curve.
+    #[error("{}: {source}", shown(data))]
+    MasterCurve {
+        /// The table of measurements.
+        data: PathBuf,
+        /// Why they are none.
+        source: MasterCurveError,
+    },
+    /// Moduli at several temperatures, and none to shift them to.
+    #[error(
+        "{}: the moduli are at temperatures from {:.1} to {:.1} degC and no one material; say to which temperature they are \
+         to be shifted, as in --reference-temperature \"20 degC\"",
+        shown(data),
+        range.0 - 273.15,
+        range.1 - 273.15
+    )]
+    SeveralTemperatures {
+        /// The table of measurements.
+        data: PathBuf,
+        /// The lowest and the highest temperature, in K.
+        range: (f64, f64),
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -233,7 +263,7 @@ impl CliError {
     pub fn code(&self) -> u8 {
         match self {
             CliError::Input(_)
-            | CliError::Measured(_)
+            | CliError::Table(_)
             | CliError::NotLaboratory { .. }
             | CliError::FlatAtRest
             | CliError::Modes(_)
@@ -242,6 +272,9 @@ impl CliError {
             | CliError::SeveralAsked { .. }
             | CliError::NoFit { .. }
             | CliError::Fit { .. }
+            | CliError::Series { .. }
+            | CliError::MasterCurve { .. }
+            | CliError::SeveralTemperatures { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }

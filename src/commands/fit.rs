@@ -7,6 +7,7 @@ use clap::Args;
 
 use super::curve::laboratory;
 use super::fitted_friction::FittedFriction;
+use super::measured::{self, ColumnArguments};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format};
 use stribeck_lab::{Experiment, FrictionFit, FrictionTask, Measured, Unknown};
@@ -25,15 +26,17 @@ The points are a CSV with mu, where it was measured (speed, load, …), and its 
 The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/laboratory.md tells how it
 works and what the errors mean.")]
 pub struct Arguments {
-    /// The measured points (CSV)
-    #[arg(value_name = "DATA")]
-    data: PathBuf,
-    /// The sweep file, with [laboratory]
+    /// The measured points: one table or several
+    #[arg(value_name = "DATA", required = true, num_args = 1..)]
+    data: Vec<PathBuf>,
+    /// The sweep file, with [laboratory]; the last one
     #[arg(value_name = "SWEEP")]
     sweep: PathBuf,
     /// What is looked for: f and names of [laboratory]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', required = true, value_parser = unknown)]
     unknown: Vec<Unknown>,
+    #[command(flatten)]
+    columns: ColumnArguments,
     /// Write pictures and a table to this directory
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -54,8 +57,9 @@ fn unknown(name: &str) -> Result<Unknown, String> {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = read_sweep(&arguments.sweep)?;
-    let measured = Measured::read(&arguments.data)?;
-    let refuse = |what: String| CliError::NoFit { file: arguments.data.clone(), what };
+    let refuse = |what: String| CliError::NoFit { files: arguments.data.clone(), what };
+    let parts = arguments.data.iter().map(|path| measured::read(path, &arguments.columns));
+    let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
     if let Some(name) = repeated(&arguments.unknown) {
         return Err(refuse(format!("--unknown has {name} twice")));
     }

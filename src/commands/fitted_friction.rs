@@ -35,10 +35,11 @@ impl FittedFriction<'_> {
 
     fn heading(&self) -> String {
         let FrictionFit { points, evaluations, .. } = self.fit;
+        let names: Vec<String> = self.measured.files.iter().map(|file| shown(file)).collect();
         format!(
             "{} of {}, {} solved {evaluations} times\n\n",
             count(points.len() as u64, "point"),
-            shown(&self.measured.path),
+            names.join(" and "),
             if points.len() == 1 { "it was" } else { "all of them were" },
         )
     }
@@ -129,7 +130,7 @@ impl FittedFriction<'_> {
         let points: Vec<Value> = fit
             .points
             .iter()
-            .map(|it| json!({ "line": it.line, "measured": it.measured, "fitted": it.fitted, "residual": it.residual }))
+            .map(|it| json!({ "file": it.place.0, "line": it.place.1, "measured": it.measured, "fitted": it.fitted, "residual": it.residual }))
             .collect();
         let whole = json!({
             "estimates": estimates,
@@ -155,7 +156,7 @@ impl FittedFriction<'_> {
             let (alpha, beta) = (point.experiment.alpha(), point.experiment.beta());
             let error = point.error.unwrap_or(f64::NAN);
             let rest = [point.experiment.f, alpha, beta, point.measured, error, point.fitted, point.residual];
-            table.row(&[&point.line.to_string()], &given.chain(rest).collect::<Vec<_>>());
+            table.row(&[&point.place.1.to_string()], &given.chain(rest).collect::<Vec<_>>());
         }
         table
     }

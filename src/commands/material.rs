@@ -1,38 +1,88 @@
-//! `stribeck material`: a substrate from measured moduli.
+//! `stribeck material`: a substrate from measured moduli, or from a Prony series.
 
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::Args;
 
 use super::fitted_material::FittedMaterial;
+use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console};
-use crate::pictures::Format;
+use crate::pictures::{Chart, Format};
 use stribeck_input::shown;
-use stribeck_lab::{Measurements, RelaxationFit};
+use stribeck_lab::{
+    Dimension, Isotherms, MasterCurve, MaterialData, MaterialFile, MaterialOptions, Measurements, RelaxationFit,
+    TermChoice, parse_temperature,
+};
 use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 Examples:
-  stribeck material rubber.csv --terms 12               the fit, and the lines for a sweep file
-  stribeck material rubber.csv --terms 12 -o fit.svg    with a picture of it
-  stribeck material rubber.csv --terms 12 --json
+  stribeck material rubber.csv                          the fit, and the lines for a sweep file
+  stribeck material rubber.csv --terms 12 -o fit.svg    with so many terms, and a picture of it
+  stribeck material rheometer.csv --shear --poisson-ratio 0.5
+  stribeck material isotherms.csv --reference-temperature \"20 degC\"
+  stribeck material rubber.inp --modulus-unit MPa       a Prony series of Abaqus or Ansys: nothing is fitted
 
-The table has columns omega (rad/s) or frequency (Hz), storage and loss (both Pa). Times of the terms are spread over
-the measured range; those that the data do not ask for are dropped. docs/materials.md has more.")]
+The file is a table of moduli over frequency (storage and loss) or over time (relaxation), or a Prony series. Times of
+the terms are spread over the measured range; those that the data do not ask for are dropped. docs/materials.md has
+more.")]
 pub struct Arguments {
-    /// A table of measured moduli (CSV)
+    /// A table of measured moduli, or a Prony series
     #[arg(value_name = "DATA")]
     data: PathBuf,
-    /// Relaxation terms that are offered to the fit, from 1 to 100
-    #[arg(long, value_name = "N")]
-    terms: usize,
+    /// Relaxation terms that are offered to the fit, from 1 to 100, or auto: as many as the residuals ask for
+    #[arg(long, value_name = "N", default_value = "auto")]
+    terms: Terms,
+    /// The moduli are shear moduli: Young's modulus is 2 (1 + nu) times as large
+    #[arg(long, requires = "poisson_ratio")]
+    shear: bool,
+    /// Poisson's ratio, from 0 to 0.5, beside shear moduli
+    #[arg(long, value_name = "NU", value_parser = poisson_ratio)]
+    poisson_ratio: Option<f64>,
+    /// The unit of moduli in a file that names none, as in MPa
+    #[arg(long, value_name = "UNIT", value_parser = modulus_unit)]
+    modulus_unit: Option<f64>,
+    /// Shift moduli at several temperatures to this one, as in "20 degC" or "293 K"
+    #[arg(long, value_name = "T", value_parser = temperature)]
+    reference_temperature: Option<f64>,
     /// A picture of measurements and fit, SVG or PNG by its extension
     #[arg(short, long, value_name = "FILE", value_parser = picture)]
     output: Option<(PathBuf, Format)>,
     /// JSON instead of a table
     #[arg(long)]
     json: bool,
+}
+
+/// The number of terms of a fit.
+#[derive(Clone, Copy, Debug)]
+enum Terms {
+    Auto,
+    Number(usize),
+}
+
+impl FromStr for Terms {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text == "auto" {
+            return Ok(Self::Auto);
+        }
+        text.parse().map(Self::Number).map_err(|_| "a whole number from 1 to 100, or auto")
+    }
+}
+
+fn poisson_ratio(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|ratio| (0.0..=0.5).contains(ratio)).ok_or("a number from 0 to 0.5; soft solids have 0.5")
+}
+
+fn modulus_unit(text: &str) -> Result<f64, &'static str> {
+    Dimension::Modulus.conversion(text).map(|unit| unit.in_si(1.0)).ok_or("a unit of a modulus, as in MPa")
+}
+
+fn temperature(text: &str) -> Result<f64, &'static str> {
+    parse_temperature(text).ok_or("a temperature with its unit, as in \"20 degC\" or \"293 K\"")
 }
 
 /// A file whose name tells its format.
@@ -44,14 +94,71 @@ fn picture(text: &str) -> Result<(PathBuf, Format), String> {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let measurements = Measurements::read(&arguments.data)?;
-    let fit = RelaxationFit::new(&measurements, arguments.terms)
-        .map_err(|source| CliError::Fit { data: arguments.data.clone(), source })?;
+    let options = MaterialOptions {
+        shear_with: arguments.poisson_ratio.filter(|_| arguments.shear),
+        modulus_unit: arguments.modulus_unit,
+    };
+    let file = MaterialFile::read(&arguments.data, &options)?;
     let name = arguments.data.file_stem().unwrap_or_default().to_string_lossy();
-    let fitted = FittedMaterial { name: &name, measurements: &measurements, fit: &fit, offered: arguments.terms };
-    let mut text = if arguments.json { fitted.json() } else { fitted.table() };
+    let measured = match &file.data {
+        MaterialData::Series(series) => {
+            let refused = |source| CliError::Series { file: arguments.data.clone(), source };
+            let relaxation = series.relaxation().map_err(refused)?;
+            let material = PronyMaterial { name: &name, series, relaxation: &relaxation };
+            return finish(arguments, &file.read, &material.table(), &material.json(&file.read), &material.chart());
+        }
+        MaterialData::Moduli(measurements) => Measured { measurements: measurements.clone(), master_curve: None },
+        MaterialData::Isotherms(isotherms) => at_one_temperature(arguments, isotherms)?,
+    };
+    let fitted = |source| CliError::Fit { data: arguments.data.clone(), source };
+    let (fit, offered, choice) = match arguments.terms {
+        Terms::Number(terms) => (RelaxationFit::new(&measured.measurements, terms).map_err(fitted)?, terms, None),
+        Terms::Auto => {
+            let choice = TermChoice::new(&measured.measurements).map_err(fitted)?;
+            (choice.fit.clone(), choice.offered, Some(choice))
+        }
+    };
+    let material = FittedMaterial {
+        name: &name,
+        measurements: &measured.measurements,
+        fit: &fit,
+        offered,
+        choice: choice.as_ref(),
+        master_curve: measured.master_curve.as_ref(),
+    };
+    finish(arguments, &file.read, &material.table(), &material.json(&file.read), &material.chart())
+}
+
+/// Measurements at one temperature, and how they came there.
+struct Measured {
+    measurements: Measurements,
+    master_curve: Option<MasterCurve>,
+}
+
+/// Shifts isotherms to the reference temperature; a single one without a reference stays as it is.
+fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Measured, CliError> {
+    let refused = |source| CliError::MasterCurve { data: arguments.data.clone(), source };
+    let curve = match arguments.reference_temperature {
+        Some(reference) => MasterCurve::by_overlap(isotherms, reference).map_err(refused)?,
+        None => {
+            let [only] = isotherms.all() else {
+                return Err(CliError::SeveralTemperatures { data: arguments.data.clone(), range: isotherms.range() });
+            };
+            return Ok(Measured { measurements: only.measurements.clone(), master_curve: None });
+        }
+    };
+    Ok(Measured { measurements: curve.measurements.clone(), master_curve: Some(curve) })
+}
+
+/// Prints a material, below what was read, and paints its picture.
+fn finish(arguments: &Arguments, read: &[String], table: &str, json: &str, chart: &Chart) -> Result<Exit, CliError> {
+    let mut text = if arguments.json {
+        json.to_owned()
+    } else {
+        read.iter().map(|line| format!("{line}\n")).collect::<String>() + table
+    };
     if let Some((file, format)) = &arguments.output {
-        write_whole(file.clone(), &fitted.chart().paint(*format)?)?;
+        write_whole(file.clone(), &chart.paint(*format)?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

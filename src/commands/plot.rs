@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::measured::MeasuredArguments;
 use super::{CliError, Exit, console, published};
 use crate::format::count;
 use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, pictures};
 use stribeck_input::{printable, shown};
-use stribeck_lab::Measured;
 use stribeck_sweep::Sweep;
 use stribeck_sweep::store::write_whole;
 
@@ -52,9 +52,8 @@ pub struct Arguments {
     /// Values of any axis, in SI units, as in load=100,200; may be given several times
     #[arg(long, value_name = "AXIS=V,…", value_parser = at)]
     at: Vec<(String, Vec<f64>)>,
-    /// Measured points (CSV), laid over the curves of friction
-    #[arg(long, value_name = "FILE")]
-    measured: Option<PathBuf>,
+    #[command(flatten)]
+    measured: MeasuredArguments,
     /// Where profiles and stresses are shown, in a₀ [default: all of the sweep's x]
     #[arg(long, value_name = "FROM,TO", value_parser = range, allow_hyphen_values = true)]
     x: Option<(f64, f64)>,
@@ -109,7 +108,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             None
         }
     };
-    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let measured = arguments.measured.read()?;
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
     let values: Vec<(String, Vec<f64>)> = named.chain(arguments.at.iter().cloned()).collect();
@@ -135,7 +134,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Some(measured) = sweep.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
         console::tell(&format!(
             "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",
-            shown(&measured.path),
+            shown(&measured.files[0]),
             measured.column
         ));
     }

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::measured::MeasuredArguments;
 use super::{CliError, Exit, console, published, replaceable};
 use crate::format::bytes;
 use crate::report::{BEGINNING, page};
 use stribeck_input::shown;
-use stribeck_lab::Measured;
 use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
@@ -27,9 +27,8 @@ pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]
     directory: PathBuf,
-    /// Measured points (CSV), laid over the curves of friction
-    #[arg(long, value_name = "FILE")]
-    measured: Option<PathBuf>,
+    #[command(flatten)]
+    measured: MeasuredArguments,
     /// The page [default: DIR/report.html]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -39,7 +38,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let data = published::open(&arguments.directory)?;
     let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
     replaceable::check(&file, "report", "name another file", || is_report(&file))?;
-    let measured = arguments.measured.as_deref().map(Measured::read).transpose()?;
+    let measured = arguments.measured.read()?;
     let page = page(&data, measured.as_ref())?;
     write_whole(file.clone(), page.html.as_bytes())?;
     let mut text = format!("{}: {}\n", shown(&file), bytes(page.html.len() as u64));

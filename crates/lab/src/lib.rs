@@ -23,12 +23,13 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `quantity`, `units` | quantities of the laboratory; values with units |
+//! | `quantity`, `units`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
 //! | `motion` | speeds of both surfaces |
 //! | `roller` | what the roller is made of |
 //! | `temperature`, `viscosity_law` | how times and viscosity change with temperature |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
+//! | `table` | tables of numbers as laboratories have them |
 //! | `measured` | measured friction |
 //! | `friction_fit` | fits to measured friction |
 
@@ -37,9 +38,11 @@ mod friction_fit;
 mod material;
 mod measured;
 mod motion;
+mod notation;
 mod quantity;
 mod roller;
 mod scales;
+mod table;
 mod temperature;
 mod units;
 mod viscosity_law;
@@ -47,13 +50,20 @@ mod viscosity_law;
 pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
-    Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
+    Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
+    MaterialFile, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile, PronyParts,
+    PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError,
+    TermChoice,
 };
-pub use measured::{Measured, MeasuredError};
+pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use roller::Roller;
 pub use scales::{Scales, si_units};
-pub use temperature::{GAS_CONSTANT, ShiftLaw, TemperatureUnit, parse_temperature};
-pub use units::Dimension;
+pub use table::{
+    Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
+    Table, TableError, TableFile, Understood, decode,
+};
+pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
+pub use units::{Conversion, Dimension};
 pub use viscosity_law::{ViscosityLaw, ViscosityTable};

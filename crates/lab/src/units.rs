@@ -1,11 +1,18 @@
 //! Values with units: "5.1 Pa s", "119 N/m", "2 mm".
 //!
-//! Units and their factors are those of the crate `uom`. This file brings a text into the form in which `uom` writes
+//! Units and their factors are those of the crate `uom`. `notation` brings a text into the form in which `uom` writes
 //! units.
 
-use uom::si::f64::{DynamicViscosity, Length, Pressure, SurfaceTension, Time, Velocity};
-use uom::si::{dynamic_viscosity, length, pressure, surface_tension, time, velocity};
+use uom::si::f64::{
+    Angle, AngularVelocity, DynamicViscosity, Force, Frequency, KinematicViscosity, Length, Pressure, SurfaceTension,
+    Time, Velocity,
+};
+use uom::si::{
+    angle, angular_velocity, dynamic_viscosity, force, frequency, kinematic_viscosity, length, pressure,
+    surface_tension, time, velocity,
+};
 
+use crate::notation::{Comma, canonical, in_si, parts, with_point};
 use stribeck_input::{Entry, Fault, Values};
 
 /// What a value with a unit measures.
@@ -23,13 +30,62 @@ pub enum Dimension {
     Time,
     /// In m/s.
     Speed,
+    /// In Hz.
+    Frequency,
+    /// In rad/s.
+    AngularFrequency,
+    /// In K.
+    Temperature,
+    /// In rad.
+    Angle,
+    /// In N.
+    Force,
+    /// In m²/s.
+    KinematicViscosity,
+}
+
+/// How a number in some unit becomes one in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conversion {
+    factor: f64,
+    /// Added after the factor.
+    offset: f64,
+}
+
+impl Conversion {
+    /// No change.
+    pub const NONE: Self = Self::by(1.0);
+
+    /// A multiplication.
+    pub const fn by(factor: f64) -> Self {
+        Self { factor, offset: 0.0 }
+    }
+
+    /// The number in SI units; with a power of ten the one that a person would write, to the last bit.
+    pub fn in_si(self, number: f64) -> f64 {
+        let scaled = in_si(number, self.factor);
+        if self.offset == 0.0 { scaled } else { scaled + self.offset }
+    }
 }
 
 impl Dimension {
-    const ALL: [Self; 6] = [Self::Length, Self::LineLoad, Self::Modulus, Self::Viscosity, Self::Time, Self::Speed];
+    const ALL: [Self; 12] = [
+        Self::Length,
+        Self::LineLoad,
+        Self::Modulus,
+        Self::Viscosity,
+        Self::Time,
+        Self::Speed,
+        Self::Frequency,
+        Self::AngularFrequency,
+        Self::Temperature,
+        Self::Angle,
+        Self::Force,
+        Self::KinematicViscosity,
+    ];
 
     /// Its name, with an article.
-    fn words(self) -> &'static str {
+    pub fn words(self) -> &'static str {
         match self {
             Dimension::Length => "a length",
             Dimension::LineLoad => "a load per length",
@@ -37,6 +93,12 @@ impl Dimension {
             Dimension::Viscosity => "a viscosity",
             Dimension::Time => "a time",
             Dimension::Speed => "a speed",
+            Dimension::Frequency => "a frequency",
+            Dimension::AngularFrequency => "an angular frequency",
+            Dimension::Temperature => "a temperature",
+            Dimension::Angle => "an angle",
+            Dimension::Force => "a force",
+            Dimension::KinematicViscosity => "a kinematic viscosity",
         }
     }
 
@@ -49,6 +111,12 @@ impl Dimension {
             Dimension::Viscosity => "Pa s",
             Dimension::Time => "s",
             Dimension::Speed => "m/s",
+            Dimension::Frequency => "Hz",
+            Dimension::AngularFrequency => "rad/s",
+            Dimension::Temperature => "K",
+            Dimension::Angle => "rad",
+            Dimension::Force => "N",
+            Dimension::KinematicViscosity => "m²/s",
         }
     }
 
@@ -61,6 +129,12 @@ impl Dimension {
             Dimension::Viscosity => "\"5.1 Pa s\" or 5.1 (in Pa s)",
             Dimension::Time => "\"20 ms\" or 0.02 (in s)",
             Dimension::Speed => "\"1 mm/s\" or 1e-3 (in m/s)",
+            Dimension::Frequency => "\"10 Hz\" or 10.0 (in Hz)",
+            Dimension::AngularFrequency => "\"10 rad/s\" or 10.0 (in rad/s)",
+            Dimension::Temperature => "\"20 degC\" or 293.15 (in K)",
+            Dimension::Angle => "\"5 deg\" or 0.087 (in rad)",
+            Dimension::Force => "\"20 N\" or 20.0 (in N)",
+            Dimension::KinematicViscosity => "\"10 cSt\" or 1e-5 (in m²/s)",
         }
     }
 
@@ -75,17 +149,67 @@ impl Dimension {
         }
         match self {
             Dimension::Length => factor!(Length, length, meter),
-            Dimension::LineLoad => factor!(SurfaceTension, surface_tension, newton_per_meter),
+            Dimension::LineLoad => {
+                Self::per_length(unit).or_else(|| factor!(SurfaceTension, surface_tension, newton_per_meter))
+            }
+            Dimension::Modulus if unit == "N/m²" => Some(1.0),
             Dimension::Modulus => factor!(Pressure, pressure, pascal),
+            Dimension::Viscosity if unit == "N·s/m²" => Some(1.0),
             Dimension::Viscosity => factor!(DynamicViscosity, dynamic_viscosity, pascal_second),
             Dimension::Time => factor!(Time, time, second),
             Dimension::Speed => factor!(Velocity, velocity, meter_per_second),
+            Dimension::Frequency => factor!(Frequency, frequency, hertz),
+            Dimension::AngularFrequency if unit == "1/s" => Some(1.0),
+            Dimension::AngularFrequency => factor!(AngularVelocity, angular_velocity, radian_per_second),
+            Dimension::Angle => factor!(Angle, angle, radian),
+            Dimension::Force => factor!(Force, force, newton),
+            Dimension::KinematicViscosity => {
+                factor!(KinematicViscosity, kinematic_viscosity, square_meter_per_second)
+            }
+            Dimension::Temperature => (unit == "K").then_some(1.0),
         }
     }
 
-    /// The number of SI units in a unit, written in any way; `None` if the unit has another dimension.
-    pub(crate) fn factor_of(self, unit: &str) -> Option<f64> {
-        self.factor(&canonical(unit))
+    /// The number of N/m in a unit of force over one of length.
+    fn per_length(unit: &str) -> Option<f64> {
+        let (force, length) = unit.split_once('/')?;
+        let length = Dimension::Length.factor(length)?;
+        // the reciprocal of a power of ten is one, to the last bit
+        Some(in_si(1.0 / length, Dimension::Force.factor(force)?))
+    }
+
+    /// What becomes of numbers in a unit, written in any way; `None` if the unit has another dimension.
+    pub fn conversion(self, unit: &str) -> Option<Conversion> {
+        let unit = canonical(unit);
+        match (self, unit.as_str()) {
+            (Dimension::Temperature, "°C" | "C") => Some(Conversion { factor: 1.0, offset: 273.15 }),
+            (Dimension::Temperature, "°F" | "F") => {
+                Some(Conversion { factor: 5.0 / 9.0, offset: 273.15 - 160.0 / 9.0 })
+            }
+            _ => self.factor(&unit).map(Conversion::by),
+        }
+    }
+
+    /// What a unit measures, written in any way.
+    pub fn of_unit(unit: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|dimension| dimension.conversion(unit).is_some())
+    }
+
+    /// Why a value of another dimension is none of this one, and how it becomes one.
+    pub fn mismatch(self, other: Self) -> String {
+        match (self, other) {
+            (Dimension::LineLoad, Dimension::Force) => {
+                "a force; a load is per length: divide it by the length of the cylinder".to_owned()
+            }
+            (Dimension::Viscosity, Dimension::KinematicViscosity) => {
+                "a kinematic viscosity; multiply it by the density: 1 cSt of a fluid of 1000 kg/m³ is 1 mPa s"
+                    .to_owned()
+            }
+            (Dimension::Speed, Dimension::AngularFrequency) => {
+                "turns, not a speed; multiply by the radius: 1 rpm is 2π/60 times the radius per second".to_owned()
+            }
+            _ => format!("{}, not {}", other.words(), self.words()),
+        }
     }
 
     /// Reads a number in SI units, or a text with a unit, whatever its sign.
@@ -97,19 +221,25 @@ impl Dimension {
         let (number, unit) = parts(text);
         let help = format!("write {}", self.example());
         let what = || format!("`{}` must be {}, a number with a unit", entry.path(), self.words());
+        let number = match with_point(number) {
+            Comma::None(number) => number,
+            Comma::Ambiguous => {
+                let label = "a comma that is a decimal mark or stands between thousands";
+                return Err(entry.fault(what(), label, format!("{help}; with a point as decimal mark")));
+            }
+        };
         let Ok(number) = number.parse::<f64>() else {
             return Err(entry.fault(what(), "does not begin with a number", help));
         };
-        let unit = canonical(unit);
-        if unit.is_empty() {
+        if unit.trim().is_empty() {
             let help = format!("{help}; a number without a unit stands without quotes");
             return Err(entry.fault(what(), "has no unit", help));
         }
-        if let Some(factor) = self.factor(&unit) {
-            return Ok(in_si(number, factor));
+        if let Some(conversion) = self.conversion(unit) {
+            return Ok(conversion.in_si(number));
         }
-        let label = match Self::ALL.into_iter().find(|other| other.factor(&unit).is_some()) {
-            Some(other) => format!("{}, not {}", other.words(), self.words()),
+        let label = match Self::of_unit(unit) {
+            Some(other) => self.mismatch(other),
             None => "not a unit that is known here".to_owned(),
         };
         let what = format!("`{}` must be {}, in {} or a unit of that kind", entry.path(), self.words(), self.unit());
@@ -126,49 +256,6 @@ impl Values for Dimension {
         }
         let remedy = "write it in SI units as in 1e-3, or with its unit in quotes";
         Err(entry.not_allowed("finite and above 0", remedy))
-    }
-}
-
-/// A value in SI units: a number times the factor of its unit.
-///
-/// With a power of ten it is the number that a person would write, to the last bit: 0.9 mPa s is 9e-4 Pa s.
-pub(crate) fn in_si(number: f64, factor: f64) -> f64 {
-    let power = factor.log10().round() as i32;
-    let is_power = format!("1e{power}").parse() == Ok(factor);
-    let text = format!("{number:e}");
-    match text.split_once('e').and_then(|(digits, exponent)| Some((digits, exponent.parse::<i32>().ok()?))) {
-        Some((digits, exponent)) if is_power => {
-            format!("{digits}e{}", exponent + power).parse().unwrap_or(number * factor)
-        }
-        _ => number * factor,
-    }
-}
-
-/// The number at the beginning of a text, and what follows.
-fn parts(text: &str) -> (&str, &str) {
-    let text = text.trim();
-    let in_number = |(place, c): (usize, char)| {
-        let exponent = |rest: &str| rest.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
-        match c {
-            '0'..='9' | '.' => true,
-            '+' | '-' => place == 0 || text[..place].ends_with(['e', 'E']),
-            'e' | 'E' => place > 0 && exponent(&text[place + 1..]),
-            _ => false,
-        }
-    };
-    let end = text.char_indices().find(|&at| !in_number(at)).map_or(text.len(), |(place, _)| place);
-    (&text[..end], &text[end..])
-}
-
-/// A unit in one way of writing: one · between factors, none beside /, signs for micro and powers.
-fn canonical(unit: &str) -> String {
-    let separated = unit.replace(['⋅', '*', '.'], "·").replace("^2", "²").replace('μ', "µ");
-    let words = separated.split(|c: char| c == '·' || c.is_whitespace()).filter(|word| !word.is_empty());
-    let joined = words.collect::<Vec<_>>().join("·").replace("·/", "/").replace("/·", "/");
-    match joined.strip_prefix('u') {
-        // micro where there is no such letter at hand; no unit known here begins with u
-        Some(rest) if !rest.is_empty() => format!("µ{rest}"),
-        _ => joined,
     }
 }
 
@@ -198,39 +285,46 @@ mod tests {
             (Dimension::Time, "2 min", 120.0),
             (Dimension::Speed, "1 mm/s", 1e-3),
             (Dimension::Speed, "36 km/h", 10.0),
+            (Dimension::Speed, "1 mm s-1", 1e-3),
+            (Dimension::Speed, "1 mm s^-1", 1e-3),
+            (Dimension::Speed, "1 mm·s⁻¹", 1e-3),
+            (Dimension::Speed, "1 \u{3bc}m/s", 1e-6),
+            (Dimension::Speed, "1 \u{b5}m/s", 1e-6),
+            (Dimension::LineLoad, "3 mN/mm", 3.0),
+            (Dimension::LineLoad, "3 N/mm", 3e3),
+            (Dimension::LineLoad, "0.3 N/cm", 30.0),
+            (Dimension::LineLoad, "3 N m-1", 3.0),
+            (Dimension::Viscosity, "3 mPas", 3e-3),
+            (Dimension::Viscosity, "3 mPa-s", 3e-3),
+            (Dimension::Viscosity, "3 N s/m^2", 3.0),
+            (Dimension::Viscosity, "3 N s m-2", 3.0),
+            (Dimension::Viscosity, "3 P", 0.3),
+            (Dimension::Modulus, "3 N/m2", 3.0),
+            (Dimension::AngularFrequency, "3 s^-1", 3.0),
+            (Dimension::AngularFrequency, "3 rad s-1", 3.0),
+            (Dimension::Temperature, "20 degC", 293.15),
+            (Dimension::Temperature, "20 °C", 293.15),
+            (Dimension::Temperature, "293.15 K", 293.15),
+            (Dimension::KinematicViscosity, "3 cSt", 3e-6),
         ] {
             let (number, unit) = parts(text);
-            let factor = dimension.factor(&canonical(unit)).unwrap_or_else(|| panic!("{text} is not known"));
-            assert_eq!(in_si(number.parse().expect(text), factor), value, "{text}");
+            let conversion = dimension.conversion(unit).unwrap_or_else(|| panic!("{text} is not known"));
+            assert_eq!(conversion.in_si(number.parse().expect(text)), value, "{text}");
         }
     }
 
     /// A unit belongs to one dimension, so that the wrong one can be named.
     #[test]
     fn no_unit_belongs_to_two_dimensions() {
-        for unit in ["m", "mm", "N/m", "Pa", "kPa", "Pa·s", "P", "s", "ms", "min", "m/s", "mm/s"] {
-            let of: Vec<Dimension> = Dimension::ALL.into_iter().filter(|it| it.factor(unit).is_some()).collect();
+        for unit in [
+            "m", "mm", "N/m", "Pa", "kPa", "Pa·s", "P", "s", "ms", "min", "m/s", "mm/s", "N", "cSt", "K", "Hz", "rad/s",
+        ] {
+            let of: Vec<Dimension> = Dimension::ALL.into_iter().filter(|it| it.conversion(unit).is_some()).collect();
             assert_eq!(of.len(), 1, "{unit}: {of:?}");
         }
-        assert!(Dimension::ALL.into_iter().all(|it| it.factor("parrot").is_none()));
+        assert!(Dimension::ALL.into_iter().all(|it| it.conversion("parrot").is_none()));
         // a product is not a prefix
-        assert!(["m s", "m.s", "m in"].into_iter().all(|unit| Dimension::Time.factor_of(unit).is_none()));
-        assert!(Dimension::ALL.into_iter().all(|it| it.factor(&canonical(it.unit())) == Some(1.0)));
-    }
-
-    #[test]
-    fn numbers_end_where_units_begin() {
-        for (text, expected) in [
-            ("5 eV", ("5", " eV")),
-            ("5e3 m", ("5e3", " m")),
-            ("5e-3m", ("5e-3", "m")),
-            ("-1 m", ("-1", " m")),
-            ("m", ("", "m")),
-            ("", ("", "")),
-            ("1-2 m", ("1", "-2 m")),
-            ("1 e3 m", ("1", " e3 m")),
-        ] {
-            assert_eq!(parts(text), expected, "{text}");
-        }
+        assert!(["m s", "m.s", "m in"].into_iter().all(|unit| Dimension::Time.conversion(unit).is_none()));
+        assert!(Dimension::ALL.into_iter().all(|it| it.conversion(it.unit()) == Some(Conversion::NONE)));
     }
 }

@@ -46,12 +46,13 @@ fn unknowns(names: &[&str]) -> Vec<Unknown> {
 /// Points of drag over the speed.
 fn points(speeds: &[f64], friction: Vec<f64>, errors: Option<Vec<f64>>) -> Measured {
     Measured {
-        path: "made".into(),
+        files: vec!["made".into()],
         column: "mu_drag",
-        lines: (2..).take(speeds.len()).collect(),
+        places: (2..).take(speeds.len()).map(|line| (0, line)).collect(),
         friction,
         errors,
         coordinates: vec![("speed", speeds.to_vec())],
+        is_computed: false,
     }
 }
 

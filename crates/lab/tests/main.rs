@@ -2,3 +2,5 @@
 
 mod friction_fit;
 mod material;
+mod measured;
+mod table;

@@ -61,11 +61,11 @@ pub enum FrictionFitError {
     },
     /// A point has no solution at the start.
     #[error(
-        "the point on line {line} has no solution at the start of the fit: {failure}; begin nearer to the expected values"
+        "the point on {place} has no solution at the start of the fit: {failure}; begin nearer to the expected values"
     )]
     Start {
-        /// Line of the point.
-        line: u64,
+        /// Where the point stands.
+        place: String,
         /// Why it failed.
         failure: Failure,
     },
@@ -98,8 +98,8 @@ pub struct Estimate {
 /// One point, fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedPoint {
-    /// Its line in the file.
-    pub line: u64,
+    /// The place of its file among those of the measured points, and its line there.
+    pub place: (usize, u64),
     /// Its experiment, with the unknowns found.
     pub experiment: Experiment,
     /// The measured friction coefficient.
@@ -149,7 +149,7 @@ impl FrictionFit {
             error: value * relative,
         });
         let points = predictor.experiments(&unknowns).into_iter().enumerate().map(|(i, experiment)| FittedPoint {
-            line: task.measured.lines[i],
+            place: task.measured.places[i],
             experiment,
             measured: task.measured.friction[i],
             error: task.measured.errors.as_ref().map(|errors| errors[i]),

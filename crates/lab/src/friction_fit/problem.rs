@@ -51,15 +51,15 @@ impl<'a> Problem<'a> {
         }
         if let (None, Some(i)) = (&measured.errors, measured.friction.iter().position(|mu| *mu <= 0.0)) {
             let what = format!(
-                "the friction coefficient on line {} is not above 0: relative errors need positive numbers; add \
+                "the friction coefficient on {} is not above 0: relative errors need positive numbers; add \
                  a column `error` with standard errors",
-                measured.lines[i]
+                measured.place(i)
             );
             return Err(FrictionFitError::Task { what });
         }
         let prediction = predictor.predict(&start);
         if let Err(Failed { point, failure }) = &prediction {
-            return Err(FrictionFitError::Start { line: measured.lines[*point], failure: failure.clone() });
+            return Err(FrictionFitError::Start { place: measured.place(*point), failure: failure.clone() });
         }
         let logarithms = DVector::zeros(start.len());
         Ok(Self { predictor, measured, start, logarithms, prediction, evaluations: 1, refused: 0 })

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 use std::path::Path;
 
+use super::measurement::{Measurement, Measurements};
 use stribeck_input::{Fault, InputError, read};
 
 /// What kind of file it is.
@@ -12,21 +13,6 @@ const KIND: &str = "table of measurements";
 const NAMES: [&str; 4] = ["omega", "frequency", "storage", "loss"];
 const UNITS: &str = "the first line names three columns: omega (rad/s) or frequency (Hz), storage (Pa) and loss \
                      (Pa), in any order and with commas between them";
-
-/// The moduli at one frequency.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measurement {
-    /// ω, in rad/s.
-    pub omega: f64,
-    /// E′, in Pa.
-    pub storage: f64,
-    /// E″, in Pa.
-    pub loss: f64,
-}
-
-/// Measured moduli, in the order of their frequencies: two rows at least, and two frequencies.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Measurements(Vec<Measurement>);
 
 /// A cell: its text without blanks, and where that stands.
 #[derive(Clone)]
@@ -45,28 +31,19 @@ impl Measurements {
         read(KIND, path, |_, text| Self::interpret(text))
     }
 
-    /// The rows, ascending in ω.
-    pub fn rows(&self) -> &[Measurement] {
-        &self.0
-    }
-
-    fn interpret(text: &str) -> Result<Self, Fault> {
+    pub(super) fn interpret(text: &str) -> Result<Self, Fault> {
         let mut lines = lines(text);
         let (header, span) = lines
             .next()
             .ok_or_else(|| Fault::new(0..text.len(), "the table is empty", "nothing here", UNITS).unquoted())?;
         let columns = Columns::new(&header, span)?;
-        let mut rows = lines.map(|(cells, span)| columns.measurement(&cells, span)).collect::<Result<Vec<_>, _>>()?;
-        rows.sort_by(|a, b| a.omega.total_cmp(&b.omega));
-        match (rows.first(), rows.last()) {
-            (Some(first), Some(last)) if first.omega < last.omega => Ok(Self(rows)),
-            _ => {
-                let end = text.trim_end().len();
-                let what = "the table must have rows at two frequencies or more";
-                let help = "times can be told from how the moduli change with frequency only; add rows at other ones";
-                Err(Fault::new(end..end, what, "the table ends here", help).unquoted())
-            }
-        }
+        let rows = lines.map(|(cells, span)| columns.measurement(&cells, span)).collect::<Result<Vec<_>, _>>()?;
+        Self::new(rows).ok_or_else(|| {
+            let end = text.trim_end().len();
+            let what = "the table must have rows at two frequencies or more";
+            let help = "times can be told from how the moduli change with frequency only; add rows at other ones";
+            Fault::new(end..end, what, "the table ends here", help).unquoted()
+        })
     }
 }
 
@@ -127,7 +104,7 @@ impl Columns {
                 Fault::new(cell.span.clone(), what, "not allowed", help)
             })
         };
-        Ok(Measurement {
+        Ok(Measurement::Oscillation {
             omega: self.omega.1 * number(self.omega.0, "above 0", |value| value > 0.0)?,
             storage: number(self.storage, "above 0", |value| value > 0.0)?,
             loss: number(self.loss, "from 0", |value| value >= 0.0)?,

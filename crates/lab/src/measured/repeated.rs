@@ -1,0 +1,75 @@
+//! Readings that were taken at one place, as one point: their mean, and its standard error from their scatter.
+
+use std::collections::HashMap;
+
+use super::Measured;
+
+/// The fewest readings whose scatter is told.
+const FEWEST: usize = 3;
+/// How far the readings of a step may be from their median, relative to it or, for ratios, as they are.
+const NEAR: f64 = 0.02;
+/// The part of the readings of a step that must be near the median.
+const MOST: f64 = 0.8;
+
+/// The points of readings that are all taken at their places three times or more: `None` if some are not, or readings
+/// have errors of their own, or none scatter.
+pub(super) fn averaged(readings: &Measured) -> Option<Measured> {
+    if readings.errors.is_some() {
+        return None;
+    }
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
+    for reading in 0..readings.friction.len() {
+        let place = readings.coordinates.iter().map(|(_, values)| values[reading].to_bits()).collect();
+        let group = *known.entry(place).or_insert(groups.len());
+        if group == groups.len() {
+            groups.push(Vec::new());
+        }
+        groups[group].push(reading);
+    }
+    let points = groups.iter().all(|group| group.len() >= FEWEST).then(|| mean(readings, &groups))?;
+    points.errors.is_some().then_some(points)
+}
+
+/// The readings of a step that were taken at one place; `None` if the step runs over several.
+pub(super) fn at_one_place(readings: &Measured) -> Option<Vec<usize>> {
+    let count = readings.friction.len();
+    let medians: Vec<f64> = readings.coordinates.iter().map(|(_, values)| median(values)).collect();
+    let is_near = |reading: &usize| {
+        readings.coordinates.iter().zip(&medians).all(|((name, values), median)| {
+            let scale = if *name == "slide_roll_ratio" { median.abs().max(1.0) } else { median.abs() };
+            (values[*reading] - median).abs() <= NEAR * scale
+        })
+    };
+    let near: Vec<usize> = (0..count).filter(is_near).collect();
+    (near.len() >= FEWEST && near.len() as f64 >= MOST * count as f64).then_some(near)
+}
+
+/// A point for each group of readings. It has no errors if those of a group do not scatter.
+pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>]) -> Measured {
+    let average = |values: &[f64], group: &[usize]| {
+        let first = values[group[0]];
+        // equal values keep every bit
+        first + group.iter().map(|reading| values[*reading] - first).sum::<f64>() / group.len() as f64
+    };
+    let means = |values: &[f64]| groups.iter().map(|group| average(values, group)).collect::<Vec<f64>>();
+    let error = |group: &Vec<usize>| {
+        let (mean, count) = (average(&readings.friction, group), group.len() as f64);
+        let squares: f64 = group.iter().map(|reading| (readings.friction[*reading] - mean).powi(2)).sum();
+        (squares / (count - 1.0) / count).sqrt()
+    };
+    let errors: Vec<f64> = groups.iter().map(error).collect();
+    Measured {
+        friction: means(&readings.friction),
+        errors: Some(errors).filter(|errors| errors.iter().all(|error| *error > 0.0)),
+        places: groups.iter().map(|group| readings.places[group[0]]).collect(),
+        coordinates: readings.coordinates.iter().map(|(name, values)| (*name, means(values))).collect(),
+        ..readings.clone()
+    }
+}
+
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted[sorted.len() / 2]
+}

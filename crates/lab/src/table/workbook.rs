@@ -1,0 +1,92 @@
+//! Workbooks (.xlsx): the first sheet that holds a table.
+
+use std::io::Cursor;
+use std::sync::Arc;
+
+use calamine::{DataRef, Reader, Xlsx, XlsxError};
+
+use super::blocks::{Table, tables as tables_of};
+use super::layout::{Decimal, Layout, Separator};
+use stribeck_input::printable;
+
+/// How the text of a sheet is written.
+pub(super) const LAYOUT: Layout = Layout { separator: Separator::Tab, decimal: Decimal::Point };
+/// How the name of a sheet begins.
+pub(super) const SHEET: &str = "workbook, sheet ";
+/// Most bytes of the text of a sheet.
+const MOST_BYTES: usize = 64 << 20;
+
+type Workbook<'b> = Xlsx<Cursor<&'b [u8]>>;
+
+/// True for the bytes of a workbook, of this kind or an older one.
+pub(super) fn is_one(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") || is_old(bytes)
+}
+
+fn is_old(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\xd0\xcf\x11\xe0")
+}
+
+/// The tables of the first sheet that has one with rows, and the name of the sheet.
+///
+/// # Errors
+/// What is wrong with the workbook.
+pub(super) fn tables(bytes: &[u8]) -> Result<(String, Vec<Table>), String> {
+    if is_old(bytes) {
+        return Err("it is a workbook of the old kind; save it as .xlsx or CSV".to_owned());
+    }
+    let broken = |error: XlsxError| {
+        format!("it is no workbook (.xlsx) that can be read: {}; save it as CSV", printable(&error.to_string()))
+    };
+    let mut workbook: Workbook<'_> = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
+    for name in workbook.sheet_names() {
+        let text: Arc<str> = text(&mut workbook, &name).map_err(broken)?.into();
+        if text.len() >= MOST_BYTES {
+            return Err(format!("its sheet {} is too large; save what is needed as CSV", printable(&name)));
+        }
+        let found = tables_of(&text, LAYOUT).map_err(|(_, what)| format!("sheet {}: {what}", printable(&name)))?;
+        if found.iter().any(|table| !table.is_empty()) {
+            return Ok((format!("{SHEET}{}", printable(&name)), found));
+        }
+    }
+    Err("none of its sheets holds a table: names of columns, and rows of numbers below".to_owned())
+}
+
+/// A sheet as text: cells with tabs between them, a line for each row; cut where it gets too large.
+fn text(workbook: &mut Workbook<'_>, sheet: &str) -> Result<String, XlsxError> {
+    let mut text = String::new();
+    let (mut row, mut column) = (0, 0);
+    let mut cells = workbook.worksheet_cells_reader(sheet)?;
+    while let Some(cell) = cells.next_cell()? {
+        let (own_row, own_column) = cell.get_position();
+        let value = written(cell.get_value());
+        // cells stand in their order; one that does not begins no row
+        if value.is_empty() || own_row < row || text.len() >= MOST_BYTES {
+            continue;
+        }
+        if own_row > row {
+            text.extend(std::iter::repeat_n('\n', (own_row - row) as usize));
+            (row, column) = (own_row, 0);
+        }
+        text.extend(std::iter::repeat_n('\t', own_column.saturating_sub(column) as usize));
+        column = own_column;
+        text += &value;
+    }
+    Ok(text)
+}
+
+/// A cell as a piece of a line.
+fn written(value: &DataRef<'_>) -> String {
+    let text = match value {
+        DataRef::Int(number) => number.to_string(),
+        DataRef::Float(number) => format!("{number:?}"),
+        DataRef::String(text) | DataRef::DateTimeIso(text) | DataRef::DurationIso(text) => text.clone(),
+        DataRef::SharedString(text) => (*text).to_owned(),
+        DataRef::Bool(value) => value.to_string(),
+        DataRef::DateTime(time) => format!("date {}", time.as_f64()),
+        DataRef::Error(error) => format!("{error}"),
+        DataRef::Empty => String::new(),
+    };
+    let text = text.replace(['\t', '\n', '\r'], " ");
+    if text.starts_with('"') { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}

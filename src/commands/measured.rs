@@ -1,0 +1,55 @@
+//! Measured points of the command line: their file, and what its columns are.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::{CliError, console};
+use stribeck_lab::{ColumnChoice, Measured};
+
+/// Options of commands that lay measured points over solutions.
+#[derive(Clone, Debug, Args)]
+pub struct MeasuredArguments {
+    /// A table of measured points, laid over the curves of friction
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
+    #[command(flatten)]
+    columns: ColumnArguments,
+}
+
+/// What a user says of the columns of a table.
+#[derive(Clone, Debug, Args)]
+pub struct ColumnArguments {
+    /// What columns hold whose names do not tell, as in "speed=My V (mm/s),mu=#3"
+    #[arg(long = "columns", value_name = "NAME=COLUMN,…", value_parser = choices)]
+    columns: Vec<Choices>,
+}
+
+/// The choices of one option.
+#[derive(Clone, Debug)]
+struct Choices(Vec<ColumnChoice>);
+
+fn choices(text: &str) -> Result<Choices, String> {
+    ColumnChoice::list(text).map(Choices)
+}
+
+impl ColumnArguments {
+    /// All choices.
+    pub fn choices(&self) -> Vec<ColumnChoice> {
+        self.columns.iter().flat_map(|choices| choices.0.clone()).collect()
+    }
+}
+
+impl MeasuredArguments {
+    /// Reads the points, if there are some, and tells what was understood.
+    pub fn read(&self) -> Result<Option<Measured>, CliError> {
+        self.measured.as_deref().map(|path| read(path, &self.columns)).transpose()
+    }
+}
+
+/// Reads measured points, and tells on stderr what was understood of them.
+pub fn read(path: &Path, columns: &ColumnArguments) -> Result<Measured, CliError> {
+    let (measured, understood) = Measured::read(path, &columns.choices())?;
+    console::tell(understood.to_string().trim_end());
+    Ok(measured)
+}
