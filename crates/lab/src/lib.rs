@@ -48,18 +48,18 @@ pub use experiment::{Experiment, Modulus, Powers};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
     Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
-    MaterialFile, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile, PronyParts,
-    PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError,
-    TermChoice,
+    MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,
+    PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors,
+    ShiftFactorsError, TermChoice,
 };
 pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use roller::Roller;
 pub use scales::{Scales, si_units};
-pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
 pub use table::{
     Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
     Table, TableError, TableFile, Understood, decode,
 };
+pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
 pub use units::{Conversion, Dimension};
