@@ -18,6 +18,7 @@ const TRUTH: Experiment = Experiment {
     motion: Motion::Sliding { speed: 1e-3 },
     f: 10.0,
     roller: Roller::RIGID,
+    temperature: None,
 };
 
 const SWEEP: &str = "[laboratory]\nradius = \"2 mm\"\nload = [100.0, 119.0]\nrelaxed_modulus = \"150 kPa\"\npoisson_ratio = 0.5\n\

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{LaboratoryQuantity, Motion, Roller, Scales};
+use crate::{LaboratoryQuantity, Motion, Roller, Scales, ShiftLaw, ViscosityLaw};
 use stribeck_solver::{Parameters, RetardationMode, Substrate};
 
 /// Which of the two moduli of a substrate is given, in Pa.
@@ -45,6 +45,36 @@ pub struct Experiment {
     pub f: f64,
     /// What the roller is made of.
     pub roller: Roller,
+    /// The temperature, where times and viscosity follow from it: those that are given belong to its laws' reference.
+    pub temperature: Option<Temperature>,
+}
+
+/// A temperature, and what changes with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Temperature {
+    /// T (K).
+    pub value: f64,
+    /// The laws of what changes.
+    pub laws: TemperatureLaws,
+}
+
+/// How times and viscosity change with temperature; what has no law stays as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TemperatureLaws {
+    /// Of the times of the flat.
+    pub flat: Option<ShiftLaw>,
+    /// Of the times of the roller.
+    pub roller: Option<ShiftLaw>,
+    /// Of the viscosity.
+    pub viscosity: Option<ViscosityLaw>,
+}
+
+impl TemperatureLaws {
+    /// True where every law has a value.
+    pub fn admit(&self, temperature: f64) -> bool {
+        let shifts = [self.flat, self.roller].into_iter().flatten().all(|law| law.shift_factor(temperature).is_some());
+        shifts && self.viscosity.is_none_or(|law| law.factor(temperature).is_some())
+    }
 }
 
 /// The powers by which α, β and the friction scale a₀/R change with a quantity q: d ln/d ln q. S changes by itself.
@@ -87,14 +117,35 @@ impl Experiment {
 
     /// α = a₀/(u₂τ) (Eq. 13, T52), with the speed of the flat, which is the soft body; ∞ where it is at rest.
     pub fn alpha(&self) -> f64 {
-        self.contact_length() / (self.motion.flat_speed() * self.retardation_time)
+        self.contact_length() / (self.motion.flat_speed() * self.flat_time())
+    }
+
+    /// The retardation time of the flat at the temperature of the experiment; NaN where its law has no value.
+    fn flat_time(&self) -> f64 {
+        self.retardation_time * self.shift(|laws| laws.flat)
+    }
+
+    /// The retardation time of the roller at the temperature of the experiment.
+    fn roller_time(&self) -> f64 {
+        self.roller.retardation_time * self.shift(|laws| laws.roller)
+    }
+
+    fn shift(&self, law: impl Fn(&TemperatureLaws) -> Option<ShiftLaw>) -> f64 {
+        let known = self.temperature.as_ref().and_then(|it| Some((law(&it.laws)?, it.value)));
+        known.map_or(1.0, |(law, temperature)| law.shift_factor(temperature).unwrap_or(f64::NAN))
+    }
+
+    /// The viscosity at the temperature of the experiment; NaN where its law has no value.
+    pub fn viscosity_there(&self) -> f64 {
+        let known = self.temperature.as_ref().and_then(|it| Some((it.laws.viscosity?, it.value)));
+        self.viscosity * known.map_or(1.0, |(law, temperature)| law.factor(temperature).unwrap_or(f64::NAN))
     }
 
     /// β = E∞* a₀⁴/(12 η (u₁+u₂) R³) (Eq. 14, T52).
     pub fn beta(&self) -> f64 {
         let slenderness = self.contact_length() / self.radius;
         self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length()
-            / (12.0 * self.viscosity * self.motion.sum())
+            / (12.0 * self.viscosity_there() * self.motion.sum())
     }
 
     /// The dimensionless case of this experiment on a flat with the given retardation spectrum under a rigid roller.
@@ -125,9 +176,9 @@ impl Experiment {
         let slide_roll = self.motion.slide_roll();
         let (alpha, times) = if self.f > 0.0 && flat_speed > 0.0 {
             let slower = (1.0 - slide_roll) / (1.0 + slide_roll);
-            (self.alpha(), [1.0, slower * self.roller.retardation_time / self.retardation_time])
+            (self.alpha(), [1.0, slower * self.roller_time() / self.flat_time()])
         } else if self.roller.f > 0.0 && roller_speed > 0.0 {
-            (self.contact_length() / (roller_speed * self.roller.retardation_time), [0.0, 1.0])
+            (self.contact_length() / (roller_speed * self.roller_time()), [0.0, 1.0])
         } else {
             return Parameters::elastic(self.beta());
         };
@@ -163,12 +214,13 @@ impl Experiment {
             (LaboratoryQuantity::PoissonRatio, _) => self.poisson_ratio,
             (LaboratoryQuantity::Viscosity, _) => self.viscosity,
             (LaboratoryQuantity::RetardationTime, _) => self.retardation_time,
+            (LaboratoryQuantity::Temperature, _) => self.temperature.map_or(f64::NAN, |temperature| temperature.value),
             (speed, _) => self.motion.value(speed),
         }
     }
 
     /// The quantities that are given, in the order of [`LaboratoryQuantity::ALL`]: one of the moduli, and the speeds of
-    /// one form of motion.
+    /// one form of motion; the temperature where times or viscosity follow from it.
     pub fn given(&self) -> impl Iterator<Item = LaboratoryQuantity> {
         let other = match self.modulus {
             Modulus::Relaxed(_) => LaboratoryQuantity::InstantaneousModulus,
@@ -176,7 +228,9 @@ impl Experiment {
         };
         let speeds = self.motion.given();
         let is_speed = |quantity: &LaboratoryQuantity| LaboratoryQuantity::SPEEDS.contains(quantity);
-        let others = LaboratoryQuantity::ALL.into_iter().filter(move |it| *it != other && !is_speed(it));
+        let is_known = |it: &LaboratoryQuantity| *it != LaboratoryQuantity::Temperature || self.temperature.is_some();
+        let others =
+            LaboratoryQuantity::ALL.into_iter().filter(move |it| *it != other && !is_speed(it) && is_known(it));
         others.chain(speeds.iter().copied())
     }
 
@@ -190,13 +244,18 @@ impl Experiment {
             LaboratoryQuantity::PoissonRatio => self.poisson_ratio = value,
             LaboratoryQuantity::Viscosity => self.viscosity = value,
             LaboratoryQuantity::RetardationTime => self.retardation_time = value,
+            LaboratoryQuantity::Temperature => {
+                let laws = self.temperature.map_or_else(TemperatureLaws::default, |temperature| temperature.laws);
+                self.temperature = Some(Temperature { value, laws });
+            }
             speed => self.motion.set(speed, value),
         }
     }
 
     /// The powers by which α, β and a₀/R change with a quantity while the others that are given stay.
     ///
-    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η (u₁+u₂) R). The roller is rigid.
+    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η (u₁+u₂) R). The roller is rigid. NaN for the temperature, which no
+    /// power law holds for.
     pub fn powers(&self, quantity: LaboratoryQuantity) -> Powers {
         let powers = |alpha, beta, friction| Powers { alpha, beta, friction, slide_roll: 0.0 };
         match quantity {
@@ -211,6 +270,7 @@ impl Experiment {
             }
             LaboratoryQuantity::Viscosity => powers(0.0, -1.0, 0.0),
             LaboratoryQuantity::RetardationTime => powers(-1.0, 0.0, 0.0),
+            LaboratoryQuantity::Temperature => powers(f64::NAN, f64::NAN, f64::NAN),
             speed => {
                 let [flat, sum, slide_roll] = self.motion.powers(speed);
                 Powers { slide_roll, ..powers(-flat, -sum, 0.0) }
@@ -248,6 +308,7 @@ mod tests {
         motion: Motion::Sliding { speed: 1e-3 },
         f: 10.0,
         roller: Roller::RIGID,
+        temperature: None,
     };
 
     #[test]

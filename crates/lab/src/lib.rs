@@ -12,8 +12,10 @@
 //! let (radius, load, modulus) = (2e-3, 119.0, Modulus::Relaxed(material.relaxed_modulus));
 //! let (viscosity, motion) = (5.1, Motion::Sliding { speed: 1e-3 });
 //! let Material { retardation_time, f, ref substrate, .. } = material;
-//! let (poisson_ratio, roller) = (0.5, Roller::RIGID);
-//! let experiment = Experiment { radius, load, modulus, poisson_ratio, viscosity, retardation_time, motion, f, roller };
+//! let (poisson_ratio, roller, temperature) = (0.5, Roller::RIGID, None);
+//! let experiment = Experiment {
+//!     radius, load, modulus, poisson_ratio, viscosity, retardation_time, motion, f, roller, temperature,
+//! };
 //! let solution = solve(&experiment.parameters(substrate), &Settings::default()).expect("a solution");
 //! let friction = experiment.scales().friction * solution.quantities.friction.drag;
 //! assert!((0.02..0.1).contains(&friction), "{friction}");
@@ -24,9 +26,9 @@
 //! | `quantity`, `units`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
 //! | `motion` | speeds of both surfaces |
 //! | `roller` | what the roller is made of |
+//! | `temperature`, `viscosity_law` | how times and viscosity change with temperature |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
-//! | `temperature` | units of temperature; how times change with it |
 //! | `table` | tables of numbers as laboratories have them |
 //! | `measured` | measured friction |
 //! | `friction_fit` | fits to measured friction |
@@ -43,8 +45,9 @@ mod scales;
 mod table;
 mod temperature;
 mod units;
+mod viscosity_law;
 
-pub use experiment::{Experiment, Modulus, Powers};
+pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
     Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
@@ -63,3 +66,4 @@ pub use table::{
 };
 pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
 pub use units::{Conversion, Dimension};
+pub use viscosity_law::{ViscosityLaw, ViscosityTable};

@@ -2,7 +2,7 @@
 
 use crate::grid_index::{indices, place};
 use crate::{Dimension, GridIndex, GridShape};
-use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus, Motion, Roller};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Modulus, Motion, Roller, Temperature, TemperatureLaws};
 use stribeck_solver::Substrate;
 
 /// The axes of a dimensionless sweep: each strictly ascending and not empty.
@@ -53,6 +53,8 @@ pub struct LaboratoryAxes {
     pub swap: bool,
     /// Where the model ends.
     pub limits: ModelLimits,
+    /// What changes with temperature, where that is given.
+    pub laws: TemperatureLaws,
 }
 
 /// What the surfaces and the layer allow, as far as it is given (m).
@@ -83,6 +85,10 @@ impl LaboratoryAxes {
     pub fn shape(&self) -> GridShape {
         let rows = self.between().map(|given| given.values.len()).product();
         GridShape { blocks: self.f.len(), rows, length: self.speed().values.len() }
+    }
+
+    fn temperature_is_given(&self) -> bool {
+        self.given.iter().any(|given| given.quantity == LaboratoryQuantity::Temperature)
     }
 
     /// All that is given but the last speed.
@@ -130,6 +136,7 @@ impl LaboratoryAxes {
             motion: Motion::Sliding { speed: f64::NAN },
             f: self.f[index.block],
             roller: self.roller,
+            temperature: self.temperature_is_given().then_some(Temperature { value: f64::NAN, laws: self.laws }),
         };
         for (given, place) in self.others().iter().zip(indices(self.lengths(), index.row)) {
             experiment.set(given.quantity, given.values[place]);

@@ -415,6 +415,7 @@ mod tests {
             motion: Motion::Sliding { speed: 1e-3 },
             f: 10.0,
             roller: Roller::RIGID,
+            temperature: None,
         };
         for column in Column::ALL {
             let factor = experiment.scales().factor(column.units());

@@ -14,3 +14,4 @@ mod store;
 mod survival;
 mod sweep_file;
 mod synthetic;
+mod temperature;

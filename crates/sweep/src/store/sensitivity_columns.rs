@@ -23,7 +23,11 @@ impl Input {
     fn all(experiment: Option<&Experiment>) -> Vec<Self> {
         match experiment {
             None => vec![Self::Alpha, Self::Beta, Self::Strength],
-            Some(experiment) => std::iter::once(Self::Strength).chain(experiment.given().map(Self::Quantity)).collect(),
+            Some(experiment) => {
+                // The temperature stands for times and viscosity, which have their own.
+                let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Temperature);
+                std::iter::once(Self::Strength).chain(given.map(Self::Quantity)).collect()
+            }
         }
     }
 
@@ -132,6 +136,7 @@ mod tests {
             motion: Motion::Sliding { speed: 0.01 },
             f: 3.0,
             roller: Roller::RIGID,
+            temperature: None,
         };
         let sensitivities = Sensitivities {
             viscoelastic: [0.1, 0.2, 0.3],

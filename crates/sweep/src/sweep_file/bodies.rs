@@ -2,10 +2,11 @@
 
 use super::modulus;
 use super::named_series::NamedSeries;
-use super::sections::section;
+use super::sections::{keys, section};
 use super::substrate::{self, MaterialDefaults, ReadSubstrate};
+use super::temperature::read_shift;
 use stribeck_input::{Entry, Fault, Quantity, Section, Values};
-use stribeck_lab::{Dimension, LaboratoryQuantity, Roller};
+use stribeck_lab::{Dimension, LaboratoryQuantity, Roller, ShiftLaw};
 use stribeck_solver::Substrate;
 
 /// The two bodies as a sweep file has them.
@@ -23,6 +24,8 @@ pub(super) struct ReadBodies {
     pub(super) roller: Roller,
     /// The spectrum of the roller, where it has an f.
     pub(super) roller_spectrum: Substrate,
+    /// How the times of flat and roller change with temperature.
+    pub(super) shifts: [Option<ShiftLaw>; 2],
 }
 
 /// Reads the sections of both bodies, with the series of files that they name.
@@ -102,6 +105,10 @@ fn read_quantities(
         }
         _ => {}
     }
+    for (shift, entry) in bodies.shifts.iter_mut().zip([flat, roller]) {
+        let body = entry.map(section).transpose()?;
+        *shift = body.and_then(|body| body.get("shift")).map(|entry| read_shift(&entry)).transpose()?;
+    }
     Ok(bodies)
 }
 
@@ -111,9 +118,8 @@ fn is_rigid(entry: &Entry<'_>) -> Result<bool, Fault> {
     if !body.get("rigid").map_or(Ok(false), |rigid| rigid.boolean())? {
         return Ok(false);
     }
-    let others = ["modes", "relaxation", "poisson_ratio", "f", "retardation_time"];
-    let mut others = others.into_iter().chain(modulus::KEYS.map(|(key, ..)| key));
-    match others.find_map(|key| body.get(key)) {
+    let others = keys(entry.path()).iter().filter(|key| **key != "rigid");
+    match others.into_iter().find_map(|key| body.get(key)) {
         None => Ok(true),
         Some(other) => {
             let what = format!("`{}` says nothing of a rigid body", other.path());

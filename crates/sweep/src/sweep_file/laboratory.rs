@@ -4,9 +4,10 @@ use super::bodies::ReadBodies;
 use super::modulus;
 use super::sections::section;
 use super::substrate::MaterialDefaults;
+use super::temperature::read_viscosity;
 use crate::{Given, LaboratoryAxes, ModelLimits};
 use stribeck_input::{Entry, Fault, Quantity, Section, Values, Varying, read_varying};
-use stribeck_lab::{Dimension, LaboratoryQuantity};
+use stribeck_lab::{Dimension, LaboratoryQuantity, TemperatureLaws};
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
 const MOST_PLACES: u128 = 10_000_000;
@@ -24,13 +25,18 @@ pub(super) fn read(
     }
     let f = read_strengths(&section, axis_of_f, bodies)?;
     let speeds = form_of_motion(&section)?;
+    let entry_of_viscosity = section.get(LaboratoryQuantity::Viscosity.name());
+    let viscosity = entry_of_viscosity.map(|entry| read_viscosity(&entry)).transpose()?.flatten();
     let mut given = Vec::new();
     for quantity in LaboratoryQuantity::ALL {
         let is_speed = LaboratoryQuantity::SPEEDS.contains(&quantity);
         if is_speed && !speeds.contains(&quantity) {
             continue;
         }
-        let read = read_quantity(&section, quantity, material, &f)?;
+        let read = match viscosity.filter(|_| quantity == LaboratoryQuantity::Viscosity) {
+            Some((value, _)) => Some(Varying::Fixed(value)),
+            None => read_quantity(&section, quantity, material, &f)?,
+        };
         let Some(varying) = read else { continue };
         // Results run along the last speed, be it one number.
         let last = speeds.last() == Some(&quantity);
@@ -44,7 +50,10 @@ pub(super) fn read(
     let length = |key: &str| section.get(key).map(|entry| Dimension::Length.read(&entry)).transpose();
     let limits = ModelLimits { roughness: length("roughness")?, thickness: length("thickness")? };
     let (roller, roller_spectrum) = (bodies.roller, bodies.roller_spectrum.clone());
-    let axes = LaboratoryAxes { f, given, roller, roller_spectrum, swap, limits };
+    let [flat, roller_shift] = bodies.shifts;
+    let laws = TemperatureLaws { flat, roller: roller_shift, viscosity: viscosity.map(|(_, law)| law) };
+    check_temperatures(&section, &given, &laws)?;
+    let axes = LaboratoryAxes { f, given, roller, roller_spectrum, swap, limits, laws };
     let lengths = axes.dimensions().into_iter().map(|dimension| dimension.values.len() as u128);
     let places = lengths.fold(1, u128::saturating_mul);
     if places > MOST_PLACES {
@@ -71,6 +80,23 @@ fn form_of_motion(section: &Section<'_>) -> Result<&'static [LaboratoryQuantity]
         return Err(entry.fault(what, format!("beside `{one}`"), help));
     }
     Ok(form)
+}
+
+/// Refuses temperatures that change nothing, or that a law does not hold at.
+fn check_temperatures(section: &Section<'_>, given: &[Given], laws: &TemperatureLaws) -> Result<(), Fault> {
+    let Some(entry) = section.get(LaboratoryQuantity::Temperature.name()) else { return Ok(()) };
+    if *laws == TemperatureLaws::default() {
+        let what = "nothing changes with `laboratory.temperature`";
+        let help = "give [flat] a `shift`, or the viscosity a law (docs/sweep-file.md), or remove the temperature";
+        return Err(entry.fault(what, "without a law", help).unquoted());
+    }
+    let temperatures = given.iter().filter(|given| given.quantity == LaboratoryQuantity::Temperature);
+    let Some(outside) = temperatures.flat_map(|given| &given.values).find(|value| !laws.admit(**value)) else {
+        return Ok(());
+    };
+    let what = format!("a law of temperature has no value at {outside} K");
+    let help = "a table of viscosities holds between its ends, the law of WLF above its reference less c2";
+    Err(entry.fault(what, "beyond a law", help).unquoted())
 }
 
 /// Refuses moduli and times of a flat that is rigid.
@@ -168,6 +194,7 @@ fn read_quantity(
         Q::InstantaneousModulus if material.instantaneous_modulus.is_none() => return Ok(None),
         Q::InstantaneousModulus => material.instantaneous_modulus.map(young).transpose()?,
         Q::PoissonRatio => material.poisson_ratio,
+        Q::Temperature => return Ok(None),
         // An elastic substrate responds at once: α = ∞.
         Q::RetardationTime => material.retardation_time.or((f == [0.0]).then_some(0.0)),
         _ => None,
@@ -184,6 +211,7 @@ fn read_quantity(
                 Q::PoissonRatio => "poisson_ratio = 0.5",
                 Q::Viscosity => "viscosity = \"5.1 Pa s\"",
                 Q::RetardationTime => "retardation_time = \"20 ms\"",
+                Q::Temperature => "temperature = \"20 degC\"",
                 Q::Speed => "speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }",
                 Q::EntrainmentSpeed => {
                     "entrainment_speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }"

@@ -12,6 +12,7 @@
 //! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
 //! | `modulus` | a modulus of a section: relaxed or instantaneous, Young's or shear |
 //! | `named_series` | Prony series in files that a sweep file names |
+//! | `temperature` | the readers of laws of temperature |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
 mod bodies;
@@ -24,6 +25,7 @@ mod sections;
 mod solver;
 mod specification;
 mod substrate;
+mod temperature;
 
 pub use file::{read_axes, read_title};
 pub use solver::{read_error, read_points};

@@ -19,6 +19,7 @@ const SECTIONS: [(&str, &[&str]); 9] = [
             "poisson_ratio",
             "viscosity",
             "retardation_time",
+            "temperature",
             "speed",
             "entrainment_speed",
             "slide_roll_ratio",
@@ -50,6 +51,7 @@ const BODY: &[&str] = &[
     "poisson_ratio",
     "f",
     "retardation_time",
+    "shift",
 ];
 
 /// The keys of a section.

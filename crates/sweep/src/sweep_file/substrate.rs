@@ -58,7 +58,7 @@ pub(super) fn read_with(entry: &Entry<'_>, files: &NamedSeries) -> Result<ReadSu
 /// Refuses what says nothing of dimensionless cases: moduli without relaxation, and other quantities.
 pub(super) fn refuse_quantities(section: &Section<'_>) -> Result<(), Fault> {
     if let Some(other) =
-        ["rigid", "poisson_ratio", "f", "retardation_time"].into_iter().find_map(|key| section.get(key))
+        ["rigid", "poisson_ratio", "f", "retardation_time", "shift"].into_iter().find_map(|key| section.get(key))
     {
         let what = format!("`{}` goes with [laboratory], which is not there", other.path());
         let help = "sweeps over alpha, beta and f need the `modes` of their bodies alone: remove it";
