@@ -10,7 +10,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
-use stribeck_lab::{MasterCurveError, PronyError, RelaxationFitError, TableError};
+use stribeck_lab::{MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
@@ -240,6 +240,16 @@ pub enum CliError {
         /// The lowest and the highest temperature, in K.
         range: (f64, f64),
     },
+    /// A temperature to shift moduli to that have none.
+    #[error(
+        "{}: no column has a temperature, so the moduli cannot be shifted to the reference temperature; leave the option \
+         out, or name the column, as in --columns \"temperature=#4\"",
+        shown(data)
+    )]
+    NoTemperatures {
+        /// The table of measurements.
+        data: PathBuf,
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -248,6 +258,15 @@ pub enum CliError {
         /// What the system said.
         source: io::Error,
     },
+}
+
+impl From<MaterialFileError> for CliError {
+    fn from(error: MaterialFileError) -> Self {
+        match error {
+            MaterialFileError::Table(error) => Self::Table(error),
+            MaterialFileError::Series(error) => Self::Input(error),
+        }
+    }
 }
 
 /// The remedy for a place that cannot be used.
@@ -275,6 +294,7 @@ impl CliError {
             | CliError::Series { .. }
             | CliError::MasterCurve { .. }
             | CliError::SeveralTemperatures { .. }
+            | CliError::NoTemperatures { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }

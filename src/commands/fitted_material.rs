@@ -54,11 +54,10 @@ impl FittedMaterial<'_> {
     }
 
     /// All numbers, and the lines for a sweep file.
-    pub fn json(&self, read: &[String]) -> String {
+    pub fn json(&self) -> String {
         let relaxation = &self.fit.relaxation;
         let mut object = material_text::json(relaxation, true);
         let more = [
-            ("read", json!(read)),
             ("rows", json!(self.measurements.rows().len())),
             ("offered_terms", json!(self.offered)),
             ("reason_for_terms", self.choice.map_or(Value::Null, |choice| json!(reason(choice)))),

@@ -1,18 +1,19 @@
 //! `stribeck material`: a substrate from measured moduli, or from a Prony series.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::Args;
 
 use super::fitted_material::FittedMaterial;
+use super::measured::ColumnArguments;
 use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format};
 use stribeck_input::shown;
 use stribeck_lab::{
     Dimension, Isotherms, MasterCurve, MaterialData, MaterialFile, MaterialOptions, Measurements, RelaxationFit,
-    TermChoice, parse_temperature,
+    ShiftFactors, TermChoice, parse_temperature,
 };
 use stribeck_sweep::store::write_whole;
 
@@ -47,6 +48,11 @@ pub struct Arguments {
     /// Shift moduli at several temperatures to this one, as in "20 degC" or "293 K"
     #[arg(long, value_name = "T", value_parser = temperature)]
     reference_temperature: Option<f64>,
+    /// A table of shift factors, by which moduli are shifted, instead of those that are found
+    #[arg(long, value_name = "FILE")]
+    shift_factors: Option<PathBuf>,
+    #[command(flatten)]
+    columns: ColumnArguments,
     /// A picture of measurements and fit, SVG or PNG by its extension
     #[arg(short, long, value_name = "FILE", value_parser = picture)]
     output: Option<(PathBuf, Format)>,
@@ -95,19 +101,22 @@ fn picture(text: &str) -> Result<(PathBuf, Format), String> {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let options = MaterialOptions {
-        shear_with: arguments.poisson_ratio.filter(|_| arguments.shear),
+        is_shear: arguments.shear,
+        poisson_ratio: arguments.poisson_ratio,
         modulus_unit: arguments.modulus_unit,
+        columns: arguments.columns.choices(),
     };
     let file = MaterialFile::read(&arguments.data, &options)?;
+    console::tell(file.understood.trim_end());
     let name = arguments.data.file_stem().unwrap_or_default().to_string_lossy();
     let measured = match &file.data {
         MaterialData::Series(series) => {
             let refused = |source| CliError::Series { file: arguments.data.clone(), source };
             let relaxation = series.relaxation().map_err(refused)?;
             let material = PronyMaterial { name: &name, series, relaxation: &relaxation };
-            return finish(arguments, &file.read, &material.table(), &material.json(&file.read), &material.chart());
+            return finish(arguments, &material.table(), &material.json(), &material.chart());
         }
-        MaterialData::Moduli(measurements) => Measured { measurements: measurements.clone(), master_curve: None },
+        MaterialData::Moduli(measurements) => shifted_already(arguments, measurements)?,
         MaterialData::Isotherms(isotherms) => at_one_temperature(arguments, isotherms)?,
     };
     let fitted = |source| CliError::Fit { data: arguments.data.clone(), source };
@@ -126,7 +135,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         choice: choice.as_ref(),
         master_curve: measured.master_curve.as_ref(),
     };
-    finish(arguments, &file.read, &material.table(), &material.json(&file.read), &material.chart())
+    finish(arguments, &material.table(), &material.json(), &material.chart())
 }
 
 /// Measurements at one temperature, and how they came there.
@@ -135,12 +144,37 @@ struct Measured {
     master_curve: Option<MasterCurve>,
 }
 
+/// Moduli of which no temperature is told: shift factors beside them give the law alone.
+fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result<Measured, CliError> {
+    let master_curve = match (&arguments.shift_factors, arguments.reference_temperature) {
+        (None, None) => None,
+        (None, Some(_)) => return Err(CliError::NoTemperatures { data: arguments.data.clone() }),
+        (Some(file), reference) => {
+            let refused = |source| CliError::MasterCurve { data: file.clone(), source };
+            let factors = read_factors(file)?;
+            Some(MasterCurve::of_shifted(measurements.clone(), &factors, reference).map_err(refused)?)
+        }
+    };
+    Ok(Measured { measurements: measurements.clone(), master_curve })
+}
+
+/// Reads shift factors, and tells what was understood of them.
+fn read_factors(file: &Path) -> Result<ShiftFactors, CliError> {
+    let (factors, understood) = ShiftFactors::read(file, &[])?;
+    console::tell(understood.to_string().trim_end());
+    Ok(factors)
+}
+
 /// Shifts isotherms to the reference temperature; a single one without a reference stays as it is.
 fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Measured, CliError> {
     let refused = |source| CliError::MasterCurve { data: arguments.data.clone(), source };
-    let curve = match arguments.reference_temperature {
-        Some(reference) => MasterCurve::by_overlap(isotherms, reference).map_err(refused)?,
-        None => {
+    let curve = match (&arguments.shift_factors, arguments.reference_temperature) {
+        (Some(file), reference) => {
+            let factors = read_factors(file)?;
+            MasterCurve::by_factors(isotherms, &factors, reference).map_err(refused)?
+        }
+        (None, Some(reference)) => MasterCurve::by_overlap(isotherms, reference).map_err(refused)?,
+        (None, None) => {
             let [only] = isotherms.all() else {
                 return Err(CliError::SeveralTemperatures { data: arguments.data.clone(), range: isotherms.range() });
             };
@@ -150,13 +184,9 @@ fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Me
     Ok(Measured { measurements: curve.measurements.clone(), master_curve: Some(curve) })
 }
 
-/// Prints a material, below what was read, and paints its picture.
-fn finish(arguments: &Arguments, read: &[String], table: &str, json: &str, chart: &Chart) -> Result<Exit, CliError> {
-    let mut text = if arguments.json {
-        json.to_owned()
-    } else {
-        read.iter().map(|line| format!("{line}\n")).collect::<String>() + table
-    };
+/// Prints a material and paints its picture.
+fn finish(arguments: &Arguments, table: &str, json: &str, chart: &Chart) -> Result<Exit, CliError> {
+    let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
     if let Some((file, format)) = &arguments.output {
         write_whole(file.clone(), &chart.paint(*format)?)?;
         // What reads JSON gets nothing else.

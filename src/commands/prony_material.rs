@@ -36,9 +36,8 @@ impl PronyMaterial<'_> {
     }
 
     /// All numbers, and the lines for a sweep file.
-    pub fn json(&self, read: &[String]) -> String {
+    pub fn json(&self) -> String {
         let mut object = material_text::json(self.relaxation, self.series.modulus.is_some());
-        object.insert("read".to_owned(), json!(read));
         object.insert("toml".to_owned(), json!(self.toml()));
         serde_json::to_string_pretty(&object).expect("strings and numbers can be written") + "\n"
     }

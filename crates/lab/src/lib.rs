@@ -51,9 +51,9 @@ pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
     Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
-    MaterialFile, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile, PronyParts,
-    PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError,
-    TermChoice,
+    MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,
+    PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors,
+    ShiftFactorsError, TermChoice,
 };
 pub use measured::Measured;
 pub use motion::Motion;

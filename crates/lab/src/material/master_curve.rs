@@ -67,13 +67,27 @@ impl MasterCurve {
         reference: Option<f64>,
     ) -> Result<Self, MasterCurveError> {
         let reference = reference.or_else(|| factors.reference()).ok_or(MasterCurveError::NoReference)?;
-        let pairs = factors.pairs();
-        let range = (pairs[0].0, pairs[pairs.len() - 1].0);
-        let factors = factors.at_reference(reference).ok_or_else(|| outside(reference, range))?;
+        let factors = factors.at_reference(reference).ok_or_else(|| outside(reference, factors.range()))?;
         Self::assemble(isotherms, &factors, reference, |i, steps| {
             let neighbours = isotherms.all().get(i.wrapping_sub(1)..=i)?;
             difference(&neighbours[0], &neighbours[1], steps[i] - steps[i - 1])
         })
+    }
+
+    /// Measurements that are at the reference temperature of given factors already, or at another one of theirs.
+    ///
+    /// # Errors
+    /// [`MasterCurveError`] if the factors have no reference.
+    pub fn of_shifted(
+        measurements: Measurements,
+        factors: &ShiftFactors,
+        reference: Option<f64>,
+    ) -> Result<Self, MasterCurveError> {
+        let reference = reference.or_else(|| factors.reference()).ok_or(MasterCurveError::NoReference)?;
+        let factors = factors.at_reference(reference).ok_or_else(|| outside(reference, factors.range()))?;
+        let shift = |&(temperature, log_factor): &(f64, f64)| Shift { temperature, log_factor, residual: None };
+        let laws = ShiftLawFit::all(factors.pairs(), reference);
+        Ok(Self { reference, shifts: factors.pairs().iter().map(shift).collect(), measurements, laws })
     }
 
     /// The curve of shifted isotherms; `residual` is that of an isotherm over the next colder one, given all shifts.
@@ -84,8 +98,7 @@ impl MasterCurve {
         residual: impl Fn(usize, &[f64]) -> Option<f64>,
     ) -> Result<Self, MasterCurveError> {
         let log_factor = |isotherm: &Isotherm| {
-            let range = (factors.pairs()[0].0, factors.pairs()[factors.pairs().len() - 1].0);
-            factors.at(isotherm.temperature).ok_or_else(|| outside(isotherm.temperature, range))
+            factors.at(isotherm.temperature).ok_or_else(|| outside(isotherm.temperature, factors.range()))
         };
         let logs: Vec<f64> = isotherms.all().iter().map(log_factor).collect::<Result<_, _>>()?;
         let mut rows = Vec::new();

@@ -35,6 +35,11 @@ impl ShiftFactors {
         &self.0
     }
 
+    /// The lowest and the highest temperature, in K.
+    pub fn range(&self) -> (f64, f64) {
+        (self.0[0].0, self.0[self.0.len() - 1].0)
+    }
+
     /// log₁₀ a_T at a temperature, on the straight line between the next ones; `None` more than 1.5 K outside of them.
     pub fn at(&self, temperature: f64) -> Option<f64> {
         let last = self.0.len() - 1;

@@ -26,6 +26,7 @@ mod workbook;
 
 pub use blocks::{Heading, Row, Table};
 pub use columns::{Column, ColumnChoice, Columns, LeftOutColumn};
+pub(crate) use file::bytes;
 pub use file::{TableError, TableFile};
 pub use heading::{Field, Measures};
 pub use layout::{Decimal, Layout, Separator};

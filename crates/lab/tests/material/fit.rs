@@ -1,11 +1,13 @@
 //! Fits to moduli that are known.
 
-use std::fs;
+use std::path::Path;
 
 use super::{decades, decay, oscillation, rubber, solid};
 use proptest::prelude::*;
-use stribeck_lab::{Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm};
-use tempfile::tempdir;
+use stribeck_lab::{
+    MaterialData, MaterialFile, MaterialOptions, Measurements, Relaxation, RelaxationFit, RelaxationFitError,
+    RelaxationTerm,
+};
 
 /// The table of a material at these angular frequencies.
 fn table(relaxation: &Relaxation, omegas: impl IntoIterator<Item = f64>) -> String {
@@ -18,10 +20,11 @@ fn table(relaxation: &Relaxation, omegas: impl IntoIterator<Item = f64>) -> Stri
 }
 
 fn measurements(text: &str) -> Measurements {
-    let directory = tempdir().expect("a temporary directory");
-    let file = directory.path().join("data.csv");
-    fs::write(&file, text).expect("written");
-    Measurements::read(&file).expect("a table")
+    let options = MaterialOptions::default();
+    match MaterialFile::of(Path::new("data.csv"), text.as_bytes(), &options).expect("a table").data {
+        MaterialData::Moduli(measurements) => measurements,
+        other => panic!("{other:?}"),
+    }
 }
 
 /// Offered its own times, a fit finds the material and drops the others.

@@ -5,6 +5,7 @@ mod judgement;
 mod master_curve;
 mod prony;
 mod spectra;
+mod tables;
 
 use stribeck_lab::{Measurement, Relaxation, RelaxationTerm};
 

@@ -1,19 +1,15 @@
 //! One material by its terms in every form in which they are passed on.
 
-use std::fs;
+use std::path::Path;
 
 use stribeck_lab::{
     MaterialData, MaterialFile, MaterialOptions, Modulus, ModulusKind, PronyError, PronyParts, PronySeries,
 };
-use tempfile::tempdir;
 
 /// The series in a file with this text.
 fn read(text: &str, modulus_unit: Option<f64>) -> PronySeries {
-    let directory = tempdir().expect("a temporary directory");
-    let file = directory.path().join("series.txt");
-    fs::write(&file, text).expect("written");
     let options = MaterialOptions { modulus_unit, ..MaterialOptions::default() };
-    match MaterialFile::read(&file, &options).expect("a series").data {
+    match MaterialFile::of(Path::new("series"), text.as_bytes(), &options).expect("a series").data {
         MaterialData::Series(series) => series,
         other => panic!("{other:?}"),
     }
@@ -51,7 +47,15 @@ fn one_series_in_three_languages_is_one_material() {
         Some(1e6),
     );
     let ansys = read("MP,EX,1,6.5\nTB,PRONY,1,1,2,SHEAR\nTBDATA,1,0.375,0.01,0.25,5.0\n", Some(1e6));
-    assert_eq!(abaqus, ansys);
+    let table = read("# E0 = 6.5 MPa\n# rel_mod, rel_time\n0.375,1e-2\n0,1\n0.25,5\n", None);
+    let moduli = read("E0 = 6,5 MPa\ntau_i (ms);E_i (MPa)\n10;2,4375\n5000;1,625\n", None);
+    assert_eq!((&abaqus, &abaqus), (&ansys, &table));
+    assert_eq!((moduli.parts, moduli.modulus), (PronyParts::Moduli, abaqus.modulus));
+    let by_moduli = moduli.relaxation().expect("a material");
+    assert!((by_moduli.relaxed_modulus() / (0.375 * 6.5e6) - 1.0).abs() < 1e-14);
+    for (term, exact) in by_moduli.terms().iter().zip(abaqus.relaxation().expect("a material").terms()) {
+        assert!((term.modulus / exact.modulus - 1.0).abs() < 1e-14 && term.time == exact.time);
+    }
     let relaxation = abaqus.relaxation().expect("a material");
     assert!((relaxation.instantaneous_modulus() / 6.5e6 - 1.0).abs() < 1e-15);
     assert!((relaxation.relaxed_modulus() / (0.375 * 6.5e6) - 1.0).abs() < 1e-15);

@@ -9,7 +9,7 @@ use std::path::Path;
 use super::modulus;
 use super::sections::section;
 use stribeck_input::{Entry, Fault, Section, printable};
-use stribeck_lab::{Dimension, MaterialData, MaterialFile, MaterialOptions, PronySeries};
+use stribeck_lab::{Dimension, MaterialData, MaterialFile, MaterialFileError, MaterialOptions, PronySeries};
 
 const HELP: &str =
     "write relaxation = { file = \"prony.csv\" }, with modulus_unit = \"MPa\" where the file names no unit";
@@ -72,7 +72,11 @@ impl One {
         let file = name.text()?;
         let options = MaterialOptions { modulus_unit, ..MaterialOptions::default() };
         let content = MaterialFile::read(&folder.join(file), &options).map_err(|error| {
-            name.fault(format!("`{}`: {error}", entry.path()), "in this file", error.remedy()).unquoted()
+            let help = match &error {
+                MaterialFileError::Series(error) => error.remedy(),
+                MaterialFileError::Table(_) => HELP,
+            };
+            name.fault(format!("`{}`: {error}", entry.path()), "in this file", help).unquoted()
         })?;
         let MaterialData::Series(series) = content.data else {
             let what =

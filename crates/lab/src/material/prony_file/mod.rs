@@ -45,10 +45,7 @@ impl PronyFile {
 
     /// The series with the file's own modulus, whose unit has `unit` pascals.
     pub fn with_modulus_in(&self, unit: f64) -> PronySeries {
-        let modulus = self.modulus.map(|modulus| match modulus {
-            Modulus::Relaxed(value) => Modulus::Relaxed(value * unit),
-            Modulus::Instantaneous(value) => Modulus::Instantaneous(value * unit),
-        });
+        let modulus = self.modulus.map(|modulus| modulus.times(unit));
         PronySeries { modulus, ..self.series.clone() }
     }
 
