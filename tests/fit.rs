@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::program::{code, err, out, say};
 use serde_json::Value;
-use stribeck_lab::{Experiment, Modulus, Motion};
+use stribeck_lab::{Experiment, Modulus, Motion, Roller};
 use stribeck_solver::{Settings, Substrate, solve};
 
 const TRUTH: Experiment = Experiment {
@@ -17,6 +17,8 @@ const TRUTH: Experiment = Experiment {
     retardation_time: 0.02,
     motion: Motion::Sliding { speed: 1e-3 },
     f: 10.0,
+    roller: Roller::RIGID,
+    temperature: None,
 };
 
 const SWEEP: &str = "[laboratory]\nradius = \"2 mm\"\nload = [100.0, 119.0]\nrelaxed_modulus = \"150 kPa\"\npoisson_ratio = 0.5\n\

@@ -480,7 +480,7 @@ proptest! {
             prop_assert!((1..=MAX_CHAIN).contains(&cases.len()));
             prop_assert!(cases.windows(2).all(|pair: &[Parameters]| pair[0].beta < pair[1].beta));
             let places: Vec<GridIndex> = plan.places(&chain).collect();
-            let along_one_row = |pair: &[GridIndex]| (pair[0].f, pair[0].row) == (pair[1].f, pair[1].row) && pair[0].along > pair[1].along;
+            let along_one_row = |pair: &[GridIndex]| (pair[0].block, pair[0].row) == (pair[1].block, pair[1].row) && pair[0].along > pair[1].along;
             prop_assert!(places.windows(2).all(along_one_row));
             for (case, place) in cases.iter().zip(places) {
                 prop_assert!(solved.insert(plan.id(case)), "a problem is solved twice");

@@ -7,6 +7,7 @@ use clap::Args;
 
 use super::measured::MeasuredArguments;
 use super::plot::at;
+use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
 use super::{CliError, Exit, console, threads};
 use crate::format::{Align, count, table_line};
@@ -16,7 +17,7 @@ use stribeck_lab::{Experiment, Measured, Scales};
 use stribeck_solver::{FieldSelection, Output, shortest};
 use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
-use stribeck_sweep::{Column, Extent, Grid, LaboratoryAxes, Plan, Sweep};
+use stribeck_sweep::{Column, Extent, Grid, LaboratoryAxes, Note, NoteCounts, Plan, Sweep, Values, range};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -60,7 +61,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Grid::Laboratory(axes) = &sweep.grid {
         let extent = Extent::of(axes);
         text += &format!("{extent}\n");
-        text += &extent.note().map_or_else(String::new, |note| format!("note: {note}\n"));
+        let cavity = sweep.output.cavity_shear;
+        text += &format!("cavity_shear = \"{cavity}\": {}\n", cavity.meaning());
+        text += &reach(&cases);
+        text += &notes(&cases, axes);
     }
     text += &drawing(&cases, measured.as_ref());
     text += &rows(&cases);
@@ -88,7 +92,8 @@ pub fn laboratory<'s>(sweep: &'s Sweep, path: &Path) -> Result<&'s LaboratoryAxe
 
 /// The axes with one value of each but the speed.
 fn one_curve(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)]) -> Result<LaboratoryAxes, CliError> {
-    let mut one = axes.clone();
+    // A curve is one of the runs of an instrument that swaps bodies.
+    let mut one = LaboratoryAxes { swap: false, ..axes.clone() };
     let speed = one.given.len() - 1;
     let mut known: Vec<&str> = Vec::new();
     let lists = std::iter::once(("f", &mut one.f))
@@ -156,6 +161,29 @@ fn describe(experiment: &Experiment) -> String {
     });
     let strength = format!("f = {}", five_digits(experiment.f));
     given.chain([strength]).collect::<Vec<_>>().join(", ")
+}
+
+/// How far pressure and film of the solutions reach.
+fn reach(cases: &[Solved]) -> String {
+    let of = |column: Column| {
+        let values = cases.iter().map(|case| case.value(column)).filter(|value| !value.is_nan());
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)])
+    };
+    let [pressure, film] = [Column::PMax, Column::FilmMin].map(of);
+    match pressure[0] <= pressure[1] {
+        true => format!("solved: p_max {} Pa, film_min {} m\n", range(pressure), range(film)),
+        false => String::new(),
+    }
+}
+
+/// Where solutions are beyond the model.
+fn notes(cases: &[Solved], axes: &LaboratoryAxes) -> String {
+    let mask = |case: &Solved| {
+        let values = Values(Column::ALL.map(|column| case.value(column)));
+        Note::of(&values, Some(&case.experiment), &axes.limits).fold(0, |mask, note| mask | note.mask())
+    };
+    let counts = NoteCounts::of_masks(cases.iter().map(mask));
+    counts.iter().map(|(note, count)| note_line(note, count, cases.len() as u64)).collect()
 }
 
 /// The curve of the drag, or of the friction that was measured, and measured points of it.

@@ -11,6 +11,7 @@ use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
 use stribeck_lab::{RelaxationFitError, TableError};
+use stribeck_solver::SubstrateError;
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::ThreadsError;
@@ -48,6 +49,9 @@ pub enum CliError {
         "with --slide-roll -1 the flat is at rest in the contact and has all the time there is to creep: write --alpha inf"
     )]
     FlatAtRest,
+    /// Modes that are no substrate.
+    #[error("--modes and --roller-modes: {0}; scale the shares so that those of both bodies add up to 1")]
+    Modes(SubstrateError),
     /// More than one value of an axis of a curve.
     #[error("--at {axis}=… asks for several values, and a curve has one of each axis; give one")]
     SeveralAsked {
@@ -232,6 +236,7 @@ impl CliError {
             | CliError::Table(_)
             | CliError::NotLaboratory { .. }
             | CliError::FlatAtRest
+            | CliError::Modes(_)
             | CliError::SeveralCurves { .. }
             | CliError::NoSuchAxis { .. }
             | CliError::SeveralAsked { .. }

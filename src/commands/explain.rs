@@ -67,8 +67,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Some(place) => describe_place(place),
         None => "  it has no place in the present sweep.toml, so its f, alpha and beta are not known here\n".to_owned(),
     };
-    let experiment = report.place.as_ref().and_then(|place| place.experiment);
-    let slide_roll = experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
+    let slide_roll = report.place.as_ref().map_or(1.0, |place| place.slide_roll);
     text += &match &report.storage {
         CaseStorage::Stored { entry, origin, .. } => describe_stored(entry, origin, slide_roll),
         CaseStorage::Missing { worker, stale } => describe_missing(worker.as_deref(), stale.as_ref()),
@@ -207,10 +206,10 @@ fn describe_comparison(comparison: &Comparison) -> String {
 
 /// The commands that solve the case again.
 fn how_to_repeat(report: &CaseReport, place: &CasePlace, directory: &Path) -> String {
-    let slide_roll = place.experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
     let mut alone = solve_command(report.plan.recipe(), &place.parameters);
-    if slide_roll != 1.0 {
-        alone += &format!(" --slide-roll {}", shortest(slide_roll));
+    // With modes of the roller the command has a ratio already.
+    if place.slide_roll != 1.0 && place.parameters.substrate.of_roller() == 0 {
+        alone += &format!(" --slide-roll {}", shortest(place.slide_roll));
     }
     let (directory, id) = (quoted(directory.as_os_str()), report.id);
     format!("\nto solve it again\n  alone          {alone}\n  in its chain   stribeck explain {directory} {id}\n")

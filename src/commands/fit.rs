@@ -69,6 +69,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         return Err(refuse(what.to_owned()));
     }
     let axes = laboratory(&sweep, &arguments.sweep)?;
+    if !axes.roller.is_rigid() {
+        let what = "a fit needs sensitivities, which are those of a rigid roller; [roller] is soft";
+        return Err(refuse(what.to_owned()));
+    }
     let task = FrictionTask {
         measured: &measured,
         experiment: beginning(axes, &measured, &arguments.unknown).map_err(refuse)?,

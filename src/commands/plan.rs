@@ -79,6 +79,8 @@ fn describe_sweep(sweep: &Sweep, file: &Path, directory: &Path, report: &PlanRep
     if let Grid::Laboratory(axes) = &sweep.grid {
         let extent = Extent::of(axes);
         line("range", extent.to_string());
+        let cavity = sweep.output.cavity_shear;
+        line("cavity", format!("{cavity}: {}", cavity.meaning()));
         if let Some(note) = extent.note() {
             line("note", note);
         }

@@ -97,9 +97,9 @@ pub fn at(text: &str) -> Result<(String, Vec<f64>), String> {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let data = published::open(&arguments.directory)?;
-    let substrate = match Sweep::parse("sweep", &data.sweep_text) {
-        Ok(sweep) => Some(sweep.substrate),
-        Err(_) => {
+    let sweep = match Sweep::parse("sweep", &data.sweep_text) {
+        Ok(sweep) if sweep.grid.dimensions() == data.dimensions => Some(sweep),
+        _ => {
             console::tell(&format!(
                 "note: no known limits are drawn beside the solutions: the sweep file in results.h5, which version {} \
                  of the program wrote, is none for this version",
@@ -109,14 +109,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
     };
     let measured = arguments.measured.read()?;
-    let sweep = SweepData::new(data, substrate, measured)?;
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
+    let values: Vec<(String, Vec<f64>)> = named.chain(arguments.at.iter().cloned()).collect();
+    let sweep = SweepData::new(data, sweep, measured, &values)?;
     let request = Request {
         kinds: arguments.what.clone(),
         of: arguments.of.clone(),
         along: arguments.along.clone(),
-        values: named.chain(arguments.at.iter().cloned()).collect(),
+        values,
         x: arguments.x,
         y: arguments.y,
         scale: arguments.scale,

@@ -10,7 +10,7 @@ use super::destination::destination;
 use super::run_report::{about_other_sweep, about_part, about_whole, how_to_resume};
 use super::{CliError, Exit, console, threads};
 use crate::format::count;
-use stribeck_sweep::campaign::{CampaignError, Event, RunOptions, RunOutcome, read_sweep, run};
+use stribeck_sweep::campaign::{CampaignError, Event, RunOptions, RunOutcome, notes, read_sweep, run};
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
 use stribeck_sweep::{Extent, Grid, Part};
 
@@ -72,7 +72,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             return Ok(Exit::Interrupted);
         }
         RunOutcome::Published(published) => {
-            console::print(&about_whole(&report, published, seconds))?;
+            console::print(&about_whole(&report, published, &notes(&report.directory)?, seconds))?;
             published.failed
         }
         RunOutcome::PartSolved { part, done } => {

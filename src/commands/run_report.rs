@@ -5,10 +5,10 @@ use std::path::Path;
 use super::shell;
 use crate::format::{count, duration};
 use stribeck_input::shown;
-use stribeck_sweep::Part;
 use stribeck_sweep::campaign::{FailedCase, Pending, RunReport};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::Published;
+use stribeck_sweep::{Note, NoteCounts, Part};
 
 /// What becomes of the cases of a directory that was last run with another sweep file.
 pub fn about_other_sweep(directory: &Path, pending: &Pending) -> String {
@@ -34,8 +34,13 @@ pub fn how_to_resume(left: &Pending, directory: &Path) -> String {
     format!("{saved} saved in {place}, {} left{published}; resume with\n    {command}", left.to_do())
 }
 
+/// A note on places of a sweep.
+pub fn note_line(note: Note, count: u64, places: u64) -> String {
+    format!("note: {} at {count} of {places} places: {}\n", note.name(), note.sentence())
+}
+
 /// What a run did that published.
-pub fn about_whole(report: &RunReport, published: &Published, seconds: f64) -> String {
+pub fn about_whole(report: &RunReport, published: &Published, notes: &NoteCounts, seconds: f64) -> String {
     let cases = count(published.converged + published.failed, "case");
     let mut text = format!("{cases}: {} converged, {} failed\n", published.converged, published.failed);
     text += &match report.pending.to_do() {
@@ -44,6 +49,8 @@ pub fn about_whole(report: &RunReport, published: &Published, seconds: f64) -> S
         _ => about_solving(&report.pending, seconds),
     };
     text += &format!("results in {}: results.h5, summary.csv, timings.csv\n", shown(&report.directory));
+    let places = published.converged + published.failed;
+    text += &notes.iter().map(|(note, count)| note_line(note, count, places)).collect::<String>();
     if published.failed > 0 {
         text += &list(&report.failures);
         let summary = report.directory.join("summary.csv");

@@ -23,6 +23,7 @@ Examples:
   stribeck solve --alpha 1 --beta 1000 --f 100 --tolerance 1e-8 --json | jq .mu_tot
   stribeck solve --alpha 1 --beta 100 --f 10 --modes 0.7:1,0.3:100
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0        pure rolling
+  stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0 --modes 0.5:1 --roller-modes 0.5:1
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
 
 Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
@@ -62,7 +63,10 @@ pub struct Arguments {
     domain: Option<Domain>,
     /// Retardation modes as SHARE:TIME, shares of f and times over the one in alpha, as in 0.7:1,0.3:100 [default: 1:1]
     #[arg(long, value_name = "MODES", value_parser = modes)]
-    modes: Option<Substrate>,
+    modes: Option<Modes>,
+    /// Retardation modes of the roller, written in the same way; the shares of both bodies add up to 1 [default: none]
+    #[arg(long, value_name = "MODES", value_parser = modes)]
+    roller_modes: Option<Modes>,
     /// Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that slides without turning,
     /// 0 pure rolling; alpha is that of the flat as it moves
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = slide_roll, allow_negative_numbers = true)]
@@ -146,14 +150,19 @@ fn domain(text: &str) -> Result<Domain, String> {
     }
 }
 
-fn modes(text: &str) -> Result<Substrate, String> {
+/// The modes of a body, as one argument.
+#[derive(Clone, Debug)]
+struct Modes(Vec<RetardationMode>);
+
+fn modes(text: &str) -> Result<Modes, String> {
     let mode = |part: &str| {
         let (share, time) = part.split_once(':')?;
         Some(RetardationMode { share: share.parse().ok()?, time: time.parse().ok()? })
     };
     let modes: Option<Vec<_>> = text.split(',').map(mode).collect();
-    let modes = modes.ok_or("give SHARE:TIME, or several with commas between them, as in 0.7:1,0.3:100")?;
-    Substrate::new(modes).map_err(|error| error.to_string())
+    modes
+        .map(Modes)
+        .ok_or_else(|| "give SHARE:TIME, or several with commas between them, as in 0.7:1,0.3:100".to_owned())
 }
 
 fn cavity_shear(text: &str) -> Result<CavityShear, String> {
@@ -216,12 +225,28 @@ impl Arguments {
         }
     }
 
+    /// The modes of both bodies.
+    fn substrate(&self) -> Result<Substrate, CliError> {
+        match (&self.modes, &self.roller_modes) {
+            (None, None) => Ok(Substrate::default()),
+            (flat, roller) => {
+                let modes = |modes: &Option<Modes>| modes.as_ref().map_or_else(Vec::new, |modes| modes.0.clone());
+                Substrate::of_two_bodies(modes(flat), modes(roller)).map_err(CliError::Modes)
+            }
+        }
+    }
+
     /// The case as a sweep, so that it is the same as in a sweep, id included.
     fn sweep(&self) -> Result<Sweep, CliError> {
         Ok(Sweep {
             title: String::new(),
-            grid: Grid::Dimensionless(Axes { f: vec![self.f], alpha: vec![self.alpha], beta: vec![self.beta] }),
-            substrate: self.modes.clone().unwrap_or_default(),
+            grid: Grid::Dimensionless(Axes {
+                slide_roll: Some(vec![self.slide_roll]),
+                f: vec![self.f],
+                alpha: vec![self.alpha],
+                beta: vec![self.beta],
+            }),
+            substrate: self.substrate()?,
             solver: self.settings()?,
             output: Output {
                 fields: FieldSelection::default(),

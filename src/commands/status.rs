@@ -5,9 +5,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::run_report::note_line;
 use super::{CliError, Exit, console};
 use crate::format::{count, duration, utc_timestamp, whole_seconds};
 use stribeck_input::shown;
+use stribeck_sweep::NoteCounts;
 use stribeck_sweep::campaign::{FailureRegion, PartActivity, PartState, PlannedStatus, StatusReport, status};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::{Ending, Inspection, Start};
@@ -55,6 +57,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
                 text += &format!("\n{}", describe_parts(&planned.parts));
             }
             text += &describe_starts(&report);
+            text += &describe_notes(&planned.notes, planned.places as u64);
             text += &describe_failures(&planned.failures);
         }
         Err(unplanned) => {
@@ -157,6 +160,12 @@ fn describe_starts(report: &StatusReport) -> String {
         text += &format!("  {number:>4}  {when}  {work} in {took}, {ending}\n");
     }
     text
+}
+
+/// A line for each note that published places have.
+fn describe_notes(notes: &NoteCounts, places: u64) -> String {
+    let lines: String = notes.iter().map(|(note, count)| note_line(note, count, places)).collect();
+    if lines.is_empty() { lines } else { format!("\n{lines}") }
 }
 
 fn describe_failures(regions: &[FailureRegion]) -> String {

@@ -1,11 +1,12 @@
 //! The three axes of a sweep as pictures show them.
 
+use stribeck_sweep::Dimension;
 use stribeck_sweep::store::DataSet;
 
 /// An axis of a sweep, in the order of the indices of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// Strength of retardation.
+    /// Strength of retardation, together with the slide-to-roll ratio where that is a dimension.
     F,
     /// α, or the quantities of the laboratory between f and the speed, taken together.
     Middle,
@@ -52,15 +53,25 @@ impl Axis {
 }
 
 impl AxisWords {
-    /// The axes of a data set.
-    pub fn of(data: &DataSet) -> [Self; 3] {
+    /// What several quantities that are taken together are called.
+    pub const COMBINATION: &'static str = "combination";
+
+    /// The axes of a data set, of which the dimensions that these values are asked for of may be fixed to one.
+    pub fn of(data: &DataSet, asked: &[(String, Vec<f64>)]) -> [Self; 3] {
+        let is_fixed = |name: &str| asked.iter().any(|(asked, values)| asked == name && values.len() == 1);
         let (last, before) = data.dimensions.split_last().expect("a data set has at least two dimensions");
-        let middle = match &before[1..] {
+        let named = |it: &Dimension| Self::named(&it.name, &it.units, &it.values);
+        let (outer, between) = before.split_at(data.outer());
+        let middle = match between {
             [] => Self { values: vec![0.0], ..Self::none() },
-            [one] => Self::named(&one.name, &one.units, &one.values),
-            several => Self::together(several.iter().map(|it| Self::named(&it.name, &it.units, &it.values)).collect()),
+            [one] => named(one),
+            several => Self::together(&several.iter().map(named).collect::<Vec<_>>(), is_fixed),
         };
-        [Self::named("f", "1", &before[0].values), middle, Self::named(&last.name, &last.units, &last.values)]
+        let first = match outer {
+            [one] => named(one),
+            several => Self::together(&several.iter().map(named).collect::<Vec<_>>(), is_fixed),
+        };
+        [first, middle, named(last)]
     }
 
     fn none() -> Self {
@@ -78,6 +89,7 @@ impl AxisWords {
 
     fn named(name: &str, units: &str, values: &[f64]) -> Self {
         let (symbol, words) = match name {
+            "slide_roll" => ("S", "slide-to-roll ratio S = (u₂ − u₁)/(u₁ + u₂)"),
             "f" => ("f", "f = E₀/E∞ − 1"),
             "alpha" => ("α", "α = a₀/(Vτ)"),
             "beta" => ("β", "β = E∞* a₀⁴/(12ηVR³)"),
@@ -101,11 +113,12 @@ impl AxisWords {
         Self { name, symbol, label, unit, values: values.to_vec(), ..Self::none() }
     }
 
-    /// Several axes as one, the last fastest.
-    fn together(axes: Vec<Self>) -> Self {
+    /// Several axes as one, the last fastest. Where one of them alone has several values, or is not fixed, it lends its
+    /// name and numbers.
+    fn together(axes: &[Self], is_fixed: impl Fn(&str) -> bool) -> Self {
         // Indices on the axes.
         let mut places: Vec<Vec<usize>> = vec![Vec::new()];
-        for axis in &axes {
+        for axis in axes {
             let longer = |begun: &Vec<usize>| {
                 let next = |i| begun.iter().copied().chain([i]).collect();
                 (0..axis.values.len()).map(next).collect::<Vec<Vec<usize>>>()
@@ -113,18 +126,24 @@ impl AxisWords {
             places = places.iter().flat_map(longer).collect();
         }
         let words =
-            |place: &Vec<usize>| place.iter().zip(&axes).map(|(i, axis)| axis.words(*i)).collect::<Vec<_>>().join(", ");
-        let members = |place: &Vec<usize>| {
-            place.iter().zip(&axes).map(|(i, axis)| (axis.name.clone(), axis.values[*i])).collect()
-        };
+            |place: &Vec<usize>| place.iter().zip(axes).map(|(i, axis)| axis.words(*i)).collect::<Vec<_>>().join(", ");
+        let members =
+            |place: &Vec<usize>| place.iter().zip(axes).map(|(i, axis)| (axis.name.clone(), axis.values[*i])).collect();
         let symbols: Vec<String> = axes.iter().map(|axis| axis.symbol.clone()).collect();
+        let combinations = places.iter().map(words).collect();
+        let members = places.iter().map(members).collect();
+        let mut varied = axes.iter().enumerate().filter(|(_, axis)| axis.values.len() > 1 && !is_fixed(&axis.name));
+        if let (Some((at, alone)), None) = (varied.next(), varied.next()) {
+            let values = places.iter().map(|place| alone.values[place[at]]).collect();
+            return Self { values, combinations, members, ..alone.clone() };
+        }
         Self {
-            name: "combination".to_owned(),
+            name: Self::COMBINATION.to_owned(),
             symbol: format!("({})", symbols.join(", ")),
             label: format!("combination of {}", symbols.join(", ")),
             values: (1..=places.len()).map(|number| number as f64).collect(),
-            combinations: places.iter().map(words).collect(),
-            members: places.iter().map(members).collect(),
+            combinations,
+            members,
             ..Self::none()
         }
     }

@@ -54,7 +54,7 @@ pub(super) fn curve_families(
         sweep.data.laboratory
             || along != Axis::Middle
             || axis != Axis::F
-            || sweep.value(Axis::F, *index) > 0.0
+            || sweep.point([*index, 0, 0])[0] > 0.0
             || selection.on(Axis::F).len() == 1
     };
     let on = |axis: Axis, most: usize| {

@@ -8,7 +8,7 @@ use super::reference_curves::{self, ReferenceCurve, Values};
 use super::request::{AxisScale, Kind, Request, Selection};
 use super::sweep_data::SweepData;
 use super::table::Table;
-use super::{Axis, PictureError};
+use super::{Axis, AxisWords, PictureError};
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
@@ -49,6 +49,13 @@ pub(super) fn named_columns(request: &Request, otherwise: &[Column]) -> Vec<Colu
     if named.is_empty() { otherwise.to_vec() } else { named }
 }
 
+/// What all curves of a picture have in common.
+fn subtitle(sweep: &SweepData, family: &CurveFamily) -> String {
+    let held = sweep.held_along(family.along, family.start[family.along.dimension()]);
+    let fixed = Some(sweep.list(&family.fixed, family.start)).filter(|words| !words.is_empty());
+    held.into_iter().chain(fixed).collect::<Vec<_>>().join(", ")
+}
+
 /// The pictures of these columns along the axis asked for, or along each that has several values.
 fn along_each(
     sweep: &SweepData,
@@ -64,7 +71,13 @@ fn along_each(
             return Err(kind.missing(format!("{name} has one value here, and a curve needs two")));
         }
         Some(axis) => vec![axis],
-        None => Axis::ALL.into_iter().filter(long).collect(),
+        None => {
+            let all: Vec<Axis> = Axis::ALL.into_iter().filter(long).collect();
+            // The numbers of combinations are no quantity to draw along, if there is another.
+            let is_quantity = |axis: &Axis| sweep.axis(*axis).name != AxisWords::COMBINATION;
+            let quantities: Vec<Axis> = all.iter().copied().filter(is_quantity).collect();
+            if quantities.is_empty() { all } else { quantities }
+        }
     };
     if axes.is_empty() {
         return Err(kind.missing("every axis has one value here, and a curve needs two"));
@@ -134,7 +147,7 @@ fn draw(
     let x_label = sweep.axis(family.along).label.clone();
     let chart = Lines {
         title: sweep.data.title.clone(),
-        subtitle: sweep.list(&family.fixed, family.start),
+        subtitle: subtitle(sweep, family),
         x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
         y: LineAxis { label: Quantity::common_label(columns, sweep.data.laboratory), logarithmic, range },
         curves: solved.into_iter().chain(references).chain(measured).collect(),

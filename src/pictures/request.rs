@@ -161,17 +161,12 @@ impl Selection {
             indices.dedup();
             chosen.push(indices);
         }
-        let (inner, strengths) = (chosen.pop().expect("there are two dimensions"), chosen.remove(0));
-        // What stands between is one axis, the last dimension fastest.
-        let mut middle = vec![0];
-        for (indices, dimension) in chosen.iter().zip(&dimensions[1..]) {
-            let longer = |begun: &usize| {
-                let begun = *begun;
-                indices.iter().map(move |index| begun * dimension.values.len() + index)
-            };
-            middle = middle.iter().flat_map(longer).collect();
-        }
-        Ok(Self { indices: [strengths, middle, inner], asked: Axis::ALL.map(|axis| request.asks(sweep, axis)) })
+        let inner = chosen.pop().expect("there are two dimensions");
+        let lengths: Vec<usize> = dimensions.iter().map(|dimension| dimension.values.len()).collect();
+        let outer = sweep.data.outer();
+        let blocks = together(&chosen[..outer], &lengths);
+        let middle = together(&chosen[outer..], &lengths[outer..]);
+        Ok(Self { indices: [blocks, middle, inner], asked: Axis::ALL.map(|axis| request.asks(sweep, axis)) })
     }
 
     /// True if values of the axis were asked for.
@@ -183,6 +178,15 @@ impl Selection {
     pub fn on(&self, axis: Axis) -> &[usize] {
         &self.indices[axis.dimension()]
     }
+}
+
+/// Indices chosen on several dimensions as those of one, the last dimension fastest.
+fn together(chosen: &[Vec<usize>], lengths: &[usize]) -> Vec<usize> {
+    let mut together = vec![0];
+    for (indices, length) in chosen.iter().zip(lengths) {
+        together = together.iter().flat_map(|begun| indices.iter().map(move |index| begun * length + index)).collect();
+    }
+    together
 }
 
 /// Index of the value nearest to the one wanted, by ratio where that makes sense.

@@ -24,7 +24,7 @@ pub(super) fn surfaces(sweep: &SweepData, request: &Request) -> Result<Vec<Pictu
     let asked = selection.is_asked(Axis::F);
     // At f = 0 a surface is a cylinder over α: shown if asked for, or if there is nothing else.
     let varied: Vec<usize> =
-        retarded.iter().copied().filter(|i_f| sweep.data.laboratory || sweep.value(Axis::F, *i_f) > 0.0).collect();
+        retarded.iter().copied().filter(|i_f| sweep.data.laboratory || sweep.point([*i_f, 0, 0])[0] > 0.0).collect();
     let strengths = if asked || varied.is_empty() { retarded } else { spread(&varied, MOST_PANELS) };
     if strengths.len() > MOST_PANELS {
         return Err(Kind::Surfaces

@@ -4,17 +4,17 @@ use super::axis::AxisWords;
 use super::{Axis, Kind, PictureError};
 use stribeck_lab::Measured;
 use stribeck_lab::Scales;
-use stribeck_solver::{Parameters, Substrate, shortest};
-use stribeck_sweep::Field;
+use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::store::{DataSet, StoreError};
+use stribeck_sweep::{Field, Sweep};
 
 /// A published data set, and what else pictures of it need.
 #[derive(Debug)]
 pub struct SweepData {
     /// The data set.
     pub data: DataSet,
-    /// The substrate it was computed for, which known limits need; none if it is not known.
-    pub substrate: Option<Substrate>,
+    /// The sweep it was computed for, which known limits need; none if this version cannot read it.
+    pub sweep: Option<Sweep>,
     /// Points that were measured, to be laid over.
     pub measured: Option<Measured>,
     axes: [AxisWords; 3],
@@ -25,11 +25,16 @@ pub struct SweepData {
 }
 
 impl SweepData {
-    /// The pictures of a data set.
+    /// The pictures of a data set, of which values of some dimensions are asked for.
     ///
     /// # Errors
     /// [`StoreError`] if it cannot be read.
-    pub fn new(data: DataSet, substrate: Option<Substrate>, measured: Option<Measured>) -> Result<Self, StoreError> {
+    pub fn new(
+        data: DataSet,
+        sweep: Option<Sweep>,
+        measured: Option<Measured>,
+        asked: &[(String, Vec<f64>)],
+    ) -> Result<Self, StoreError> {
         let scales = match data.laboratory {
             true => {
                 let [length, height, pressure, friction] = Scales::VARIABLES.map(|(name, ..)| data.variable(name));
@@ -37,7 +42,7 @@ impl SweepData {
             }
             false => None,
         };
-        Ok(Self { axes: AxisWords::of(&data), numbers: data.numbers()?, scales, data, substrate, measured })
+        Ok(Self { axes: AxisWords::of(&data, asked), numbers: data.numbers()?, scales, data, sweep, measured })
     }
 
     /// What an axis is called, and its values.
@@ -47,10 +52,10 @@ impl SweepData {
 
     /// Names of the dimensions that an axis is made of.
     pub(super) fn dimension_names(&self, axis: Axis) -> Vec<&str> {
-        let last = self.data.dimensions.len() - 1;
+        let (outer, last) = (self.data.outer(), self.data.dimensions.len() - 1);
         let range = match axis {
-            Axis::F => 0..1,
-            Axis::Middle => 1..last,
+            Axis::F => 0..outer,
+            Axis::Middle => outer..last,
             Axis::Inner => last..last + 1,
         };
         self.data.dimensions[range].iter().map(|dimension| dimension.name.as_str()).collect()
@@ -108,10 +113,10 @@ impl SweepData {
         }
     }
 
-    /// The parameters of the case at these indices; `None` if the substrate is not known.
+    /// The parameters of the case at these indices; `None` if the sweep is not known.
     pub(super) fn parameters(&self, indices: [usize; 3]) -> Option<Parameters> {
-        let [f, alpha, beta] = self.point(indices);
-        Some(Parameters { f, alpha, beta, substrate: self.substrate.clone()? })
+        let sweep = self.sweep.as_ref()?;
+        Some(sweep.grid.parameters(indices.into(), &sweep.substrate))
     }
 
     /// "β = 100".
@@ -123,6 +128,16 @@ impl SweepData {
     pub(super) fn name_part(&self, axis: Axis, indices: [usize; 3]) -> String {
         let value = rounded(self.value(axis, indices[axis.dimension()])).replace('∞', "inf");
         format!("-{}-{value}", self.axis(axis).name)
+    }
+
+    /// "f = 100" of the quantities that an axis is made of but does not run along.
+    pub(super) fn held_along(&self, axis: Axis, index: usize) -> Vec<String> {
+        if self.axis(axis).name == AxisWords::COMBINATION {
+            return Vec::new();
+        }
+        let own = format!("{} = ", self.axis(axis).symbol);
+        let words = self.words(axis, index);
+        words.split(", ").filter(|words| !words.is_empty() && !words.starts_with(&own)).map(str::to_owned).collect()
     }
 
     /// "f = 100, α = 1" of the axes named.

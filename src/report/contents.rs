@@ -14,6 +14,7 @@ use super::texts::Texts;
 use super::thinning::Grid;
 use crate::pictures::AxisWords;
 use stribeck_lab::Measured;
+use stribeck_sweep::NoteCounts;
 use stribeck_sweep::store::{DataSet, Status, StoreError};
 
 /// All that the page shows. Lists of numbers are base64 (`encoding`).
@@ -56,8 +57,12 @@ impl Contents {
     pub(super) fn of(data: &DataSet, measured: Option<&Measured>) -> Result<Self, StoreError> {
         let mut notes =
             vec!["Numbers are shown to at most seven digits; summary.csv and results.h5 have all.".to_owned()];
-        let (grid, axes) = (Grid::of(data), AxisWords::of(data));
+        let (grid, axes) = (Grid::of(data), AxisWords::of(data, &[]));
         notes.extend(grid.note(data, &axes));
+        let (masks, all) = (data.notes()?, data.shape().places());
+        for (note, count) in NoteCounts::of_masks(masks.into_iter().flatten()).iter() {
+            notes.push(format!("{} at {count} of {all} places: {}.", note.name(), note.sentence()));
+        }
         let places: Vec<usize> = grid.places().map(|indices| data.place(indices)).collect();
         let (statuses, reasons) = (data.statuses()?, data.reasons()?);
         let cases = Cases::of(data, &grid, &statuses)?;
@@ -94,7 +99,10 @@ impl Contents {
     }
 }
 
-/// The cases of the places shown, each once.
+/// Dimensions that change how fast the roller turns, and with it the shear on it.
+const MOTION: [&str; 4] = ["slide_roll", "slide_roll_ratio", "roller_speed", "flat_speed"];
+
+/// The cases of the places shown, each once for each slide-to-roll ratio.
 struct Cases {
     ids: Vec<String>,
     /// For each case where it first stands.
@@ -109,12 +117,17 @@ impl Cases {
         let (mut different, mut places, mut of_places) = (Texts::default(), Vec::new(), Vec::new());
         for indices in grid.places() {
             let place = data.place(indices);
-            let index = different.index(&ids[place]);
+            // Places of one case with other speeds have other shear.
+            let values = data.indices(indices).into_iter().zip(&data.dimensions);
+            let speeds = values.filter(|(_, dimension)| MOTION.contains(&dimension.name.as_str()));
+            let own = speeds.map(|(index, _)| format!(" {index}")).collect::<String>();
+            let index = different.index(&(ids[place].clone() + &own));
             if index == places.len() {
                 places.push(CasePlace { indices, status: statuses[place] });
             }
             of_places.push(i32::try_from(index).expect("a page has fewer cases than 2³¹"));
         }
-        Ok(Self { ids: different.texts, places, of_places })
+        let id = |text: &String| text.split(' ').next().unwrap_or_default().to_owned();
+        Ok(Self { ids: different.texts.iter().map(id).collect(), places, of_places })
     }
 }

@@ -74,7 +74,7 @@ impl FailurePart {
 
 impl FailureList {
     fn of<'a>(data: &DataSet, failed: impl Iterator<Item = (usize, &'a str)>, notes: &mut Vec<String>) -> Self {
-        let (shape, axes) = (data.shape(), AxisWords::of(data));
+        let (shape, axes) = (data.shape(), AxisWords::of(data, &[]));
         let (mut kinds, mut list) = (Texts::default(), Self::default());
         for (place, reason) in failed {
             let index = kinds.index(kind_name_of_text(reason));
@@ -86,8 +86,8 @@ impl FailureList {
                 None => list.kinds.push(Kind { count: 1, reason: reason.to_owned(), varied: false }),
             }
             if list.count < MOST_LISTED {
-                let GridIndex { f, row, along } = shape.index(place);
-                let values = [(0, f), (1, row), (2, along)].map(|(axis, index)| axes[axis].values[index].into());
+                let GridIndex { block, row, along } = shape.index(place);
+                let values = [(0, block), (1, row), (2, along)].map(|(axis, index)| axes[axis].values[index].into());
                 list.listed.push((values, index));
             }
             list.count += 1;

@@ -55,6 +55,11 @@ fn interpret(name: &str, text: &str) -> Result<Study, Fault> {
     let read_substrate = root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?;
     let (substrate, own_f) = read_substrate.map(|read| (read.substrate, read.material.f)).unwrap_or_default();
     let axes = root.get("axes").map(|entry| read_axes(&entry, own_f)).transpose()?;
+    if axes.as_ref().is_some_and(|axes| axes.slide_roll.is_some()) {
+        let help = "remove it: no case changes with the slide-to-roll ratio";
+        let section = root.require("axes", help)?;
+        return Err(section.fault("a study has no axis `slide_roll`", "with `slide_roll`", help).unquoted());
+    }
     let single = root.get("case").map(|entry| read_cases(&entry, &substrate)).transpose()?.unwrap_or_default();
     let number = axes.as_ref().map_or(0, Axes::cases) + single.len();
     if number == 0 {

@@ -28,6 +28,8 @@ pub enum Quantity {
     InverseHersey,
     /// x of the fields: finite.
     Position,
+    /// S: from −1 to 1.
+    SlideRoll,
 }
 
 /// A number, or an axis of numbers.
@@ -56,6 +58,7 @@ impl Quantity {
             Quantity::SlideTime => value >= 0.0,
             Quantity::InverseHersey => value.is_finite() && value > 0.0,
             Quantity::Position => value.is_finite(),
+            Quantity::SlideRoll => (-1.0..=1.0).contains(&value),
         }
     }
 
@@ -65,6 +68,7 @@ impl Quantity {
             Quantity::SlideTime => "at least 0, or inf",
             Quantity::InverseHersey => "finite and above 0",
             Quantity::Position => "finite",
+            Quantity::SlideRoll => "from -1 to 1",
         }
     }
 
@@ -76,6 +80,10 @@ impl Quantity {
             }
             Quantity::InverseHersey => "beta is positive; dry sliding is the limit of large beta: 1e4, say, is near it",
             Quantity::Position => "x is a place in units of a0, as in -3.0",
+            Quantity::SlideRoll => {
+                "(u2 - u1)/(u1 + u2) of flat and roller: 1 is a roller that does not turn, 0 pure rolling; beyond, the \
+                 surfaces would move against each other, and a film of that kind is not computed"
+            }
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::{LaboratoryQuantity, Motion, Scales};
-use stribeck_solver::{Parameters, Substrate};
+use crate::{LaboratoryQuantity, Motion, Roller, Scales, ShiftLaw, ViscosityLaw};
+use stribeck_solver::{Parameters, RetardationMode, Substrate};
 
 /// Which of the two moduli of a substrate is given, in Pa.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,14 +14,14 @@ pub enum Modulus {
     Instantaneous(f64),
 }
 
-/// An experiment: a cylinder, a fluid and a substrate, in SI units.
+/// An experiment: a cylinder, a fluid and a flat, in SI units. Moduli, times and f are those of the flat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Experiment {
     /// R (m).
     pub radius: f64,
     /// N (N/m).
     pub load: f64,
-    /// E∞ or E₀ (Pa).
+    /// E∞ or E₀ (Pa); infinite for a rigid flat.
     pub modulus: Modulus,
     /// ν.
     pub poisson_ratio: f64,
@@ -33,6 +33,38 @@ pub struct Experiment {
     pub motion: Motion,
     /// f = E₀/E∞ − 1.
     pub f: f64,
+    /// What the roller is made of.
+    pub roller: Roller,
+    /// The temperature, where times and viscosity follow from it: those that are given belong to its laws' reference.
+    pub temperature: Option<Temperature>,
+}
+
+/// A temperature, and what changes with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Temperature {
+    /// T (K).
+    pub value: f64,
+    /// The laws of what changes.
+    pub laws: TemperatureLaws,
+}
+
+/// How times and viscosity change with temperature; what has no law stays as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TemperatureLaws {
+    /// Of the times of the flat.
+    pub flat: Option<ShiftLaw>,
+    /// Of the times of the roller.
+    pub roller: Option<ShiftLaw>,
+    /// Of the viscosity.
+    pub viscosity: Option<ViscosityLaw>,
+}
+
+impl TemperatureLaws {
+    /// True where every law has a value.
+    pub fn admit(&self, temperature: f64) -> bool {
+        let shifts = [self.flat, self.roller].into_iter().flatten().all(|law| law.shift_factor(temperature).is_some());
+        shifts && self.viscosity.is_none_or(|law| law.factor(temperature).is_some())
+    }
 }
 
 /// The powers by which α, β and the friction scale a₀/R change with a quantity q: d ln/d ln q. S changes by itself.
@@ -49,8 +81,18 @@ pub struct Powers {
 }
 
 impl Experiment {
-    /// E∞* = E∞/(1 − ν²) (Pa), the relaxed modulus in plane strain.
+    /// E∞* (Pa), the relaxed modulus of the contact in plane strain: E∞/(1 − ν²) of the flat, and with a soft roller
+    /// 1/E∞* = Σ 1/E∞,i* of both (T59).
     pub fn plane_strain_modulus(&self) -> f64 {
+        let flat = self.flat_modulus();
+        match self.roller.is_rigid() {
+            true => flat,
+            false => 1.0 / (1.0 / flat + 1.0 / self.roller.plane_strain_modulus),
+        }
+    }
+
+    /// E∞/(1 − ν²) of the flat.
+    fn flat_modulus(&self) -> f64 {
         let relaxed = match self.modulus {
             Modulus::Relaxed(modulus) => modulus,
             Modulus::Instantaneous(modulus) => modulus / (1.0 + self.f),
@@ -65,19 +107,78 @@ impl Experiment {
 
     /// α = a₀/(u₂τ) (Eq. 13, T52), with the speed of the flat, which is the soft body; ∞ where it is at rest.
     pub fn alpha(&self) -> f64 {
-        self.contact_length() / (self.motion.flat_speed() * self.retardation_time)
+        self.contact_length() / (self.motion.flat_speed() * self.flat_time())
+    }
+
+    /// The retardation time of the flat at the temperature of the experiment; NaN where its law has no value.
+    fn flat_time(&self) -> f64 {
+        self.retardation_time * self.shift(|laws| laws.flat)
+    }
+
+    /// The retardation time of the roller at the temperature of the experiment.
+    fn roller_time(&self) -> f64 {
+        self.roller.retardation_time * self.shift(|laws| laws.roller)
+    }
+
+    fn shift(&self, law: impl Fn(&TemperatureLaws) -> Option<ShiftLaw>) -> f64 {
+        let known = self.temperature.as_ref().and_then(|it| Some((law(&it.laws)?, it.value)));
+        known.map_or(1.0, |(law, temperature)| law.shift_factor(temperature).unwrap_or(f64::NAN))
+    }
+
+    /// The viscosity at the temperature of the experiment; NaN where its law has no value.
+    pub fn viscosity_there(&self) -> f64 {
+        let known = self.temperature.as_ref().and_then(|it| Some((it.laws.viscosity?, it.value)));
+        self.viscosity * known.map_or(1.0, |(law, temperature)| law.factor(temperature).unwrap_or(f64::NAN))
     }
 
     /// β = E∞* a₀⁴/(12 η (u₁+u₂) R³) (Eq. 14, T52).
     pub fn beta(&self) -> f64 {
         let slenderness = self.contact_length() / self.radius;
         self.plane_strain_modulus() * slenderness.powi(3) * self.contact_length()
-            / (12.0 * self.viscosity * self.motion.sum())
+            / (12.0 * self.viscosity_there() * self.motion.sum())
     }
 
-    /// The dimensionless case of this experiment on a substrate with the given retardation spectrum.
+    /// The dimensionless case of this experiment on a flat with the given retardation spectrum under a rigid roller.
+    ///
+    /// # Panics
+    /// If the roller is soft: its spectrum counts then ([`Experiment::parameters_of_both`]).
     pub fn parameters(&self, substrate: &Substrate) -> Parameters {
+        assert!(self.roller.is_rigid(), "the roller is soft");
         Parameters { alpha: self.alpha(), beta: self.beta(), f: self.f, substrate: substrate.clone() }
+    }
+
+    /// The dimensionless case of this experiment with the retardation spectra of flat and roller.
+    ///
+    /// The mode of body i with the part s of its φ_i = f_i and the time τ has f_ij = s φ_i E₀*/E₀,i* and a₀/(u_i τ)
+    /// (T59). Its α is that of the flat, or that of the roller where the flat has no retardation or is at rest.
+    pub fn parameters_of_both(&self, flat: &Substrate, roller: &Substrate) -> Parameters {
+        if self.roller.is_rigid() {
+            return self.parameters(flat);
+        }
+        let relaxed = [1.0 / self.flat_modulus(), 1.0 / self.roller.plane_strain_modulus];
+        let instantaneous = [relaxed[0] / (1.0 + self.f), relaxed[1] / (1.0 + self.roller.f)];
+        let together: f64 = instantaneous.iter().sum();
+        let f = relaxed.iter().sum::<f64>() / together - 1.0;
+        // Part of f, and time over the one in α, of each body. Ratios of speeds follow from S, which stays as it is to
+        // the last bit along the entrainment speed.
+        let part = |body: usize, f_of_body: f64| f_of_body * instantaneous[body] / (together * f);
+        let (flat_speed, roller_speed) = (self.motion.flat_speed(), self.motion.roller_speed());
+        let slide_roll = self.motion.slide_roll();
+        let (alpha, times) = if self.f > 0.0 && flat_speed > 0.0 {
+            let slower = (1.0 - slide_roll) / (1.0 + slide_roll);
+            (self.alpha(), [1.0, slower * self.roller_time() / self.flat_time()])
+        } else if self.roller.f > 0.0 && roller_speed > 0.0 {
+            (self.contact_length() / (roller_speed * self.roller_time()), [0.0, 1.0])
+        } else {
+            return Parameters::elastic(self.beta());
+        };
+        let modes = |body: usize, f_of_body: f64, spectrum: &Substrate| -> Vec<RetardationMode> {
+            let share = part(body, f_of_body);
+            let own = spectrum.modes().iter().filter(|_| f_of_body > 0.0);
+            own.map(|mode| RetardationMode { share: share * mode.share, time: times[body] * mode.time }).collect()
+        };
+        let (flat, roller) = (modes(0, self.f, flat), modes(1, self.roller.f, roller));
+        Parameters::of_two_bodies([alpha, self.beta(), f], &flat, &roller).expect("parts of f add up to 1")
     }
 
     /// The units of its solution.
@@ -103,12 +204,13 @@ impl Experiment {
             (LaboratoryQuantity::PoissonRatio, _) => self.poisson_ratio,
             (LaboratoryQuantity::Viscosity, _) => self.viscosity,
             (LaboratoryQuantity::RetardationTime, _) => self.retardation_time,
+            (LaboratoryQuantity::Temperature, _) => self.temperature.map_or(f64::NAN, |temperature| temperature.value),
             (speed, _) => self.motion.value(speed),
         }
     }
 
     /// The quantities that are given, in the order of [`LaboratoryQuantity::ALL`]: one of the moduli, and the speeds of
-    /// one form of motion.
+    /// one form of motion; the temperature where times or viscosity follow from it.
     pub fn given(&self) -> impl Iterator<Item = LaboratoryQuantity> {
         let other = match self.modulus {
             Modulus::Relaxed(_) => LaboratoryQuantity::InstantaneousModulus,
@@ -116,7 +218,9 @@ impl Experiment {
         };
         let speeds = self.motion.given();
         let is_speed = |quantity: &LaboratoryQuantity| LaboratoryQuantity::SPEEDS.contains(quantity);
-        let others = LaboratoryQuantity::ALL.into_iter().filter(move |it| *it != other && !is_speed(it));
+        let is_known = |it: &LaboratoryQuantity| *it != LaboratoryQuantity::Temperature || self.temperature.is_some();
+        let others =
+            LaboratoryQuantity::ALL.into_iter().filter(move |it| *it != other && !is_speed(it) && is_known(it));
         others.chain(speeds.iter().copied())
     }
 
@@ -130,13 +234,18 @@ impl Experiment {
             LaboratoryQuantity::PoissonRatio => self.poisson_ratio = value,
             LaboratoryQuantity::Viscosity => self.viscosity = value,
             LaboratoryQuantity::RetardationTime => self.retardation_time = value,
+            LaboratoryQuantity::Temperature => {
+                let laws = self.temperature.map_or_else(TemperatureLaws::default, |temperature| temperature.laws);
+                self.temperature = Some(Temperature { value, laws });
+            }
             speed => self.motion.set(speed, value),
         }
     }
 
     /// The powers by which α, β and a₀/R change with a quantity while the others that are given stay.
     ///
-    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η (u₁+u₂) R).
+    /// From a₀² = 4NR/(πE∞*): β = 4N²/(3π² E∞* η (u₁+u₂) R). The roller is rigid. NaN for the temperature, which no
+    /// power law holds for.
     pub fn powers(&self, quantity: LaboratoryQuantity) -> Powers {
         let powers = |alpha, beta, friction| Powers { alpha, beta, friction, slide_roll: 0.0 };
         match quantity {
@@ -151,6 +260,7 @@ impl Experiment {
             }
             LaboratoryQuantity::Viscosity => powers(0.0, -1.0, 0.0),
             LaboratoryQuantity::RetardationTime => powers(-1.0, 0.0, 0.0),
+            LaboratoryQuantity::Temperature => powers(f64::NAN, f64::NAN, f64::NAN),
             speed => {
                 let [flat, sum, slide_roll] = self.motion.powers(speed);
                 Powers { slide_roll, ..powers(-flat, -sum, 0.0) }
@@ -187,6 +297,8 @@ mod tests {
         retardation_time: 0.1,
         motion: Motion::Sliding { speed: 1e-3 },
         f: 10.0,
+        roller: Roller::RIGID,
+        temperature: None,
     };
 
     #[test]

@@ -5,14 +5,17 @@
 //! file, and [`FrictionFit`] finds quantities of the experiment from it.
 //!
 //! ```
-//! use stribeck_lab::{Experiment, Material, Modulus, Motion, Relaxation, RelaxationTerm};
+//! use stribeck_lab::{Experiment, Material, Modulus, Motion, Relaxation, RelaxationTerm, Roller};
 //! use stribeck_solver::{Settings, solve};
 //!
 //! let material = Relaxation::new(1e5, vec![RelaxationTerm { modulus: 1e6, time: 2e-3 }]).unwrap().material();
 //! let (radius, load, modulus) = (2e-3, 119.0, Modulus::Relaxed(material.relaxed_modulus));
 //! let (viscosity, motion) = (5.1, Motion::Sliding { speed: 1e-3 });
 //! let Material { retardation_time, f, ref substrate, .. } = material;
-//! let experiment = Experiment { radius, load, modulus, poisson_ratio: 0.5, viscosity, retardation_time, motion, f };
+//! let (poisson_ratio, roller, temperature) = (0.5, Roller::RIGID, None);
+//! let experiment = Experiment {
+//!     radius, load, modulus, poisson_ratio, viscosity, retardation_time, motion, f, roller, temperature,
+//! };
 //! let solution = solve(&experiment.parameters(substrate), &Settings::default()).expect("a solution");
 //! let friction = experiment.scales().friction * solution.quantities.friction.drag;
 //! assert!((0.02..0.1).contains(&friction), "{friction}");
@@ -22,6 +25,8 @@
 //! | --- | --- |
 //! | `quantity`, `units`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
 //! | `motion` | speeds of both surfaces |
+//! | `roller` | what the roller is made of |
+//! | `temperature`, `viscosity_law` | how times and viscosity change with temperature |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
 //! | `table` | tables of numbers as laboratories have them |
@@ -35,11 +40,14 @@ mod measured;
 mod motion;
 mod notation;
 mod quantity;
+mod roller;
 mod scales;
 mod table;
+mod temperature;
 mod units;
+mod viscosity_law;
 
-pub use experiment::{Experiment, Modulus, Powers};
+pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
 pub use material::{
     Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
@@ -47,9 +55,12 @@ pub use material::{
 pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
+pub use roller::Roller;
 pub use scales::{Scales, si_units};
 pub use table::{
     Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
     Table, TableError, TableFile, Understood, decode,
 };
+pub use temperature::{GAS_CONSTANT, ShiftLaw, TemperatureUnit, parse_temperature};
 pub use units::{Conversion, Dimension};
+pub use viscosity_law::{ViscosityLaw, ViscosityTable};

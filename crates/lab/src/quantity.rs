@@ -1,6 +1,6 @@
 //! Quantities of the laboratory: what an experiment has in place of α and β.
 
-use crate::Dimension;
+use crate::{Dimension, parse_temperature};
 use stribeck_input::{Entry, Fault, Values};
 
 /// A quantity of an experiment, in SI units.
@@ -20,6 +20,8 @@ pub enum LaboratoryQuantity {
     Viscosity,
     /// τ, retardation time of the substrate.
     RetardationTime,
+    /// T, the temperature.
+    Temperature,
     /// V, speed of a roller that slides without turning.
     Speed,
     /// u₁, speed of the roller's surface.
@@ -35,7 +37,7 @@ pub enum LaboratoryQuantity {
 impl LaboratoryQuantity {
     /// All, in the order in which results have them: of the speeds that are given the last one is that along which
     /// chains run.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Radius,
         Self::Load,
         Self::RelaxedModulus,
@@ -43,6 +45,7 @@ impl LaboratoryQuantity {
         Self::PoissonRatio,
         Self::Viscosity,
         Self::RetardationTime,
+        Self::Temperature,
         Self::Speed,
         Self::RollerSpeed,
         Self::SlideRollRatio,
@@ -54,6 +57,9 @@ impl LaboratoryQuantity {
     pub const SPEEDS: [Self; 5] =
         [Self::Speed, Self::RollerSpeed, Self::SlideRollRatio, Self::EntrainmentSpeed, Self::FlatSpeed];
 
+    /// Temperatures of soft bodies and fluids (K): a number outside was meant in another unit.
+    const TEMPERATURES: std::ops::RangeInclusive<f64> = 100.0..=2000.0;
+
     /// Name in sweep files and results.
     pub fn name(self) -> &'static str {
         match self {
@@ -64,6 +70,7 @@ impl LaboratoryQuantity {
             Self::PoissonRatio => "poisson_ratio",
             Self::Viscosity => "viscosity",
             Self::RetardationTime => "retardation_time",
+            Self::Temperature => "temperature",
             Self::Speed => "speed",
             Self::RollerSpeed => "roller_speed",
             Self::SlideRollRatio => "slide_roll_ratio",
@@ -77,13 +84,14 @@ impl LaboratoryQuantity {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 
-    /// What it measures; `None` for ratios, which have no unit.
+    /// What it measures; `None` for ratios, which have no unit, and for the temperature, whose units have zeros of
+    /// their own.
     pub fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Radius => Some(Dimension::Length),
             Self::Load => Some(Dimension::LineLoad),
             Self::RelaxedModulus | Self::InstantaneousModulus => Some(Dimension::Modulus),
-            Self::PoissonRatio | Self::SlideRollRatio => None,
+            Self::PoissonRatio | Self::SlideRollRatio | Self::Temperature => None,
             Self::Viscosity => Some(Dimension::Viscosity),
             Self::RetardationTime => Some(Dimension::Time),
             Self::Speed | Self::RollerSpeed | Self::EntrainmentSpeed | Self::FlatSpeed => Some(Dimension::Speed),
@@ -92,7 +100,10 @@ impl LaboratoryQuantity {
 
     /// SI unit; `1` for ratios.
     pub fn units(self) -> &'static str {
-        self.dimension().map_or("1", Dimension::unit)
+        match self {
+            Self::Temperature => "K",
+            other => other.dimension().map_or("1", Dimension::unit),
+        }
     }
 
     /// What it is, in words.
@@ -105,6 +116,7 @@ impl LaboratoryQuantity {
             Self::PoissonRatio => "Poisson's ratio of the substrate",
             Self::Viscosity => "viscosity of the fluid",
             Self::RetardationTime => "retardation time of the substrate",
+            Self::Temperature => "temperature",
             Self::Speed => "speed of the cylinder",
             Self::RollerSpeed => "speed of the roller's surface",
             Self::SlideRollRatio => "slide-to-roll ratio, flat less roller over the entrainment speed",
@@ -119,6 +131,7 @@ impl LaboratoryQuantity {
             Self::PoissonRatio => (0.0..=0.5).contains(&value),
             Self::SlideRollRatio => (-2.0..=2.0).contains(&value),
             Self::RollerSpeed | Self::FlatSpeed => value >= 0.0 && value.is_finite(),
+            Self::Temperature => Self::TEMPERATURES.contains(&value),
             _ => value > 0.0 && value.is_finite(),
         }
     }
@@ -137,6 +150,7 @@ impl LaboratoryQuantity {
                 "both surfaces must move the same way: where they move against each other fluid enters from both sides, \
                  and that film is not computed"
             }
+            Self::Temperature => "a plain number is in kelvins; write \"20 degC\", say",
             _ => "write it in SI units as in 1e-3, or with its unit in quotes",
         }
     }
@@ -147,6 +161,7 @@ impl LaboratoryQuantity {
             Self::PoissonRatio => "from 0 to 0.5",
             Self::SlideRollRatio => "from -2 to 2",
             Self::RollerSpeed | Self::FlatSpeed => "finite and at least 0",
+            Self::Temperature => "from 100 K to 2000 K",
             _ => "finite and above 0",
         }
     }
@@ -156,6 +171,11 @@ impl Values for LaboratoryQuantity {
     /// A number in SI units or with a unit, within what the quantity [admits](LaboratoryQuantity::admits).
     fn read(&self, entry: &Entry<'_>) -> Result<f64, Fault> {
         let value = match self.dimension() {
+            None if *self == Self::Temperature && entry.is_text() => {
+                let what = "a temperature has a unit, as in \"20 degC\" or \"293.15 K\"";
+                let help = "K, degC and degF are known";
+                parse_temperature(entry.text()?).ok_or_else(|| entry.fault(what, "no temperature", help))?
+            }
             Some(dimension) => dimension.read_number(entry)?,
             None => entry.number()?,
         };

@@ -12,6 +12,7 @@ use uom::si::{
     surface_tension, time, velocity,
 };
 
+use crate::TemperatureUnit;
 use crate::notation::{Comma, canonical, in_si, parts, with_point};
 use stribeck_input::{Entry, Fault, Values};
 
@@ -166,7 +167,7 @@ impl Dimension {
             Dimension::KinematicViscosity => {
                 factor!(KinematicViscosity, kinematic_viscosity, square_meter_per_second)
             }
-            Dimension::Temperature => (unit == "K").then_some(1.0),
+            Dimension::Temperature => None,
         }
     }
 
@@ -180,14 +181,11 @@ impl Dimension {
 
     /// What becomes of numbers in a unit, written in any way; `None` if the unit has another dimension.
     pub fn conversion(self, unit: &str) -> Option<Conversion> {
-        let unit = canonical(unit);
-        match (self, unit.as_str()) {
-            (Dimension::Temperature, "°C" | "C") => Some(Conversion { factor: 1.0, offset: 273.15 }),
-            (Dimension::Temperature, "°F" | "F") => {
-                Some(Conversion { factor: 5.0 / 9.0, offset: 273.15 - 160.0 / 9.0 })
-            }
-            _ => self.factor(&unit).map(Conversion::by),
+        if self == Dimension::Temperature {
+            let unit = TemperatureUnit::named(unit)?;
+            return Some(Conversion { factor: unit.kelvins_of_difference(1.0), offset: unit.kelvins(0.0) });
         }
+        self.factor(&canonical(unit)).map(Conversion::by)
     }
 
     /// What a unit measures, written in any way.

@@ -76,8 +76,8 @@ mod solve;
 pub use continuation::{Failure, FailureKind, Interrupt, Interrupted, Seed, Solution, SolvedCase};
 pub use model::{
     CavityShear, DisplacementKernel, FieldSelection, Fields, Friction, Limits, Lubricant, OutOfRange, Output,
-    Parameters, Quantities, RelativeErrors, Retardation, RetardationMode, Sensitivities, Substrate, SubstrateError,
-    gauss, kernel, shear_traction, shortest, stress, viscoelastic_error_scale,
+    Parameters, Quantities, RelativeErrors, Retardation, RetardationMode, Sensitivities, SettingOutOfRange, Substrate,
+    SubstrateError, gauss, kernel, shear_traction, shortest, stress, viscoelastic_error_scale,
 };
 pub use points::solve_points;
 pub use solve::{Method, Settings, Solver, solve};

@@ -24,9 +24,6 @@ const FARTHEST_FACTOR: f64 = 1000.0;
 ///
 /// # Errors
 /// [`Interrupted`] if the user asks to stop before the last point is done. A point that fails is a result.
-///
-/// # Panics
-/// See [`Solver::new`].
 pub fn solve_points(
     points: &[Parameters],
     settings: &Settings,
@@ -61,7 +58,7 @@ pub fn solve_points(
 fn compare(a: &Parameters, b: &Parameters) -> Ordering {
     let numbers = |of: &Parameters| {
         let modes = of.substrate.modes().iter().flat_map(|mode| [mode.share, mode.time]);
-        [of.beta, of.alpha, of.f].into_iter().chain(modes).collect::<Vec<_>>()
+        [of.beta, of.alpha, of.f].into_iter().chain(modes).chain([of.substrate.of_roller() as f64]).collect::<Vec<_>>()
     };
     let (a, b) = (numbers(a), numbers(b));
     let differing = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());

@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use crate::collocation::{self, CollocationSolver};
-use crate::continuation::{CaseSolver, Chain, Failure, Interrupt, Interrupted, Solution, SolvedCase};
+use crate::continuation::{CaseSolver, Chain, Failure, FailureKind, Interrupt, Interrupted, Solution, SolvedCase};
 use crate::exact::ChainLimits;
-use crate::model::{Output, Parameters};
+use crate::model::{Output, Parameters, SettingOutOfRange};
 use crate::relaxation::{self, RelaxationSolver};
 
 /// A numerical method with its settings.
@@ -46,10 +46,7 @@ impl Default for Settings {
 /// Solves one case.
 ///
 /// # Errors
-/// [`Failure`] if the case has no solution that the method finds.
-///
-/// # Panics
-/// See [`Solver::new`].
+/// [`Failure`] if the case has no solution that the method finds, or the method no such settings.
 pub fn solve(parameters: &Parameters, settings: &Settings) -> Result<Solution, Failure> {
     let solver = Solver::new(settings);
     let solved = solver.solve_chain(std::slice::from_ref(parameters), &Interrupt::new());
@@ -66,17 +63,21 @@ pub struct Solver {
 enum ReadyMethod {
     Collocation(CollocationSolver),
     Relaxation(RelaxationSolver),
+    /// With such settings every case fails.
+    Refused(SettingOutOfRange),
 }
 
 impl Solver {
-    /// A solver with the given settings.
-    ///
-    /// # Panics
-    /// If the settings of the method are outside of the ranges that their constants name.
+    /// A solver with the given settings. Where a setting is out of its range each case fails, and says so.
     pub fn new(settings: &Settings) -> Self {
-        let method = match settings.method {
-            Method::Collocation(settings) => ReadyMethod::Collocation(CollocationSolver::new(settings)),
-            Method::Relaxation(settings) => ReadyMethod::Relaxation(RelaxationSolver::new(settings)),
+        let checked = match &settings.method {
+            Method::Collocation(settings) => settings.check(),
+            Method::Relaxation(settings) => settings.check(),
+        };
+        let method = match (checked, settings.method) {
+            (Err(why), _) => ReadyMethod::Refused(why),
+            (Ok(()), Method::Collocation(settings)) => ReadyMethod::Collocation(CollocationSolver::new(settings)),
+            (Ok(()), Method::Relaxation(settings)) => ReadyMethod::Relaxation(RelaxationSolver::new(settings)),
         };
         Self { method, time_limit: settings.time_limit, output: settings.output.clone() }
     }
@@ -99,6 +100,7 @@ impl Solver {
         match &self.method {
             ReadyMethod::Collocation(solver) => solver.can_continue(from, to),
             ReadyMethod::Relaxation(solver) => solver.can_continue(from, to),
+            ReadyMethod::Refused(_) => false,
         }
     }
 
@@ -110,7 +112,18 @@ impl Solver {
     ) -> Result<Vec<SolvedCase>, Interrupted> {
         match &self.method {
             ReadyMethod::Collocation(solver) => self.solve_with(solver, cases, trace_last, interrupt),
-            ReadyMethod::Relaxation(solver) => self.solve_with(solver, cases, trace_last, interrupt),
+            ReadyMethod::Relaxation(solver) => {
+                // Its workspace holds the kernel of one α and f.
+                let runs: Vec<&[Parameters]> = cases.chunk_by(|from, to| solver.can_continue(from, to)).collect();
+                let last = runs.len().saturating_sub(1);
+                let solve = |(place, run): (usize, &&[Parameters])| {
+                    self.solve_with(solver, run, trace_last && place == last, interrupt)
+                };
+                Ok(runs.iter().enumerate().map(solve).collect::<Result<Vec<_>, _>>()?.concat())
+            }
+            ReadyMethod::Refused(why) => {
+                Ok(cases.iter().map(|_| SolvedCase::failed(FailureKind::Setting(why.clone()))).collect())
+            }
         }
     }
 

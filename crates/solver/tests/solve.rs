@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
-use stribeck_solver::relaxation;
 use stribeck_solver::{
     FailureKind, Interrupt, Interrupted, Method, Output, Parameters, RetardationMode, Settings, SolvedCase, Solver,
     Substrate, exact, solve, solve_points,
 };
+use stribeck_solver::{collocation, relaxation};
 
 /// What must not depend on the way to it.
 fn numbers(case: &SolvedCase) -> Result<Vec<u64>, String> {
@@ -26,6 +26,7 @@ fn solved(points: &[Parameters], settings: &Settings) -> Vec<SolvedCase> {
 fn mixture() -> Vec<Parameters> {
     let modes = [(0.4, 1.0), (0.6, 10.0)].map(|(share, time)| RetardationMode { share, time });
     let substrate = Substrate::new(modes.to_vec()).expect("a substrate");
+    let both = Substrate::of_two_bodies(modes[..1].to_vec(), modes[1..].to_vec()).expect("a substrate");
     let mut points = Vec::new();
     for alpha in [0.1, 10.0] {
         points.extend((0..10).map(|i| Parameters::new(alpha, 5.0 * 1.5_f64.powi(i), 10.0)));
@@ -34,6 +35,7 @@ fn mixture() -> Vec<Parameters> {
     points.extend(
         [20.0, 40.0].map(|beta| Parameters { substrate: substrate.clone(), ..Parameters::new(1.0, beta, 5.0) }),
     );
+    points.extend([20.0, 40.0].map(|beta| Parameters { substrate: both.clone(), ..Parameters::new(1.0, beta, 5.0) }));
     points.extend([20.0, 40.0].map(|beta| Parameters::new(0.0, beta, 5.0)));
     points.extend([Parameters::elastic(30.0), Parameters::elastic(60.0), points[3].clone()]);
     points.extend([Parameters::new(1.0, 1e30, 1.0), Parameters::new(1.0, f64::NAN, 1.0)]);
@@ -61,6 +63,11 @@ fn points_are_solved_in_any_order_with_the_same_numbers() {
         assert_eq!(numbers(there), numbers(back), "{point:?}");
         assert_eq!((there.seed, &there.path), (back.seed, &back.path), "{point:?}");
     }
+    // The film does not know whose a mode is, its hysteresis does.
+    let both = points.iter().position(|point| point.substrate.of_roller() > 0).expect("two bodies");
+    let friction = |place: usize| there[place].outcome.as_ref().unwrap().quantities.friction;
+    assert!((friction(both).viscoelastic / friction(both - 2).viscoelastic - 1.0).abs() < 1e-5);
+    assert!(friction(both).viscoelastic_roller > 0.1 && friction(both - 2).viscoelastic_roller == 0.0);
     let failed: Vec<usize> = (0..points.len()).filter(|&place| there[place].outcome.is_err()).collect();
     assert_eq!(failed, [points.len() - 2, points.len() - 1], "only the impossible ones fail");
     let from_neighbours =
@@ -87,7 +94,9 @@ fn the_relaxation_method_solves_each_point_with_its_own_kernel() {
         .into_iter()
         .flat_map(|beta| [0.5, 1.0, 2.0].map(|alpha| Parameters::new(alpha, beta, 5.0)))
         .collect();
-    for (point, case) in points.iter().zip(solved(&points, &settings)) {
+    let as_one_chain = Solver::new(&settings).solve_chain(&points, &Interrupt::new()).unwrap();
+    let twice = points.iter().chain(&points).zip(solved(&points, &settings).into_iter().chain(as_one_chain));
+    for (point, case) in twice {
         let (here, alone) = (case.outcome.unwrap().quantities, solve(point, &settings).unwrap().quantities);
         assert!((here.c / alone.c - 1.0).abs() < 1e-6, "{point:?}: {} {}", here.c, alone.c);
         assert!((here.friction.viscoelastic / alone.friction.viscoelastic - 1.0).abs() < 1e-6, "{point:?}");
@@ -113,6 +122,40 @@ fn a_time_limit_is_kept() {
     let settings = Settings { time_limit: Some(Duration::ZERO), ..Settings::default() };
     let failure = solve(&Parameters::new(1.0, 100.0, 10.0), &settings).unwrap_err();
     assert_eq!(failure.kind, FailureKind::TimeLimit(Duration::ZERO));
+}
+
+#[test]
+fn settings_out_of_their_range_are_a_failure() {
+    let case = Parameters::new(1.0, 100.0, 10.0);
+    let kind = |method| solve(&case, &Settings { method, ..Settings::default() }).unwrap_err().kind;
+    let collocation = collocation::Settings::default();
+    let relaxation = relaxation::Settings::default();
+    for (method, expected) in [
+        (
+            Method::Collocation(collocation::Settings { tolerance: f64::NAN, ..collocation }),
+            "tolerance = NaN is no setting of the collocation method: it must be from 1e-10 to 0.1",
+        ),
+        (
+            Method::Collocation(collocation::Settings { degree: 3, ..collocation }),
+            "degree = 3 is no setting of the collocation method: it must be from 4 to 16",
+        ),
+        (
+            Method::Relaxation(relaxation::Settings { points: 800, ..relaxation }),
+            "points = 800 is no setting of the relaxation method: it must be odd",
+        ),
+        (
+            Method::Relaxation(relaxation::Settings { points: 101, estimate: true, ..relaxation }),
+            "points = 101 is no setting of the relaxation method: it must be from 201 to 20001",
+        ),
+        (
+            Method::Relaxation(relaxation::Settings { tolerance: 0.0, ..relaxation }),
+            "tolerance = 0.0 is no setting of the relaxation method: it must be from 1e-12 to 0.01",
+        ),
+    ] {
+        let kind = kind(method);
+        assert!(matches!(kind, FailureKind::Setting(_)), "{kind:?}");
+        assert_eq!(kind.to_string(), expected);
+    }
 }
 
 #[test]

@@ -163,8 +163,7 @@ fn chains(plan: &Plan, beta: usize, length: usize) -> Vec<Chain> {
 }
 
 fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<bool, StoreError> {
-    let point =
-        |place: GridIndex| Point { case: plan.case_at(place), numbers: sweep.grid.numbers(place), experiment: None };
+    let point = |place: GridIndex| Point::new(plan.case_at(place), sweep.grid.numbers(place));
     let row = |row: usize| sweep.grid.shape().row(row).map(point).collect();
     let dimensions = sweep.grid.dimensions();
     let published = store.publish(&Publication {

@@ -286,7 +286,7 @@ mod tests {
     use std::collections::HashSet;
 
     use super::*;
-    use stribeck_lab::{Experiment, Modulus, Motion};
+    use stribeck_lab::{Experiment, Modulus, Motion, Roller};
     use stribeck_solver::Friction;
 
     fn quantities() -> Quantities {
@@ -414,6 +414,8 @@ mod tests {
             retardation_time: 0.1,
             motion: Motion::Sliding { speed: 1e-3 },
             f: 10.0,
+            roller: Roller::RIGID,
+            temperature: None,
         };
         for column in Column::ALL {
             let factor = experiment.scales().factor(column.units());

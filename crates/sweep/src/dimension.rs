@@ -19,6 +19,9 @@ impl Dimension {
     /// The long name of β.
     pub const BETA: &'static str = "inverse Hersey number";
 
+    /// The name of the slide-to-roll ratio S where it is a dimension.
+    pub const SLIDE_ROLL: &'static str = "slide_roll";
+
     /// A dimension.
     pub fn new(name: &str, units: &str, long_name: &str, values: &[f64]) -> Self {
         Self {
@@ -29,7 +32,12 @@ impl Dimension {
         }
     }
 
-    /// The dimension f, the first of all results.
+    /// The dimension S of dimensionless results over several slide-to-roll ratios, the first then.
+    pub fn slide_roll(values: &[f64]) -> Self {
+        Self::new(Self::SLIDE_ROLL, "1", "slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller", values)
+    }
+
+    /// The dimension f.
     pub fn strength(values: &[f64]) -> Self {
         Self::new("f", "1", "strength of retardation", values)
     }

@@ -19,6 +19,10 @@ pub struct Extent {
     pub contact: [f64; 2],
     /// a₀/R.
     pub slenderness: [f64; 2],
+    /// Largest pressure of the relaxed dry contact, in Pa.
+    pub pressure: [f64; 2],
+    /// Film of the relaxed elastic contact for thin films, 0.4458 β^(−3/5) a₀²/R (T35), in m.
+    pub film: [f64; 2],
 }
 
 impl Extent {
@@ -26,15 +30,24 @@ impl Extent {
     pub fn of(axes: &LaboratoryAxes) -> Self {
         let shape = axes.shape();
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut extent = Self { alpha: nothing, beta: nothing, contact: nothing, slenderness: nothing };
+        let mut extent = Self {
+            alpha: nothing,
+            beta: nothing,
+            contact: nothing,
+            slenderness: nothing,
+            pressure: nothing,
+            film: nothing,
+        };
         for place in 0..shape.places() {
             let experiment = axes.experiment(shape.index(place));
-            let contact = experiment.contact_length();
+            let (contact, scales) = (experiment.contact_length(), experiment.scales());
             for (range, value) in [
                 (&mut extent.alpha, experiment.alpha()),
                 (&mut extent.beta, experiment.beta()),
                 (&mut extent.contact, contact),
                 (&mut extent.slenderness, contact / experiment.radius),
+                (&mut extent.pressure, scales.pressure),
+                (&mut extent.film, 0.4458 * experiment.beta().powf(-0.6) * scales.height),
             ] {
                 *range = [range[0].min(value), range[1].max(value)];
             }
@@ -56,14 +69,20 @@ impl Extent {
 }
 
 impl fmt::Display for Extent {
-    /// The ranges of α, β and a₀.
+    /// The ranges of α, β, a₀, and estimates of pressure and film.
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let range = |[least, most]: [f64; 2]| match least == most {
-            true => three(least),
-            false => format!("{} to {}", three(least), three(most)),
-        };
         let [alpha, beta, contact] = [self.alpha, self.beta, self.contact].map(range);
-        write!(formatter, "alpha {alpha}, beta {beta}, a0 {contact} m ({} R)", range(self.slenderness))
+        let slenderness = range(self.slenderness);
+        write!(formatter, "alpha {alpha}, beta {beta}, a0 {contact} m ({slenderness} R), ")?;
+        write!(formatter, "of the relaxed contact p_max {} Pa dry, film {} m", range(self.pressure), range(self.film))
+    }
+}
+
+/// The ends of a range with three digits.
+pub fn range([least, most]: [f64; 2]) -> String {
+    match least == most {
+        true => three(least),
+        false => format!("{} to {}", three(least), three(most)),
     }
 }
 

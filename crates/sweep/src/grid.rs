@@ -2,7 +2,7 @@
 
 use crate::{Axes, Dimension, GridIndex, GridShape, LaboratoryAxes};
 use stribeck_lab::Experiment;
-use stribeck_solver::{Parameters, Substrate};
+use stribeck_solver::{Parameters, RetardationMode, Substrate};
 
 /// The grid of a sweep.
 ///
@@ -33,8 +33,9 @@ impl Grid {
     /// The lengths of the grid.
     pub fn shape(&self) -> GridShape {
         match self {
-            Grid::Dimensionless(Axes { f, alpha, beta }) => {
-                GridShape { strengths: f.len(), rows: alpha.len(), length: beta.len() }
+            Grid::Dimensionless(Axes { slide_roll, f, alpha, beta }) => {
+                let ratios = slide_roll.as_ref().map_or(1, Vec::len);
+                GridShape { blocks: ratios * f.len(), rows: alpha.len(), length: beta.len() }
             }
             Grid::Laboratory(axes) => axes.shape(),
         }
@@ -49,19 +50,36 @@ impl Grid {
     pub fn dimensions(&self) -> Vec<Dimension> {
         match self {
             Grid::Dimensionless(axes) => {
-                vec![Dimension::strength(&axes.f), Dimension::alpha(&axes.alpha), Dimension::beta(&axes.beta)]
+                let ratio = axes.slide_roll.as_deref().map(Dimension::slide_roll);
+                let others = [Dimension::strength(&axes.f), Dimension::alpha(&axes.alpha), Dimension::beta(&axes.beta)];
+                ratio.into_iter().chain(others).collect()
             }
             Grid::Laboratory(axes) => axes.dimensions(),
         }
     }
 
-    /// f, α and β of a place.
+    /// The slide-to-roll ratio S of a place (T52); 1 for a roller that slides without turning.
+    ///
+    /// # Panics
+    /// If there is no such place.
+    pub fn slide_roll(&self, index: GridIndex) -> f64 {
+        match self {
+            Grid::Dimensionless(axes) => {
+                axes.slide_roll.as_ref().map_or(1.0, |ratios| ratios[index.block / axes.f.len()])
+            }
+            Grid::Laboratory(axes) => axes.experiment(index).motion.slide_roll(),
+        }
+    }
+
+    /// f, α and β of a place; f and α of the flat.
     ///
     /// # Panics
     /// If there is no such place.
     pub fn numbers(&self, index: GridIndex) -> [f64; 3] {
         match self {
-            Grid::Dimensionless(axes) => [axes.f[index.f], axes.alpha[index.row], axes.beta[index.along]],
+            Grid::Dimensionless(axes) => {
+                [axes.f[index.block % axes.f.len()], axes.alpha[index.row], axes.beta[index.along]]
+            }
             Grid::Laboratory(axes) => {
                 let experiment = axes.experiment(index);
                 [experiment.f, experiment.alpha(), experiment.beta()]
@@ -69,13 +87,29 @@ impl Grid {
         }
     }
 
-    /// The problem at a place, for a substrate.
+    /// The problem at a place, for a substrate: that of the flat over quantities of the laboratory, else of both
+    /// bodies, with the times of the roller over the one in α too.
     ///
     /// # Panics
     /// If there is no such place.
     pub fn parameters(&self, index: GridIndex, substrate: &Substrate) -> Parameters {
-        let [f, alpha, beta] = self.numbers(index);
-        Parameters { alpha, beta, f, substrate: substrate.clone() }
+        match self {
+            Grid::Dimensionless(_) => {
+                let [f, alpha, beta] = self.numbers(index);
+                let of_roller = substrate.of_roller();
+                if of_roller == 0 {
+                    return Parameters { alpha, beta, f, substrate: substrate.clone() };
+                }
+                let slide_roll = self.slide_roll(index);
+                let (flat, roller) = substrate.modes().split_at(substrate.modes().len() - of_roller);
+                // u₁/u₂
+                let slower = (1.0 - slide_roll) / (1.0 + slide_roll);
+                let roller: Vec<_> =
+                    roller.iter().map(|mode| RetardationMode { time: mode.time * slower, ..*mode }).collect();
+                Parameters::of_two_bodies([alpha, beta, f], flat, &roller).expect("the modes were a substrate")
+            }
+            Grid::Laboratory(axes) => axes.experiment(index).parameters_of_both(substrate, &axes.roller_spectrum),
+        }
     }
 
     /// The experiment at a place, where quantities of the laboratory are given.

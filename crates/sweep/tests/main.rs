@@ -1,6 +1,7 @@
 //! Laws of sweep files, plan, engine and store: one module a subject.
 
 mod bad_sweeps;
+mod bodies;
 mod engine;
 mod extremes;
 mod findings;
@@ -13,3 +14,4 @@ mod store;
 mod survival;
 mod sweep_file;
 mod synthetic;
+mod temperature;

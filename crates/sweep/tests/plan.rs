@@ -13,7 +13,7 @@ use stribeck_sweep::{
 fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
     Sweep {
         title: "plan".into(),
-        grid: Axes { f: f.to_vec(), alpha: alpha.to_vec(), beta: beta.to_vec() }.into(),
+        grid: Axes { slide_roll: None, f: f.to_vec(), alpha: alpha.to_vec(), beta: beta.to_vec() }.into(),
         substrate: Substrate::default(),
         solver: SolverSettings::default(),
         output: Output::default(),
@@ -47,11 +47,11 @@ fn axes_mut(sweep: &mut Sweep) -> &mut Axes {
 
 /// Every grid point in the order of publication.
 fn places(sweep: &Sweep) -> Vec<GridIndex> {
-    let Axes { f: strengths, alpha, beta } = axes(sweep);
+    let Axes { f: strengths, alpha, beta, .. } = axes(sweep);
     let mut places = Vec::new();
     for f in 0..strengths.len() {
         for row in 0..alpha.len() {
-            places.extend((0..beta.len()).map(|along| GridIndex { f, row, along }));
+            places.extend((0..beta.len()).map(|along| GridIndex { block: f, row, along }));
         }
     }
     places
@@ -59,8 +59,8 @@ fn places(sweep: &Sweep) -> Vec<GridIndex> {
 
 /// What of a grid point matters to the equations: nothing but β where the substrate is relaxed elastic.
 fn problem(sweep: &Sweep, place: GridIndex) -> (u64, u64, u64) {
-    let Axes { f, alpha, beta } = axes(sweep);
-    let (f, alpha, beta) = (f[place.f], alpha[place.row], beta[place.along]);
+    let Axes { f, alpha, beta, .. } = axes(sweep);
+    let (f, alpha, beta) = (f[place.block], alpha[place.row], beta[place.along]);
     let (f, alpha) = if f == 0.0 || alpha.is_infinite() { (0.0, f64::INFINITY) } else { (f, alpha) };
     (f.to_bits(), alpha.to_bits(), beta.to_bits())
 }
@@ -176,7 +176,7 @@ proptest! {
         let mut large = small.clone();
         for (axis, more) in
             {
-                let Axes { f: own_f, alpha: own_alpha, beta: own_beta } = axes_mut(&mut large);
+                let Axes { f: own_f, alpha: own_alpha, beta: own_beta, .. } = axes_mut(&mut large);
                 [(own_f, f), (own_alpha, alpha), (own_beta, beta)]
             }
         {
@@ -217,7 +217,7 @@ fn modes_count_where_the_substrate_retards_and_only_there() {
     let two = Sweep { substrate: two_modes(), ..one.clone() };
     let (one_plan, two_plan) = (Plan::new(&one), Plan::new(&two));
     for place in places(&one) {
-        let retards = place.f == 1 && place.row == 1;
+        let retards = place.block == 1 && place.row == 1;
         assert_eq!(one_plan.case_at(place) != two_plan.case_at(place), retards);
     }
 }
@@ -381,7 +381,7 @@ fn a_billion_cases_are_planned_at_once() {
     let last = plan.chains().next_back().expect("there are chains");
     assert_eq!((last.row, last.cases.end), (999_999, 1000));
     assert_eq!(plan.parameters(&last).last(), Some(&Parameters::new(1000.0, 1000.0, 1000.0)));
-    let place = GridIndex { f: 0, row: 2, along: 500 };
+    let place = GridIndex { block: 0, row: 2, along: 500 };
     assert_eq!(plan.find(plan.case_at(place)), Some(place));
     // Listing the cases, or the chains, would take many times longer.
     assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());

@@ -13,12 +13,11 @@ pub enum Unknown {
 
 impl Unknown {
     /// All unknowns that there are. Poisson's ratio is none: it appears in the plane-strain modulus only. Nor is what
-    /// may be 0: the slide-to-roll ratio and the speed of one surface.
+    /// may be 0: the slide-to-roll ratio and the speed of one surface; nor the temperature, which stands for others.
     pub fn all() -> impl Iterator<Item = Self> {
-        use LaboratoryQuantity::{FlatSpeed, PoissonRatio, RollerSpeed, SlideRollRatio};
-        let quantities = LaboratoryQuantity::ALL.into_iter();
-        let quantities =
-            quantities.filter(|quantity| ![PoissonRatio, SlideRollRatio, RollerSpeed, FlatSpeed].contains(quantity));
+        use LaboratoryQuantity::{FlatSpeed, PoissonRatio, RollerSpeed, SlideRollRatio, Temperature};
+        let others = [PoissonRatio, SlideRollRatio, RollerSpeed, FlatSpeed, Temperature];
+        let quantities = LaboratoryQuantity::ALL.into_iter().filter(move |quantity| !others.contains(quantity));
         std::iter::once(Self::Strength).chain(quantities.map(Self::Quantity))
     }
 

@@ -117,6 +117,8 @@ impl Measured {
         let along = experiment.motion.along().0.name();
         self.coordinates.iter().filter(|(name, _)| *name != along).all(|(name, values)| {
             let own = match LaboratoryQuantity::named(name) {
+                // an experiment without one is at any temperature
+                Some(LaboratoryQuantity::Temperature) if experiment.temperature.is_none() => return true,
                 Some(quantity) => experiment.value(quantity),
                 None if *name == "f" => experiment.f,
                 // these change with the speed

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use crate::model::SettingOutOfRange;
+
 /// Settings of the collocation solver that change its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -16,6 +18,15 @@ impl Settings {
     pub fn for_tolerance(tolerance: f64) -> Self {
         let degree = if tolerance < 1e-8 { 12 } else { 8 };
         Self { tolerance, degree }
+    }
+
+    /// Checks that both are in their ranges.
+    ///
+    /// # Errors
+    /// [`SettingOutOfRange`] names the one that is not.
+    pub fn check(&self) -> Result<(), SettingOutOfRange> {
+        SettingOutOfRange::check("collocation", "tolerance", self.tolerance, &Self::TOLERANCE)?;
+        SettingOutOfRange::check("collocation", "degree", self.degree, &Self::DEGREE)
     }
 
     /// Numbers of panels of the film that a mesh may have.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::time::Duration;
 
 use super::{NoLine, Seed};
-use crate::model::{OutOfRange, Parameters, shortest};
+use crate::model::{OutOfRange, Parameters, SettingOutOfRange, shortest};
 
 /// Why a case has no solution. Failing is a result, not an error of the run.
 ///
@@ -127,6 +127,9 @@ pub enum FailureKind {
     /// A parameter is beyond what double precision can be used with.
     #[error(transparent)]
     OutOfRange(#[from] OutOfRange),
+    /// A setting is beyond what the method can be used with: no case is tried.
+    #[error(transparent)]
+    Setting(#[from] SettingOutOfRange),
     /// No line leads from a neighbour to the case.
     #[error(transparent)]
     NoLine(#[from] NoLine),
@@ -305,6 +308,7 @@ impl FailureKind {
     pub fn is_conclusive(&self) -> bool {
         match self {
             Self::OutOfRange(_)
+            | Self::Setting(_)
             | Self::TimeLimit(_)
             | Self::FilmTooThin { .. }
             | Self::ToleranceTooTight { .. }
@@ -321,6 +325,7 @@ impl FailureKind {
     pub fn name(&self) -> &'static str {
         match self {
             Self::OutOfRange(_) => "out-of-range",
+            Self::Setting(_) => "setting",
             Self::NoLine(_) => "no-line",
             Self::TimeLimit(_) => "time-limit",
             Self::Panic { .. } | Self::ChainPanic { .. } => "panic",
@@ -346,8 +351,9 @@ impl FailureKind {
 }
 
 /// Words that stand in the sentence of one kind alone, and the name of that kind.
-const WORDS: [(&str, &str); 21] = [
+const WORDS: [(&str, &str); 22] = [
     ("is beyond what double precision can be used with", "out-of-range"),
+    ("is no setting of the", "setting"),
     ("no line leads from", "no-line"),
     ("the time limit of a case", "time-limit"),
     ("the solver panicked", "panic"),
@@ -391,6 +397,7 @@ mod tests {
             OutOfRange::Alpha(1e80).into(),
             OutOfRange::Beta(0.0).into(),
             OutOfRange::Strength(-1.0).into(),
+            crate::collocation::Settings::for_tolerance(2.0).check().expect_err("too large").into(),
             NoLine::Alpha { from: 0.0, to: 1.0 }.into(),
             NoLine::Substrates { from: Substrate::default(), to: Substrate::default() }.into(),
             FailureKind::TimeLimit(Duration::from_millis(20)),

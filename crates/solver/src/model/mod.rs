@@ -10,6 +10,7 @@ mod outcome;
 mod output;
 mod parameters;
 mod sensitivities;
+mod setting_out_of_range;
 mod traction;
 
 pub use displacement::{DisplacementKernel, retarded_mode, retarded_mode_derivative};
@@ -18,4 +19,5 @@ pub use outcome::{Fields, Friction, Limits, Quantities, RelativeErrors, viscoela
 pub use output::{CavityShear, FieldSelection, Output};
 pub use parameters::{OutOfRange, Parameters, Retardation, RetardationMode, Substrate, SubstrateError};
 pub use sensitivities::Sensitivities;
+pub use setting_out_of_range::SettingOutOfRange;
 pub use traction::{Lubricant, shear_traction};

@@ -26,6 +26,19 @@ impl fmt::Display for CavityShear {
     }
 }
 
+impl CavityShear {
+    /// What the choice means for friction.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            CavityShear::Full => "the gap behind the film is full of fluid: an upper bound",
+            CavityShear::Streamers => {
+                "behind the film there is the fluid that leaves it: the choice that carries the flow"
+            }
+            CavityShear::None => "no fluid shears behind the film: a lower bound",
+        }
+    }
+}
+
 /// Which fields to evaluate. What is not asked for is not computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct FieldSelection {

@@ -164,6 +164,34 @@ impl Parameters {
         Self::new(f64::INFINITY, beta, 0.0)
     }
 
+    /// The case of two bodies that move at speeds of their own (T59): the modes of each as parts of f and with times over
+    /// the one in α, which the flat's speed and the roller's change by themselves. A time of 0 is that of a body at rest
+    /// in the contact, whose modes are relaxed: they belong to the elastic part, which leaves the strength
+    /// f′ = f s/(1 + f (1 − s)) to the modes that move, s being their part of f.
+    ///
+    /// # Errors
+    /// As [`Substrate::of_two_bodies`], of the modes that are left.
+    pub fn of_two_bodies(
+        [alpha, beta, f]: [f64; 3],
+        flat: &[RetardationMode],
+        roller: &[RetardationMode],
+    ) -> Result<Self, SubstrateError> {
+        let moving = |modes: &[RetardationMode]| modes.iter().copied().filter(|mode| mode.time > 0.0).collect();
+        let [flat_moves, roller_moves]: [Vec<RetardationMode>; 2] = [moving(flat), moving(roller)];
+        if flat_moves.len() + roller_moves.len() == flat.len() + roller.len() {
+            return Ok(Self { alpha, beta, f, substrate: Substrate::of_two_bodies(flat_moves, roller_moves)? });
+        }
+        let part: f64 = flat_moves.iter().chain(&roller_moves).map(|mode| mode.share).sum();
+        if part == 0.0 {
+            return Ok(Self::elastic(beta));
+        }
+        let of_rest = |modes: Vec<RetardationMode>| {
+            modes.into_iter().map(|mode| RetardationMode { share: mode.share / part, ..mode }).collect()
+        };
+        let substrate = Substrate::of_two_bodies(of_rest(flat_moves), of_rest(roller_moves))?;
+        Ok(Self { alpha, beta, f: f * part / (1.0 + f * (1.0 - part)), substrate })
+    }
+
     /// True where the substrate responds as the relaxed elastic one: f = 0 or α = ∞. Such cases depend on β alone.
     pub fn is_relaxed_elastic(&self) -> bool {
         self.f == 0.0 || self.alpha == f64::INFINITY

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use crate::model::shortest;
+use crate::model::{SettingOutOfRange, shortest};
 
 /// Where the uniform grid lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -79,6 +79,28 @@ impl Settings {
     pub const ESTIMATE_POINTS: usize = 201;
     /// Tolerances that double precision can meet and that are small enough to be of use.
     pub const TOLERANCE: RangeInclusive<f64> = 1e-12..=1e-2;
+
+    /// Checks that all are in their ranges, and that the number of points is odd.
+    ///
+    /// # Errors
+    /// [`SettingOutOfRange`] names the first one that is not.
+    pub fn check(&self) -> Result<(), SettingOutOfRange> {
+        const METHOD: &str = "relaxation";
+        SettingOutOfRange::check(METHOD, "tolerance", self.tolerance, &Self::TOLERANCE)?;
+        let least = if self.estimate { Self::ESTIMATE_POINTS } else { *Self::POINTS.start() };
+        SettingOutOfRange::check(METHOD, "points", self.points, &(least..=*Self::POINTS.end()))?;
+        if self.points % 2 == 0 {
+            let (value, allowed) = (self.points.to_string(), "odd".to_owned());
+            return Err(SettingOutOfRange { method: METHOD, setting: "points", value, allowed });
+        }
+        match self.domain {
+            Domain::Auto => Ok(()),
+            Domain::Fixed { x_min, x_max } => {
+                SettingOutOfRange::check(METHOD, "x_min", x_min, &(*Domain::ENDS.start()..=-f64::MIN_POSITIVE))?;
+                SettingOutOfRange::check(METHOD, "x_max", x_max, &(f64::MIN_POSITIVE..=*Domain::ENDS.end()))
+            }
+        }
+    }
 }
 
 impl Default for Settings {

@@ -6,8 +6,8 @@ use stribeck_solver::relaxation::{Domain, Settings};
 use stribeck_solver::{DisplacementKernel, Parameters, RetardationMode, Substrate};
 
 use crate::relaxation::cases::{
-    Ahead, Solved, chain, fields_at, friction_and_film, grid, no_fields, on_any_grid, on_both_grids, on_grid, relative,
-    settings, solutions, uniform,
+    Ahead, Solved, chain, fields_at, friction_and_film, grid, no_fields, on_any_grid, on_both_grids, on_grid,
+    quantities, relative, settings, solutions, uniform,
 };
 
 /// ∫ g dx over the grid by the trapezoidal rule.
@@ -37,6 +37,20 @@ fn the_pressure_carries_the_load() {
         let parameters = &case.reference.parameters;
         assert!(error < 1e-6, "{parameters:?}: load off by {error:.1e}");
         assert!(parameters.beta > 10.0 || (1.0 - inside / FRAC_PI_2) > 1e-3, "{parameters:?}");
+    }
+}
+
+/// The power that the drive puts in is what is lost (T56), up to the error of the scheme, which is of second order.
+#[test]
+fn the_balance_of_power_is_of_second_order() {
+    for (alpha, f) in [(1.0, 10.0), (10.0, 100.0)] {
+        let parameters = Parameters::new(alpha, 100.0, f);
+        let residuals = [401, 801].map(|points| quantities(settings(points), &parameters));
+        for slide_roll in [1.0, 0.0, -0.5] {
+            let [coarse, fine] = residuals.each_ref().map(|it| it.energy_residual(slide_roll));
+            assert!(fine < 1e-4, "{parameters:?}, S = {slide_roll}: {fine:.1e}");
+            assert!((3.0..5.5).contains(&(coarse / fine)), "{parameters:?}, S = {slide_roll}: {coarse:.1e} {fine:.1e}");
+        }
     }
 }
 

@@ -61,6 +61,8 @@ pub enum CaseStorage {
 pub struct CasePlace {
     /// f, α and β of the first place that has the case.
     pub numbers: [f64; 3],
+    /// The slide-to-roll ratio S there (T52).
+    pub slide_roll: f64,
     /// The experiment there, where the sweep is over quantities of the laboratory.
     pub experiment: Option<Experiment>,
     /// The parameters it is solved for, the same at all its places.
@@ -176,7 +178,7 @@ impl CasePlace {
         let found = chains.find_map(|chain| in_chain(&chain).map(|index| (chain, index)));
         let (chain, index) = found.expect("every case of a plan is in a chain");
         let (numbers, experiment) = (sweep.grid.numbers(place), sweep.grid.experiment(place));
-        Self { numbers, experiment, parameters, chain, index }
+        Self { numbers, slide_roll: sweep.grid.slide_roll(place), experiment, parameters, chain, index }
     }
 }
 
@@ -192,7 +194,7 @@ fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> GridIndex {
                 (0..axis.len()).min_by(by_distance).expect("an axis has values")
             };
             let [f, alpha, beta] = wanted;
-            GridIndex { f: near(&axes.f, f), row: near(&axes.alpha, alpha), along: near(&axes.beta, beta) }
+            GridIndex { block: near(&axes.f, f), row: near(&axes.alpha, alpha), along: near(&axes.beta, beta) }
         }
         Grid::Laboratory(_) => {
             // α and β change together: f comes first, then both.

@@ -70,5 +70,5 @@ pub use run::{RunOptions, RunOutcome, RunReport, available_threads, run};
 pub use solve_command::solve_command;
 pub use solving::solve_in_memory;
 pub use stale::StaleReason;
-pub use status::{PlannedStatus, StatusReport, UnplannedStatus, status};
+pub use status::{PlannedStatus, StatusReport, UnplannedStatus, notes, status};
 pub use sweep_directory::{SweepDirectory, check_available, read_sweep, sweep_file};

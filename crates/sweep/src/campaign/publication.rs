@@ -1,12 +1,19 @@
 //! From the stored cases of a sweep to the files for the user.
 
 use crate::store::{Point, Publication, Published, Store, StoreError};
-use crate::{GridIndex, Plan, Sweep};
+use crate::{Grid, GridIndex, Plan, Sweep};
 
 /// Publishes a sweep whose cases are all stored.
 pub(super) fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
+    let laboratory = match &sweep.grid {
+        Grid::Dimensionless(_) => None,
+        Grid::Laboratory(axes) => Some(axes),
+    };
     let point = |place: GridIndex| Point {
         case: plan.case_at(place),
+        slide_roll: sweep.grid.slide_roll(place),
+        swapped: laboratory.and_then(|axes| axes.swapped(place)).map(|place| plan.case_at(place)),
+        limits: laboratory.map(|axes| axes.limits).unwrap_or_default(),
         numbers: sweep.grid.numbers(place),
         experiment: sweep.grid.experiment(place),
     };

@@ -5,8 +5,8 @@ use std::path::Path;
 use super::failures::failure_regions;
 use super::parts::part_states;
 use super::{CampaignError, FailureRegion, PartState, Pending, SweepDirectory, read_sweep, sweep_file};
-use crate::store::{Catalog, Counts, Inspection, Start, StoreError, Warning};
-use crate::{Plan, Sweep};
+use crate::store::{Catalog, Counts, DataSet, Inspection, Start, StoreError, Warning};
+use crate::{NoteCounts, Plan, Sweep};
 use stribeck_solver::{FieldSelection, Output};
 
 /// How far a sweep is.
@@ -40,6 +40,8 @@ pub struct PlannedStatus {
     pub pending: Pending,
     /// True if all that is stored is published.
     pub published: bool,
+    /// How many published places have notes.
+    pub notes: NoteCounts,
     /// How far the parts are; empty if there are none.
     pub parts: Vec<PartState>,
     /// Where cases failed, the regions with most failures first.
@@ -67,7 +69,13 @@ pub fn status(directory: &Path, inspection: Inspection) -> Result<StatusReport, 
     let found = SweepDirectory::read_existing(directory, output, inspection)?;
     let owners = found.catalogs().into_iter().map(Catalog::owner).collect::<Result<Vec<_>, _>>()?;
     let cases = match sweep {
-        Ok(sweep) => Ok(planned(sweep, &found)?),
+        Ok(sweep) => {
+            let mut planned = planned(sweep, &found)?;
+            if planned.published && inspection == Inspection::Bytes {
+                planned.notes = notes(directory)?;
+            }
+            Ok(planned)
+        }
         Err(error) => Err(UnplannedStatus { error, stored: stored(&found) }),
     };
     let starts = found.whole.iter().flat_map(|whole| whole.history().starts());
@@ -81,6 +89,14 @@ pub fn status(directory: &Path, inspection: Inspection) -> Result<StatusReport, 
     })
 }
 
+/// How many places of the published data set of a directory have notes.
+///
+/// # Errors
+/// [`StoreError`] if it cannot be read.
+pub fn notes(directory: &Path) -> Result<NoteCounts, StoreError> {
+    Ok(NoteCounts::of_masks(DataSet::open(directory)?.notes()?.into_iter().flatten()))
+}
+
 fn planned(sweep: Sweep, found: &SweepDirectory) -> Result<PlannedStatus, StoreError> {
     let (plan, stored) = (Plan::new(&sweep), found.merged());
     Ok(PlannedStatus {
@@ -88,6 +104,7 @@ fn planned(sweep: Sweep, found: &SweepDirectory) -> Result<PlannedStatus, StoreE
         problems: plan.problems(),
         pending: Pending::survey(&sweep, &plan, None, &stored),
         published: found.whole.as_ref().map_or(Ok(false), Catalog::is_published)?,
+        notes: NoteCounts::default(),
         parts: part_states(&plan, found, &stored)?,
         failures: failure_regions(&plan, &stored)?,
         sweep,

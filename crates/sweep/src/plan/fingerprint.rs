@@ -19,6 +19,7 @@ use stribeck_solver::{CavityShear, Parameters};
 /// | `u8` | cavity shear: 0 full, 1 streamers, 2 none |
 /// | `f64`, `f64`, `f64` | f, α, β |
 /// | `u64`, then two `f64` each | number of retardation modes, share and time of each |
+/// | `u64` | how many of them are the roller's, if any are |
 ///
 /// Settings of the collocation method are
 ///
@@ -80,6 +81,9 @@ impl Fingerprint {
         for mode in modes {
             put_number(&mut bytes, mode.share);
             put_number(&mut bytes, mode.time);
+        }
+        if case.substrate.of_roller() > 0 && !modes.is_empty() {
+            bytes.extend((case.substrate.of_roller() as u64).to_le_bytes());
         }
         let hash = blake3::hash(&bytes);
         let first = hash.as_bytes().first_chunk().expect("a BLAKE3 hash has 32 bytes");

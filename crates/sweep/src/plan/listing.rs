@@ -14,35 +14,42 @@ pub(super) struct Listing {
 
 #[derive(Clone, Debug)]
 struct Row {
-    f: usize,
+    block: usize,
     row: usize,
-    /// Places along the row in ascending β: descending, as along the speed.
+    /// Places along the row in ascending β: backwards along the speed.
     along: Vec<u32>,
 }
 
 impl Listing {
-    /// Lists a grid of the given shape. `id` is the problem at a place, `limit` the most cases of a chain in the row
-    /// that begins at a place.
+    /// Lists a grid of the given shape, whose β falls along rows if `backwards`. `id` is the problem at a place, `limit`
+    /// the most cases of a chain in the row that begins at a place.
     ///
     /// A problem belongs to the first place that has it in the order of publication, so that an extension at the end of
     /// an axis leaves the rows before as they were.
-    pub(super) fn new(shape: GridShape, id: impl Fn(GridIndex) -> CaseId, limit: impl Fn(GridIndex) -> usize) -> Self {
+    pub(super) fn new(
+        shape: GridShape,
+        backwards: bool,
+        id: impl Fn(GridIndex) -> CaseId,
+        limit: impl Fn(GridIndex) -> usize,
+    ) -> Self {
         let mut seen = HashSet::new();
         let mut listing = Self { rows: Vec::new(), chains: Vec::new() };
-        for row in 0..shape.strengths * shape.rows {
+        for row in 0..shape.blocks * shape.rows {
             let places = shape.row(row);
             let mut along: Vec<u32> =
                 places.filter(|&place| seen.insert(id(place))).map(|place| place.along as u32).collect();
-            along.reverse();
+            if backwards {
+                along.reverse();
+            }
             if along.is_empty() {
                 continue;
             }
-            let first = GridIndex { f: row / shape.rows, row: row % shape.rows, along: 0 };
+            let first = GridIndex { block: row / shape.rows, row: row % shape.rows, along: 0 };
             let (row, cases) = (listing.rows.len(), along.len());
             let pieces = cases.div_ceil(limit(first));
             let cut = |piece: usize| piece * cases / pieces;
             listing.chains.extend((0..pieces).map(|piece| Chain { row, cases: cut(piece)..cut(piece + 1) }));
-            listing.rows.push(Row { f: first.f, row: first.row, along });
+            listing.rows.push(Row { block: first.block, row: first.row, along });
         }
         listing
     }
@@ -61,7 +68,7 @@ impl Listing {
 
     /// The place of a case of a row.
     pub(super) fn place(&self, row: usize, case: usize) -> GridIndex {
-        let Row { f, row, along } = &self.rows[row];
-        GridIndex { f: *f, row: *row, along: along[case] as usize }
+        let Row { block, row, along } = &self.rows[row];
+        GridIndex { block: *block, row: *row, along: along[case] as usize }
     }
 }

@@ -15,10 +15,11 @@ use stribeck_solver::{Parameters, Substrate};
 ///
 /// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is
 /// solved once; the other rows follow in the order f, then α. Everything is index arithmetic: such a plan is as large
-/// as its axes. Over quantities of the laboratory different places can have the same α, β and f: each problem is solved
-/// at the first place that has it, and rows are listed.
+/// as its axes; the slide-to-roll ratio changes no problem. Over quantities of the laboratory different places can have
+/// the same α, β and f, and with a viscoelastic roller the ratio does change problems: each is solved at the first place
+/// that has it, and rows are listed.
 ///
-/// Grid points are published in the order f, then α, then β, or f, then the quantities in their order, the speed last.
+/// Grid points are published in the order f, then α, then β, behind the slide-to-roll ratio if it is an axis, or f, then the quantities in their order, the speed last.
 #[derive(Clone, Debug)]
 pub struct Plan {
     grid: Grid,
@@ -44,14 +45,16 @@ impl Plan {
         let recipe = Recipe::new(&sweep.solver, sweep.output.cavity_shear);
         let fingerprint = Fingerprint::new(&recipe);
         let layout = match &sweep.grid {
-            Grid::Dimensionless(axes) => {
+            Grid::Dimensionless(axes) if sweep.substrate.of_roller() == 0 => {
                 Layout::Product { axes: axes.clone(), chains_per_row: axes.beta.len().div_ceil(limit) }
             }
-            Grid::Laboratory(_) => {
+            _ => {
                 // What chains of the relaxation method share belongs to one α.
-                let limit = |f: f64| if f > 0.0 && sweep.solver.method == Method::Relaxation { 1 } else { limit };
-                let id = |place| fingerprint.id(&canonical(&sweep.grid.parameters(place, &sweep.substrate)));
-                Layout::Listed(Listing::new(sweep.grid.shape(), id, |first| limit(sweep.grid.numbers(first)[0])))
+                let is_alone = |case: Parameters| case.f > 0.0 && sweep.solver.method == Method::Relaxation;
+                let case = |place| sweep.grid.parameters(place, &sweep.substrate);
+                let limit = |first| if is_alone(case(first)) { 1 } else { limit };
+                let id = |place| fingerprint.id(&canonical(&case(place)));
+                Layout::Listed(Listing::new(sweep.grid.shape(), sweep.grid.axes().is_none(), id, limit))
             }
         };
         Self { grid: sweep.grid.clone(), substrate: sweep.substrate.clone(), recipe, fingerprint, layout }
@@ -98,7 +101,7 @@ impl Plan {
             None if elastic_f(axes) > 0 => (0, 0),
             None => (0, retarding_alpha(axes)),
         };
-        GridIndex { f, row, along: case }
+        GridIndex { block: f, row, along: case }
     }
 
     /// The number of chains.

@@ -98,7 +98,11 @@ impl DataSet {
             if values.is_empty() { Err(format!("its axis {name} is empty").into()) } else { Ok(values) }
         };
         let laboratory = file.attr_names()?.iter().any(|name| name == DIMENSIONS);
-        let names = if laboratory { get_text(&file, DIMENSIONS)? } else { "f alpha beta".to_owned() };
+        let names = match laboratory {
+            true => get_text(&file, DIMENSIONS)?,
+            false if file.link_exists(Dimension::SLIDE_ROLL) => format!("{} f alpha beta", Dimension::SLIDE_ROLL),
+            false => "f alpha beta".to_owned(),
+        };
         let dimension = |name: &str| -> hdf5::Result<Dimension> {
             let (values, variable) = (axis(name)?, file.dataset(name)?);
             let [units, long_name] = [get_text(&variable, "units")?, get_text(&variable, "long_name")?];
@@ -138,9 +142,16 @@ impl DataSet {
 
     /// The lengths of the grid.
     pub fn shape(&self) -> GridShape {
-        let mut lengths = self.dimensions.iter().map(|dimension| dimension.values.len());
-        let (strengths, length) = lengths.next().zip(lengths.next_back()).expect("there are at least two dimensions");
-        GridShape { strengths, rows: lengths.product(), length }
+        let lengths: Vec<usize> = self.dimensions.iter().map(|dimension| dimension.values.len()).collect();
+        let (blocks, [rows @ .., length]) = lengths.split_at(self.outer()) else {
+            unreachable!("there are at least two dimensions")
+        };
+        GridShape { blocks: blocks.iter().product(), rows: rows.iter().product(), length: *length }
+    }
+
+    /// How many dimensions make a block of rows: f, behind the slide-to-roll ratio where that is a dimension.
+    pub fn outer(&self) -> usize {
+        1 + usize::from(self.dimensions[0].name == Dimension::SLIDE_ROLL)
     }
 
     /// The number of the place with these indices.
@@ -159,19 +170,16 @@ impl DataSet {
     /// [`StoreError`] if the file cannot be read.
     pub fn numbers(&self) -> Result<Vec<[f64; 3]>, StoreError> {
         let shape = self.shape();
-        let f = &self.dimensions[0].values;
+        let outer = self.outer();
+        let f = &self.dimensions[outer - 1].values;
+        let f = |index: GridIndex| f[index.block % f.len()];
+        let places = (0..shape.places()).map(|place| (place, shape.index(place)));
         if self.laboratory {
             let (alpha, beta) = (self.variable("alpha")?, self.variable("beta")?);
-            return Ok((0..alpha.len()).map(|place| [f[shape.index(place).f], alpha[place], beta[place]]).collect());
+            return Ok(places.map(|(place, index)| [f(index), alpha[place], beta[place]]).collect());
         }
-        let (alpha, beta) = (&self.dimensions[1].values, &self.dimensions[2].values);
-        let mut numbers = Vec::with_capacity(shape.places());
-        for f in f {
-            for alpha in alpha {
-                numbers.extend(beta.iter().map(|beta| [*f, *alpha, *beta]));
-            }
-        }
-        Ok(numbers)
+        let (alpha, beta) = (&self.dimensions[outer].values, &self.dimensions[outer + 1].values);
+        Ok(places.map(|(_, index)| [f(index), alpha[index.row], beta[index.along]]).collect())
     }
 
     /// The values of a column, one for each place; NaN where there is none.
@@ -203,6 +211,17 @@ impl DataSet {
             };
             variable.read_raw::<i8>()?.into_iter().map(known).collect()
         })
+    }
+
+    /// The notes on each place, by the [masks](crate::Note::mask) of those that hold; none in files of earlier versions.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read.
+    pub fn notes(&self) -> Result<Option<Vec<i32>>, StoreError> {
+        match self.file.link_exists("notes") {
+            true => self.on_grid("notes", |variable| variable.read_raw()).map(Some),
+            false => Ok(None),
+        }
     }
 
     /// Why each place failed; empty where it converged.
@@ -301,7 +320,11 @@ fn check_dimensions(dimensions: &[Dimension], laboratory: bool) -> hdf5::Result<
         }
     }
     for Dimension { name, values, .. } in dimensions {
-        let least = if name == LaboratoryQuantity::SlideRollRatio.name() { -2.0 } else { 0.0 };
+        let least = match name.as_str() {
+            Dimension::SLIDE_ROLL => -1.0,
+            name if name == LaboratoryQuantity::SlideRollRatio.name() => -2.0,
+            _ => 0.0,
+        };
         let ascends = values.is_sorted_by(|a, b| a < b) && values[0] >= least;
         if !ascends {
             return refuse(format!("its axis {name} does not ascend from {least} or above"));

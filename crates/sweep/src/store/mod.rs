@@ -28,6 +28,7 @@ mod directory;
 mod entry;
 mod error;
 mod files;
+mod further_columns;
 mod hdf5_file;
 mod history;
 mod index;

@@ -1,7 +1,7 @@
 //! What is published.
 
 use super::{Status, StoreError};
-use crate::{CaseId, Dimension, Values};
+use crate::{CaseId, Dimension, ModelLimits, Values};
 use stribeck_lab::Experiment;
 
 /// A publication: a grid, and the case at each of its places.
@@ -22,11 +22,25 @@ pub struct Publication<'a> {
 pub struct Point {
     /// The case.
     pub case: CaseId,
+    /// The slide-to-roll ratio S there (T52).
+    pub slide_roll: f64,
     /// Its f, α and β, as they belong to the place.
     pub numbers: [f64; 3],
+    /// The case at −S, where bodies are swapped: at all places or at none.
+    pub swapped: Option<CaseId>,
     /// The experiment, if quantities of the laboratory are given: results are in SI units then. At all places or at
     /// none.
     pub experiment: Option<Experiment>,
+    /// What the surfaces and the layer there allow.
+    pub limits: ModelLimits,
+}
+
+impl Point {
+    /// A case of a dimensionless sweep, for a roller that slides without turning.
+    pub fn new(case: CaseId, numbers: [f64; 3]) -> Self {
+        let limits = ModelLimits::default();
+        Self { case, slide_roll: 1.0, numbers, swapped: None, experiment: None, limits }
+    }
 }
 
 impl Publication<'_> {
@@ -39,6 +53,11 @@ impl Publication<'_> {
     pub(super) fn rows(&self) -> usize {
         let shape = self.shape();
         shape[..shape.len() - 1].iter().product()
+    }
+
+    /// True if the slide-to-roll ratio is a dimension of its own.
+    pub(super) fn has_ratios(&self) -> bool {
+        self.dimensions[0].name == Dimension::SLIDE_ROLL
     }
 
     /// The places of a row, which must be as many as the last dimension has values.
@@ -61,6 +80,8 @@ pub(super) struct Place {
     pub status: Status,
     pub reason: String,
     pub values: Values,
-    /// Of the columns of sensitivities; empty if they are not asked for.
-    pub sensitivities: Vec<f64>,
+    /// Of the columns that only some sweeps have.
+    pub more: Vec<f64>,
+    /// The notes on it, by their masks.
+    pub notes: i32,
 }

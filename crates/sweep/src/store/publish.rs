@@ -11,10 +11,10 @@ use super::open_shards::OpenShards;
 use super::publication::{Place, Point, Publication};
 use super::record::{FileRecord, Record};
 use super::results::Results;
-use super::sensitivity_columns::{self, SensitivityColumn};
 use super::tables::{Summary, Timings};
 use super::{Catalog, Contents, PROGRAM, Status, Store, StoreError, clock};
-use crate::{Column, Field, Values};
+use super::{further_columns, sensitivity_columns};
+use crate::{CaseId, Column, Field, Note, Values};
 use stribeck_solver::{Lubricant, shear_traction};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
@@ -158,10 +158,8 @@ impl<'a> Files<'a> {
     ) -> Result<Self, StoreError> {
         let results_path = results.path();
         let first = publication.places(0)?[0].experiment;
-        let more: Vec<SensitivityColumn> = match store.output.sensitivities {
-            true => sensitivity_columns::columns(first.as_ref()),
-            false => Vec::new(),
-        };
+        let more = further_columns::columns(publication, &store.output);
+        let has_ratios = publication.has_ratios();
         Ok(Self {
             store,
             publication,
@@ -169,8 +167,8 @@ impl<'a> Files<'a> {
             results: Results::create(results_path, publication, first.as_ref(), &more, &store.output)
                 .map_err(StoreError::hdf5(results_path, "write"))?,
             results_path,
-            summary: Summary::create(summary.path(), first.as_ref(), &more)?,
-            timings: Timings::create(timings.path())?,
+            summary: Summary::create(summary.path(), has_ratios, first.as_ref(), &more)?,
+            timings: Timings::create(timings.path(), has_ratios)?,
         })
     }
 
@@ -191,19 +189,25 @@ impl<'a> Files<'a> {
     /// Writes what is written place by place: tables and fields. Returns the rest.
     fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
         let scales = point.experiment.map(|experiment| experiment.scales());
+        let slide_roll = point.slide_roll;
+        let swapped = point.swapped.map(|case| self.values(case, -slide_roll)).transpose()?;
         let output = &self.store.output;
         let slot = self.store.index.complete(point.case).expect("the survey found every case");
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let slide_roll = point.experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
         let mut values = asked(reader.values(case), output.limits).at_slide_roll(slide_roll);
-        let sensitivities = match output.sensitivities {
+        let mut more = match output.sensitivities {
             true => {
-                sensitivity_columns::values(reader.sensitivities(case).as_ref(), &values, point.experiment.as_ref())
+                let known = reader.sensitivities(case);
+                sensitivity_columns::values(known.as_ref(), &values, slide_roll, point.experiment.as_ref())
             }
             false => Vec::new(),
         };
+        if let Some(swapped) = swapped {
+            let factor = scales.map_or(1.0, |scales| scales.friction);
+            more.extend(further_columns::averages_of(slide_roll, &values, &swapped).map(|mu| factor * mu));
+        }
         let lubricant = Lubricant {
             beta: point.numbers[2],
             c: values[Column::C],
@@ -215,7 +219,9 @@ impl<'a> Files<'a> {
                 values[column] *= scales.factor(column.units());
             }
         }
-        let place = Place { point, status, reason, values, sensitivities };
+        let notes = Note::of(&values, point.experiment.as_ref(), &point.limits);
+        let notes = notes.fold(0, |notes, note| notes | note.mask());
+        let place = Place { point, status, reason, values, more, notes };
         self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
         for field in Field::selected(output.fields) {
@@ -236,6 +242,13 @@ impl<'a> Files<'a> {
             }
         }
         Ok(place)
+    }
+
+    /// The numbers of a case at a slide-to-roll ratio.
+    fn values(&mut self, case: CaseId, slide_roll: f64) -> Result<Values, StoreError> {
+        let slot = self.store.index.complete(case).expect("the survey found every case");
+        let (shard, row) = self.open.case(case, slot)?;
+        Ok(shard.reader.values(row).at_slide_roll(slide_roll))
     }
 
     fn finish(self) -> Result<(), StoreError> {

@@ -8,13 +8,13 @@ use hdf5::{Dataset, H5Type, Hyperslab, Result, SliceOrIndex};
 use ndarray::{Array2, arr0, aview1};
 
 use super::dimension_scales::{attach, make_scale};
+use super::further_columns::FurtherColumn;
 use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
-use super::sensitivity_columns::SensitivityColumn;
 use super::shard::{CaseText, case_text};
 use super::{PROGRAM, Status};
 use crate::grid_index::indices;
-use crate::{Column, Dimension, Field};
+use crate::{Column, Dimension, Field, Note};
 use stribeck_lab::{Experiment, Scales, si_units};
 use stribeck_solver::Output;
 
@@ -27,10 +27,11 @@ pub(super) struct Results {
     shape: Vec<usize>,
     /// In the order of [`Column::ALL`].
     columns: Vec<Dataset>,
-    sensitivities: Vec<Dataset>,
+    more: Vec<Dataset>,
     laboratory: Option<LaboratoryVariables>,
     case: Dataset,
     status: Dataset,
+    notes: Dataset,
     reason: Dataset,
     /// In the order of [`Field::ALL`].
     fields: [Option<Dataset>; Field::ALL.len()],
@@ -52,11 +53,12 @@ impl Results {
         path: &Path,
         publication: &Publication<'_>,
         experiment: Option<&Experiment>,
-        more: &[SensitivityColumn],
+        more: &[FurtherColumn],
         output: &Output,
     ) -> Result<Self> {
         let mut file = NewFile::create(path)?;
         describe_file(&file, publication)?;
+        file.set_text("cavity_shear", &output.cavity_shear.to_string())?;
         let names: Vec<&str> = publication.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
         if experiment.is_some() {
             file.set_text(DIMENSIONS, &names.join(" "))?;
@@ -73,19 +75,22 @@ impl Results {
         let status = layout.variable::<i8>(&mut file, "status", None, "what became of the case")?;
         status.new_attr_builder().with_data(&Status::ALL.map(Status::code)).create("flag_values")?;
         set_text(&status, "flag_meanings", &Status::ALL.map(Status::name).join(" "))?;
+        let notes = layout.variable::<i32>(&mut file, "notes", None, "where the solution is beyond its model")?;
+        notes.new_attr_builder().with_data(&Note::ALL.map(Note::mask)).create("flag_masks")?;
+        set_text(&notes, "flag_meanings", &Note::ALL.map(Note::name).join(" "))?;
         let why = "why the case failed; empty if it converged";
         let reason = layout.variable::<VarLenUnicode>(&mut file, "reason", None, why)?;
         let mut columns = Vec::with_capacity(Column::ALL.len());
         for column in Column::ALL {
             columns.push(layout.number(&mut file, column.name(), units(column.units()), column.long_name())?);
         }
-        let sensitivities = more
+        let more = more
             .iter()
             .map(|column| layout.number(&mut file, &column.name, "1", &column.long_name))
             .collect::<Result<Vec<_>>>()?;
 
         let fields = layout.fields(&mut file, output, units)?;
-        Ok(Self { shape: layout.shape, columns, sensitivities, laboratory, case, status, reason, fields, file })
+        Ok(Self { shape: layout.shape, columns, more, notes, laboratory, case, status, reason, fields, file })
     }
 
     /// Writes all but the fields of neighbouring rows: those of a range of the last dimension but one, in a block of
@@ -95,8 +100,8 @@ impl Results {
         for (column, variable) in Column::ALL.into_iter().zip(&self.columns) {
             write.to(variable, places.iter().map(|place| place.values[column]))?;
         }
-        for (i, variable) in self.sensitivities.iter().enumerate() {
-            write.to(variable, places.iter().map(|place| place.sensitivities[i]))?;
+        for (i, variable) in self.more.iter().enumerate() {
+            write.to(variable, places.iter().map(|place| place.more[i]))?;
         }
         if let Some(LaboratoryVariables { alpha, beta, scales }) = &self.laboratory {
             write.to(alpha, places.iter().map(|place| place.point.numbers[1]))?;
@@ -107,6 +112,7 @@ impl Results {
             }
         }
         write.to(&self.case, places.iter().map(|place| case_text(place.point.case)))?;
+        write.to(&self.notes, places.iter().map(|place| place.notes))?;
         write.to(&self.status, places.iter().map(|place| place.status.code()))?;
         let reasons = places.iter().map(|place| text(&place.reason)).collect::<Result<Vec<_>>>()?;
         write.to(&self.reason, reasons.into_iter())

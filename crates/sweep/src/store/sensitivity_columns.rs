@@ -1,5 +1,6 @@
 //! The columns of published sensitivities: d ln μ/d ln q for each input q of a case.
 
+use super::further_columns::FurtherColumn;
 use crate::{Column, Values};
 use stribeck_lab::{Experiment, LaboratoryQuantity, Powers};
 use stribeck_solver::Sensitivities;
@@ -22,7 +23,11 @@ impl Input {
     fn all(experiment: Option<&Experiment>) -> Vec<Self> {
         match experiment {
             None => vec![Self::Alpha, Self::Beta, Self::Strength],
-            Some(experiment) => std::iter::once(Self::Strength).chain(experiment.given().map(Self::Quantity)).collect(),
+            Some(experiment) => {
+                // The temperature stands for times and viscosity, which have their own.
+                let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Temperature);
+                std::iter::once(Self::Strength).chain(given.map(Self::Quantity)).collect()
+            }
         }
     }
 
@@ -48,34 +53,27 @@ impl Input {
     }
 }
 
-/// A published column.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct SensitivityColumn {
-    pub(super) name: String,
-    pub(super) long_name: String,
-}
-
 /// The columns of a sweep, those of one friction coefficient together.
-pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<SensitivityColumn> {
+pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<FurtherColumn> {
     let inputs = Input::all(experiment);
     let column = |mu: &Column, input: &Input| {
         let (mu, input) = (mu.name(), input.name());
         let name = format!("dln_{mu}_dln_{input}");
-        SensitivityColumn { name, long_name: format!("relative change of {mu} over that of {input}") }
+        FurtherColumn { name, long_name: format!("relative change of {mu} over that of {input}") }
     };
     FRICTION.iter().flat_map(|mu| inputs.iter().map(|input| column(mu, input)).collect::<Vec<_>>()).collect()
 }
 
-/// Their values for a case with these numbers over a₀/R at the slide-to-roll ratio of the experiment, or S = 1; NaN
-/// without sensitivities, and where μ = 0.
+/// Their values for a case with these numbers over a₀/R at a slide-to-roll ratio; NaN without sensitivities, and where
+/// μ = 0.
 pub(super) fn values(
     sensitivities: Option<&Sensitivities>,
     values: &Values,
+    slide_roll: f64,
     experiment: Option<&Experiment>,
 ) -> Vec<f64> {
     let inputs = Input::all(experiment);
     let Some(sensitivities) = sensitivities else { return vec![f64::NAN; FRICTION.len() * inputs.len()] };
-    let slide_roll = experiment.map_or(1.0, |experiment| experiment.motion.slide_roll());
     let relative = |column: Column, input: &Input| {
         let mu = values[column];
         if mu == 0.0 {
@@ -112,7 +110,7 @@ fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stribeck_lab::{Modulus, Motion};
+    use stribeck_lab::{Modulus, Motion, Roller};
 
     /// μ_v, μ_h and P, and what is made of them.
     fn friction(mu_v: f64, mu_h: f64, pressure: f64) -> Values {
@@ -137,6 +135,8 @@ mod tests {
             retardation_time: 0.1,
             motion: Motion::Sliding { speed: 0.01 },
             f: 3.0,
+            roller: Roller::RIGID,
+            temperature: None,
         };
         let sensitivities = Sensitivities {
             viscoelastic: [0.1, 0.2, 0.3],
@@ -144,7 +144,7 @@ mod tests {
             pressure: [-0.1, 0.3, -0.2],
         };
         let names: Vec<String> = columns(Some(&experiment)).into_iter().map(|column| column.name).collect();
-        let values = values(Some(&sensitivities), &friction(0.5, 0.25, -0.125), Some(&experiment));
+        let values = values(Some(&sensitivities), &friction(0.5, 0.25, -0.125), 1.0, Some(&experiment));
         assert_eq!(names.len(), values.len());
         let of = |mu: &str, input: &str| {
             values[names.iter().position(|name| *name == format!("dln_{mu}_dln_{input}")).expect(input)]
@@ -168,7 +168,7 @@ mod tests {
     fn dimensionless_cases_have_their_own_derivatives() {
         let sensitivities =
             Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.4, -0.5, 0.6], pressure: [-0.1, 0.2, -0.3] };
-        let values = values(Some(&sensitivities), &friction(0.0, 0.5, -0.25), None);
+        let values = values(Some(&sensitivities), &friction(0.0, 0.5, -0.25), 1.0, None);
         assert!(values[..3].iter().all(|value| value.is_nan()), "mu_v is 0");
         let rows =
             [[0.8, -1.0, 1.2], [0.8, -1.0, 1.2], [0.6, -0.9, 1.2], [0.4, -0.8, 1.2], [0.5 / 0.75, -0.7 / 0.75, 1.2]];
@@ -176,6 +176,6 @@ mod tests {
             assert!((value - expected).abs() < 1e-15, "{values:?}");
         }
         assert_eq!(columns(None)[8].name, "dln_mu_tot_dln_f");
-        assert!(super::values(None, &Values::UNKNOWN, None).iter().all(|value| value.is_nan()));
+        assert!(super::values(None, &Values::UNKNOWN, 1.0, None).iter().all(|value| value.is_nan()));
     }
 }

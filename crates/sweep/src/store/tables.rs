@@ -6,10 +6,10 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use super::StoreError;
+use super::further_columns::FurtherColumn;
 use super::publication::{Place, Point};
 use super::record::CaseRecord;
-use super::sensitivity_columns::SensitivityColumn;
-use crate::Column;
+use crate::{Column, Dimension};
 use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
 
 /// A table under a temporary name.
@@ -18,14 +18,19 @@ struct Table {
     path: PathBuf,
     /// The text of a field while it is made.
     text: String,
+    /// True if rows have the slide-to-roll ratio before f.
+    has_ratios: bool,
 }
 
 impl Table {
-    fn create(path: &Path, header: impl IntoIterator<Item = impl Display>) -> Result<Self, StoreError> {
+    /// With a header behind the case and its parameters.
+    fn create(path: &Path, has_ratios: bool, header: impl Iterator<Item = String>) -> Result<Self, StoreError> {
         let file = File::create(path).map_err(StoreError::file(path, "create"))?;
         let writer = csv::Writer::from_writer(BufWriter::new(file));
-        let mut table = Self { writer, path: path.to_owned(), text: String::new() };
-        for name in header {
+        let mut table = Self { writer, path: path.to_owned(), text: String::new(), has_ratios };
+        let ratio = has_ratios.then_some(Dimension::SLIDE_ROLL);
+        let parameters = ["case"].into_iter().chain(ratio).chain(["f", "alpha", "beta"]);
+        for name in parameters.map(str::to_owned).chain(header) {
             table.field(name)?;
         }
         table.end_row()?;
@@ -41,6 +46,7 @@ impl Table {
     /// A case and its parameters, as each row begins.
     fn begin_row(&mut self, point: &Point) -> Result<(), StoreError> {
         self.field(point.case)?;
+        self.numbers(self.has_ratios.then_some(point.slide_roll))?;
         self.numbers(point.numbers)
     }
 
@@ -69,18 +75,18 @@ fn failure(path: &Path, error: csv::Error) -> StoreError {
 pub(super) struct Summary(Table);
 
 impl Summary {
-    /// With the quantities and scales of an experiment, if there is one, and the columns of sensitivities.
+    /// With the quantities and scales of an experiment, if there is one, and further columns.
     pub(super) fn create(
         path: &Path,
+        has_ratios: bool,
         experiment: Option<&Experiment>,
-        more: &[SensitivityColumn],
+        more: &[FurtherColumn],
     ) -> Result<Self, StoreError> {
         let quantities = experiment.into_iter().flat_map(Experiment::given).map(LaboratoryQuantity::name);
         let columns = Column::summary().map(Column::name);
         let scales = experiment.into_iter().flat_map(|_| Scales::VARIABLES).map(|(name, ..)| name);
-        let header = ["case", "f", "alpha", "beta"].into_iter().chain(quantities).chain(["status", "reason"]);
-        let header = header.chain(columns).chain(scales).map(str::to_owned);
-        Table::create(path, header.chain(more.iter().map(|column| column.name.clone()))).map(Self)
+        let header = quantities.chain(["status", "reason"]).chain(columns).chain(scales).map(str::to_owned);
+        Table::create(path, has_ratios, header.chain(more.iter().map(|column| column.name.clone()))).map(Self)
     }
 
     pub(super) fn row(&mut self, place: &Place) -> Result<(), StoreError> {
@@ -95,7 +101,7 @@ impl Summary {
         if let Some(experiment) = experiment {
             table.numbers(experiment.scales().values())?;
         }
-        table.numbers(place.sensitivities.iter().copied())?;
+        table.numbers(place.more.iter().copied())?;
         table.end_row()
     }
 
@@ -108,9 +114,9 @@ impl Summary {
 pub(super) struct Timings(Table);
 
 impl Timings {
-    pub(super) fn create(path: &Path) -> Result<Self, StoreError> {
-        let header = ["case", "f", "alpha", "beta", "seconds", "iterations", "factorisations", "seed", "status"];
-        Table::create(path, header).map(Self)
+    pub(super) fn create(path: &Path, has_ratios: bool) -> Result<Self, StoreError> {
+        let header = ["seconds", "iterations", "factorisations", "seed", "status"];
+        Table::create(path, has_ratios, header.into_iter().map(str::to_owned)).map(Self)
     }
 
     pub(super) fn row(&mut self, place: &Place, case: &CaseRecord) -> Result<(), StoreError> {

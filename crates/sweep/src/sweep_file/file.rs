@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use super::bodies::{self, ReadBodies};
 use super::sections::{home, keys, section};
-use super::specification::Sweep;
-use super::substrate::{self, MaterialDefaults, ReadSubstrate};
+use super::specification::{Method, Sweep};
 use super::{laboratory, output, solver};
 use crate::{Axes, Grid};
 use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
@@ -41,18 +41,18 @@ impl Sweep {
 fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
     let document = stribeck_input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
-    let read_substrate = root.get("substrate").map(|entry| substrate::read(&entry)).transpose()?;
-    let ReadSubstrate { substrate, material } = read_substrate.unwrap_or_default();
-    let grid = read_grid(&root, &material)?;
+    let bodies = bodies::read(&root)?;
+    let grid = read_grid(&root, &bodies)?;
     let title = root.get("title").map(|title| read_title(&title)).transpose()?;
     let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
     // what can be asked for depends on the method
     let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
     check_fields(&root, &grid, &output)?;
+    check_bodies(&root, &bodies, solver.method, &output)?;
     Ok(Sweep {
         title: title.unwrap_or_else(|| printable(name).into_owned()),
         grid,
-        substrate,
+        substrate: bodies.substrate,
         solver,
         output,
         text: text.to_owned(),
@@ -62,16 +62,39 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
 
 /// Refuses the shear on a roller that turns without the film that it follows from.
 fn check_fields(root: &Section<'_>, grid: &Grid, output: &Output) -> Result<(), Fault> {
-    let rolls = matches!(grid, Grid::Laboratory(axes) if axes.rolls());
+    let rolls = match grid {
+        Grid::Laboratory(axes) => axes.rolls(),
+        Grid::Dimensionless(axes) => axes.slide_roll.is_some(),
+    };
     if !(rolls && output.fields.shear_traction) || output.fields.film_thickness {
         return Ok(());
     }
     let help = "add \"film_thickness\" to output.fields";
     let output = root.require("output", help)?;
     let entry = section(&output)?.require("fields", help)?;
-    let what = "where the roller's speed is given `shear_traction` follows from the film: `output.fields` needs \
+    let what = "where the roller may turn `shear_traction` follows from the film: `output.fields` needs \
                 `film_thickness` too";
     Err(entry.fault(what, "no film_thickness among them", help))
+}
+
+/// Refuses what is not computed of a soft roller.
+fn check_bodies(root: &Section<'_>, bodies: &ReadBodies, method: Method, output: &Output) -> Result<(), Fault> {
+    let of_roller = bodies.substrate.of_roller();
+    let is_soft = of_roller > 0 || !bodies.roller.is_rigid();
+    let both_retard = match bodies.roller.is_rigid() {
+        true => of_roller > 0 && of_roller < bodies.substrate.modes().len(),
+        false => bodies.roller.f > 0.0 && bodies.flat.f != Some(0.0),
+    };
+    let entry = || root.require("roller", "it was read");
+    if method == Method::Relaxation && both_retard {
+        let what = "the relaxation method does not tell the hysteresis of two viscoelastic bodies apart";
+        return Err(entry()?.fault(what, "beside a viscoelastic flat", "take method = \"collocation\"").unquoted());
+    }
+    if is_soft && output.sensitivities {
+        let what = "`sensitivities` are derivatives for a rigid roller, and this one is soft";
+        return Err(entry()?.fault(what, "a soft roller", "remove `sensitivities` from [output]").unquoted());
+    }
+    Ok(())
 }
 
 /// Reads a title.
@@ -87,15 +110,18 @@ pub fn read_title(entry: &Entry<'_>) -> Result<String, Fault> {
 }
 
 /// Reads `[axes]`, or `[laboratory]` with f in either.
-fn read_grid(root: &Section<'_>, material: &MaterialDefaults) -> Result<Grid, Fault> {
+fn read_grid(root: &Section<'_>, bodies: &ReadBodies) -> Result<Grid, Fault> {
     let Some(laboratory) = root.get("laboratory") else {
-        return read_axes(&root.require("axes", AXES_EXAMPLE)?, material.f).map(Grid::Dimensionless);
+        let entry = root.require("axes", AXES_EXAMPLE)?;
+        let axes = read_axes(&entry, bodies.flat.f)?;
+        check_ratios(&entry, &axes, bodies.substrate.of_roller() > 0)?;
+        return Ok(Grid::Dimensionless(axes));
     };
     let axis_of_f = match root.get("axes") {
         None => None,
         Some(entry) => {
             let axes = section(&entry)?;
-            if let Some(other) = ["alpha", "beta"].into_iter().find_map(|key| axes.get(key)) {
+            if let Some(other) = ["slide_roll", "alpha", "beta"].into_iter().find_map(|key| axes.get(key)) {
                 let what = format!("`{}` may not stand beside [laboratory], which it follows from", other.path());
                 let help = "remove it; an axis of [laboratory], the speed for instance, takes its place";
                 return Err(other.fault(what, "follows from [laboratory]", help));
@@ -103,7 +129,22 @@ fn read_grid(root: &Section<'_>, material: &MaterialDefaults) -> Result<Grid, Fa
             axes.get("f").map(|entry| read_axis(&entry, Quantity::Strength)).transpose()?
         }
     };
-    laboratory::read(&laboratory, axis_of_f, material).map(Grid::Laboratory)
+    laboratory::read(&laboratory, axis_of_f, bodies).map(Grid::Laboratory)
+}
+
+/// Refuses what a ratio S makes of bodies at rest: at S = −1 the flat rests and is relaxed, whatever the axis α says.
+fn check_ratios(entry: &Entry<'_>, axes: &Axes, roller_retards: bool) -> Result<(), Fault> {
+    let rests = axes.slide_roll.as_ref().is_some_and(|ratios| ratios[0] == -1.0);
+    let ratios = section(entry)?.get("slide_roll");
+    let Some(ratios) = ratios.filter(|_| rests) else { return Ok(()) };
+    let relaxed = axes.alpha == [f64::INFINITY] || axes.f == [0.0];
+    if relaxed && !roller_retards {
+        return Ok(());
+    }
+    let what = "at a slide-to-roll ratio of -1 the flat is at rest in the contact, where alpha is infinite: \
+                `axes.alpha` must be [inf] then";
+    let help = "begin above -1, or write alpha = [inf]; a soft roller over a flat at rest is a sweep of [laboratory]";
+    Err(ratios.fault(what, "-1 beside a finite alpha", help).unquoted())
 }
 
 /// Reads `[axes]`; f may be left out where a material has its own.
@@ -116,6 +157,7 @@ pub fn read_axes(entry: &Entry<'_>, own_f: Option<f64>) -> Result<Axes, Fault> {
         read_axis(&section.require(key, &help)?, quantity)
     };
     let axes = Axes {
+        slide_roll: section.get("slide_roll").map(|entry| read_axis(&entry, Quantity::SlideRoll)).transpose()?,
         f: match own_f.filter(|_| section.get("f").is_none()) {
             Some(f) => vec![f],
             None => axis("f", Quantity::Strength)?,
@@ -124,10 +166,13 @@ pub fn read_axes(entry: &Entry<'_>, own_f: Option<f64>) -> Result<Axes, Fault> {
         beta: axis("beta", Quantity::InverseHersey)?,
     };
     let [f, alpha, beta] = [axes.f.len(), axes.alpha.len(), axes.beta.len()];
-    let cases = f as u128 * alpha as u128 * beta as u128;
+    let ratios = axes.slide_roll.as_ref().map_or(1, Vec::len);
+    let cases = ratios as u128 * f as u128 * alpha as u128 * beta as u128;
     if cases > MOST_CASES {
-        let what =
-            format!("a sweep may have at most {MOST_CASES} cases, this one has {f} f x {alpha} alpha x {beta} beta");
+        let what = format!(
+            "a sweep may have at most {MOST_CASES} cases, this one has {}{f} f x {alpha} alpha x {beta} beta",
+            if ratios > 1 { format!("{ratios} slide_roll x ") } else { String::new() }
+        );
         return Err(section.fault(
             what,
             format!("{cases} cases"),

@@ -1,10 +1,12 @@
 //! The section `[laboratory]` of a sweep file: quantities with units in place of α and β.
 
+use super::bodies::ReadBodies;
 use super::sections::section;
 use super::substrate::MaterialDefaults;
-use crate::{Given, LaboratoryAxes};
-use stribeck_input::{Entry, Fault, Quantity, Section, Varying, read_varying};
-use stribeck_lab::LaboratoryQuantity;
+use super::temperature::read_viscosity;
+use crate::{Given, LaboratoryAxes, ModelLimits};
+use stribeck_input::{Entry, Fault, Quantity, Section, Values, Varying, read_varying};
+use stribeck_lab::{Dimension, LaboratoryQuantity, TemperatureLaws};
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
 const MOST_PLACES: u128 = 10_000_000;
@@ -13,18 +15,27 @@ const MOST_PLACES: u128 = 10_000_000;
 pub(super) fn read(
     entry: &Entry<'_>,
     axis_of_f: Option<Vec<f64>>,
-    material: &MaterialDefaults,
+    bodies: &ReadBodies,
 ) -> Result<LaboratoryAxes, Fault> {
     let section = section(entry)?;
-    let f = read_strengths(&section, axis_of_f, material)?;
+    let material = &bodies.flat;
+    if bodies.flat_is_rigid {
+        refuse_softness(&section, axis_of_f.is_some())?;
+    }
+    let f = read_strengths(&section, axis_of_f, bodies)?;
     let speeds = form_of_motion(&section)?;
+    let entry_of_viscosity = section.get(LaboratoryQuantity::Viscosity.name());
+    let viscosity = entry_of_viscosity.map(|entry| read_viscosity(&entry)).transpose()?.flatten();
     let mut given = Vec::new();
     for quantity in LaboratoryQuantity::ALL {
         let is_speed = LaboratoryQuantity::SPEEDS.contains(&quantity);
         if is_speed && !speeds.contains(&quantity) {
             continue;
         }
-        let read = read_quantity(&section, quantity, material, &f)?;
+        let read = match viscosity.filter(|_| quantity == LaboratoryQuantity::Viscosity) {
+            Some((value, _)) => Some(Varying::Fixed(value)),
+            None => read_quantity(&section, quantity, material, &f)?,
+        };
         let Some(varying) = read else { continue };
         // Results run along the last speed, be it one number.
         let last = speeds.last() == Some(&quantity);
@@ -34,7 +45,14 @@ pub(super) fn read(
         });
     }
     check_that_something_moves(&section, &given)?;
-    let axes = LaboratoryAxes { f, given };
+    let swap = read_swap(&section, &mut given)?;
+    let length = |key: &str| section.get(key).map(|entry| Dimension::Length.read(&entry)).transpose();
+    let limits = ModelLimits { roughness: length("roughness")?, thickness: length("thickness")? };
+    let (roller, roller_spectrum) = (bodies.roller, bodies.roller_spectrum.clone());
+    let [flat, roller_shift] = bodies.shifts;
+    let laws = TemperatureLaws { flat, roller: roller_shift, viscosity: viscosity.map(|(_, law)| law) };
+    check_temperatures(&section, &given, &laws)?;
+    let axes = LaboratoryAxes { f, given, roller, roller_spectrum, swap, limits, laws };
     let lengths = axes.dimensions().into_iter().map(|dimension| dimension.values.len() as u128);
     let places = lengths.fold(1, u128::saturating_mul);
     if places > MOST_PLACES {
@@ -63,6 +81,60 @@ fn form_of_motion(section: &Section<'_>) -> Result<&'static [LaboratoryQuantity]
     Ok(form)
 }
 
+/// Refuses temperatures that change nothing, or that a law does not hold at.
+fn check_temperatures(section: &Section<'_>, given: &[Given], laws: &TemperatureLaws) -> Result<(), Fault> {
+    let Some(entry) = section.get(LaboratoryQuantity::Temperature.name()) else { return Ok(()) };
+    if *laws == TemperatureLaws::default() {
+        let what = "nothing changes with `laboratory.temperature`";
+        let help = "give [flat] a `shift`, or the viscosity a law (docs/sweep-file.md), or remove the temperature";
+        return Err(entry.fault(what, "without a law", help).unquoted());
+    }
+    let temperatures = given.iter().filter(|given| given.quantity == LaboratoryQuantity::Temperature);
+    let Some(outside) = temperatures.flat_map(|given| &given.values).find(|value| !laws.admit(**value)) else {
+        return Ok(());
+    };
+    let what = format!("a law of temperature has no value at {outside} K");
+    let help = "a table of viscosities holds between its ends, the law of WLF above its reference less c2";
+    Err(entry.fault(what, "beyond a law", help).unquoted())
+}
+
+/// Refuses moduli and times of a flat that is rigid.
+fn refuse_softness(section: &Section<'_>, has_axis_of_f: bool) -> Result<(), Fault> {
+    let keys = ["relaxed_modulus", "instantaneous_modulus", "poisson_ratio", "retardation_time", "f"];
+    let what = "says nothing of a rigid flat";
+    let help = "remove it, or `rigid` from the flat";
+    match keys.into_iter().find_map(|key| section.get(key)) {
+        Some(entry) => Err(entry.fault(format!("`{}` {what}", entry.path()), "beside a rigid flat", help)),
+        None if has_axis_of_f => Err(section.fault(format!("`axes.f` {what}"), "beside a rigid flat", help)),
+        None => Ok(()),
+    }
+}
+
+/// Reads `swap`: each slide-to-roll ratio gets the opposite one beside it.
+fn read_swap(section: &Section<'_>, given: &mut [Given]) -> Result<bool, Fault> {
+    let Some(entry) = section.get("swap") else { return Ok(false) };
+    if !entry.boolean()? {
+        return Ok(false);
+    }
+    let ratio = given.iter_mut().find(|given| given.quantity == LaboratoryQuantity::SlideRollRatio);
+    let Some(ratio) = ratio else {
+        let what = "`swap` runs each case with the faster and the slower body swapped, for which it needs \
+                    `slide_roll_ratio`";
+        let help = "give `entrainment_speed` and `slide_roll_ratio` in place of the other speeds, or remove `swap`";
+        return Err(entry.fault(what, "without a slide-to-roll ratio", help));
+    };
+    if ratio.values[0] < 0.0 {
+        let what = "with `swap` ratios are given from 0 on: the opposite ones are added";
+        let help = "leave out the ratios below 0";
+        let entry = section.require(LaboratoryQuantity::SlideRollRatio.name(), help)?;
+        return Err(entry.fault(what, "below 0", help).unquoted());
+    }
+    let opposite = ratio.values.iter().rev().filter(|value| **value > 0.0).map(|value| -value);
+    ratio.values = opposite.chain(ratio.values.iter().copied()).collect();
+    ratio.is_axis = true;
+    Ok(true)
+}
+
 /// Refuses places at which neither surface moves.
 fn check_that_something_moves(section: &Section<'_>, given: &[Given]) -> Result<(), Fault> {
     use LaboratoryQuantity as Q;
@@ -76,12 +148,8 @@ fn check_that_something_moves(section: &Section<'_>, given: &[Given]) -> Result<
 }
 
 /// f, from `[laboratory]`, from `[axes]`, or that of the material.
-fn read_strengths(
-    section: &Section<'_>,
-    axis_of_f: Option<Vec<f64>>,
-    material: &MaterialDefaults,
-) -> Result<Vec<f64>, Fault> {
-    match (section.get("f"), axis_of_f, material.f) {
+fn read_strengths(section: &Section<'_>, axis_of_f: Option<Vec<f64>>, bodies: &ReadBodies) -> Result<Vec<f64>, Fault> {
+    match (section.get("f"), axis_of_f, bodies.flat.f) {
         (Some(entry), Some(_), _) => {
             let help = "remove one of the two";
             Err(entry.fault("f may stand in [laboratory] or in [axes], not in both", "also in [axes]", help))
@@ -92,9 +160,10 @@ fn read_strengths(
         }),
         (None, Some(values), _) => Ok(values),
         (None, None, Some(f)) => Ok(vec![f]),
+        (None, None, None) if bodies.flat_is_elastic && section.get("retardation_time").is_none() => Ok(vec![0.0]),
         (None, None, None) => {
             let help = "add f = 10.0, say: f = E0/Einf - 1, the instantaneous modulus over the relaxed one, less 1; or \
-                        describe the material by `relaxation` in [substrate]";
+                        describe the material by `relaxation` in [flat]";
             Err(section.fault("[laboratory] needs `f`, which is missing", "`f` is missing", help))
         }
     }
@@ -118,8 +187,15 @@ fn read_quantity(
     }
     let default = match quantity {
         Q::RelaxedModulus if section.get(Q::InstantaneousModulus.name()).is_some() => return Ok(None),
+        Q::RelaxedModulus if material.instantaneous_modulus.is_some() => return Ok(None),
         Q::RelaxedModulus => material.relaxed_modulus,
-        Q::InstantaneousModulus => return Ok(None),
+        Q::InstantaneousModulus => match material.instantaneous_modulus {
+            Some(_) if section.get(Q::RelaxedModulus.name()).is_some() => return Ok(None),
+            None => return Ok(None),
+            own => own,
+        },
+        Q::PoissonRatio => material.poisson_ratio,
+        Q::Temperature => return Ok(None),
         // An elastic substrate responds at once: α = ∞.
         Q::RetardationTime => material.retardation_time.or((f == [0.0]).then_some(0.0)),
         _ => None,
@@ -136,6 +212,7 @@ fn read_quantity(
                 Q::PoissonRatio => "poisson_ratio = 0.5",
                 Q::Viscosity => "viscosity = \"5.1 Pa s\"",
                 Q::RetardationTime => "retardation_time = \"20 ms\"",
+                Q::Temperature => "temperature = \"20 degC\"",
                 Q::Speed => "speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }",
                 Q::EntrainmentSpeed => {
                     "entrainment_speed = { from = \"0.1 mm/s\", to = \"100 mm/s\", points = 31, scale = \"log\" }"

@@ -8,9 +8,12 @@
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
 //! | `sections` | the sections of a sweep file and their keys |
-//! | `laboratory`, `substrate`, `solver`, `output` | a reader for each section of these names |
+//! | `laboratory`, `solver`, `output` | a reader for each section of these names |
+//! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
+//! | `temperature` | the readers of laws of temperature |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
+mod bodies;
 mod file;
 mod laboratory;
 mod output;
@@ -18,6 +21,7 @@ mod sections;
 mod solver;
 mod specification;
 mod substrate;
+mod temperature;
 
 pub use file::{read_axes, read_title};
 pub use solver::{read_error, read_points};

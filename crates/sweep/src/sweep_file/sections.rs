@@ -3,9 +3,9 @@
 use stribeck_input::{Entry, Fault, Section};
 
 /// The tables of a sweep file and their keys; the first one is the top level.
-const SECTIONS: [(&str, &[&str]); 7] = [
-    ("", &["title", "axes", "laboratory", "substrate", "solver", "output"]),
-    ("axes", &["f", "alpha", "beta"]),
+const SECTIONS: [(&str, &[&str]); 9] = [
+    ("", &["title", "axes", "laboratory", "substrate", "flat", "roller", "solver", "output"]),
+    ("axes", &["slide_roll", "f", "alpha", "beta"]),
     (
         "laboratory",
         &[
@@ -16,18 +16,37 @@ const SECTIONS: [(&str, &[&str]); 7] = [
             "poisson_ratio",
             "viscosity",
             "retardation_time",
+            "temperature",
             "speed",
             "entrainment_speed",
             "slide_roll_ratio",
             "roller_speed",
             "flat_speed",
             "f",
+            "swap",
+            "roughness",
+            "thickness",
         ],
     ),
-    ("substrate", &["modes", "relaxation", "relaxed_modulus", "instantaneous_modulus"]),
+    ("substrate", BODY),
+    ("flat", BODY),
+    ("roller", BODY),
     ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
     ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
     ("output", &["fields", "x", "limits", "cavity_shear", "sensitivities"]),
+];
+
+/// The keys of a body.
+const BODY: &[&str] = &[
+    "rigid",
+    "modes",
+    "relaxation",
+    "relaxed_modulus",
+    "instantaneous_modulus",
+    "poisson_ratio",
+    "f",
+    "retardation_time",
+    "shift",
 ];
 
 /// The keys of a section.

@@ -1,4 +1,4 @@
-//! The section `[substrate]` of a sweep file.
+//! The retardation spectrum of a body, in `[flat]` (or `[substrate]`, its other name) and `[roller]` of a sweep file.
 
 use super::sections::section;
 use stribeck_input::{Entry, Fault, Section, Values};
@@ -12,11 +12,15 @@ const MODES: &str = "write modes = [{ share = 0.7, time = 1.0 }, { share = 0.3, 
 const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\" }, \
                      { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the instantaneous modulus";
 
-/// What a material says of itself, for what `[laboratory]` leaves out.
+/// What a body says of itself, for what `[laboratory]` leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MaterialDefaults {
     /// E∞ (Pa).
     pub relaxed_modulus: Option<f64>,
+    /// E₀ (Pa), where that is given and E∞ is not.
+    pub instantaneous_modulus: Option<f64>,
+    /// ν.
+    pub poisson_ratio: Option<f64>,
     /// f.
     pub f: Option<f64>,
     /// τ (s).
@@ -28,34 +32,72 @@ pub struct MaterialDefaults {
 pub struct ReadSubstrate {
     /// The retardation spectrum.
     pub substrate: Substrate,
-    /// Of a material: modulus, f and retardation time.
+    /// Of a material: moduli, f and retardation time.
     pub material: MaterialDefaults,
+    /// True if `modes` or `relaxation` is there.
+    pub has_spectrum: bool,
 }
 
-/// Reads `[substrate]`: retardation modes, or a material by its relaxation.
+/// Reads the substrate of dimensionless cases: retardation modes, or a material by its relaxation.
 pub fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
     let section = section(entry)?;
-    match (section.get("modes"), section.get("relaxation")) {
-        (Some(_), Some(relaxation)) => {
-            let what = "[substrate] may have `modes` or `relaxation`, not both";
-            Err(relaxation.fault(what, "both are there", "remove one of the two: each describes the whole substrate"))
+    refuse_quantities(&section)?;
+    read_spectrum(&section, entry.path())
+}
+
+/// Refuses what says nothing of dimensionless cases: moduli without relaxation, and other quantities.
+pub(super) fn refuse_quantities(section: &Section<'_>) -> Result<(), Fault> {
+    if let Some(other) =
+        ["rigid", "poisson_ratio", "f", "retardation_time", "shift"].into_iter().find_map(|key| section.get(key))
+    {
+        let what = format!("`{}` goes with [laboratory], which is not there", other.path());
+        let help = "sweeps over alpha, beta and f need the `modes` of their bodies alone: remove it";
+        return Err(other.fault(what, "without [laboratory]", help));
+    }
+    let modulus = ["relaxed_modulus", "instantaneous_modulus"].into_iter().find_map(|key| section.get(key));
+    match modulus.filter(|_| section.get("relaxation").is_none()) {
+        None => Ok(()),
+        Some(modulus) => {
+            let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
+            let help = "beside `modes` the modulus stands in [laboratory]: move it there";
+            Err(modulus.fault(what, "without `relaxation`", help))
         }
-        (modes, None) => {
-            if let Some(modulus) =
-                ["relaxed_modulus", "instantaneous_modulus"].into_iter().find_map(|key| section.get(key))
-            {
-                let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
-                let help = "beside `modes` the modulus stands in [laboratory]: move it there";
-                return Err(modulus.fault(what, "without `relaxation`", help));
-            }
-            let substrate = modes.map(|modes| read_modes(&modes)).transpose()?.unwrap_or_default();
-            Ok(ReadSubstrate { substrate, material: MaterialDefaults::default() })
-        }
-        (None, Some(relaxation)) => read_relaxation(&section, &relaxation),
     }
 }
 
-fn read_modes(modes_entry: &Entry<'_>) -> Result<Substrate, Fault> {
+/// Reads `modes` or `relaxation` of the section of a body.
+pub(super) fn read_spectrum(section: &Section<'_>, name: &str) -> Result<ReadSubstrate, Fault> {
+    match (section.get("modes"), section.get("relaxation")) {
+        (Some(_), Some(relaxation)) => {
+            let what = format!("[{name}] may have `modes` or `relaxation`, not both");
+            Err(relaxation.fault(what, "both are there", "remove one of the two: each describes the whole substrate"))
+        }
+        (None, None) => Ok(ReadSubstrate::default()),
+        (Some(modes), None) => {
+            let substrate = substrate_of(&modes, read_modes(&modes)?, Vec::new())?;
+            Ok(ReadSubstrate { substrate, has_spectrum: true, ..ReadSubstrate::default() })
+        }
+        (None, Some(relaxation)) => read_relaxation(section, name, &relaxation),
+    }
+}
+
+/// The substrate of modes of both bodies; `entry` is where they stand.
+pub(super) fn substrate_of(
+    entry: &Entry<'_>,
+    flat: Vec<RetardationMode>,
+    roller: Vec<RetardationMode>,
+) -> Result<Substrate, Fault> {
+    Substrate::of_two_bodies(flat, roller).map_err(|error| {
+        let section = entry.path().split('.').next().unwrap_or_default();
+        let help = format!(
+            "scale the shares so that they add up to 1, those of flat and roller together; for the usual single \
+             retardation time leave [{section}] out"
+        );
+        entry.fault(format!("`{}`: {error}", entry.path()), "these modes", help).unquoted()
+    })
+}
+
+pub(super) fn read_modes(modes_entry: &Entry<'_>) -> Result<Vec<RetardationMode>, Fault> {
     let read_mode = |mode: Entry<'_>| {
         let mode = mode.section(&["share", "time"], |_| None)?;
         let [share_entry, time_entry] = [mode.require("share", MODES)?, mode.require("time", MODES)?];
@@ -70,12 +112,7 @@ fn read_modes(modes_entry: &Entry<'_>) -> Result<Substrate, Fault> {
         }
         Ok(RetardationMode { share, time })
     };
-    let modes = modes_entry.require_list(MODES)?.map(read_mode).collect::<Result<Vec<_>, _>>()?;
-    Substrate::new(modes).map_err(|error| {
-        let help =
-            "scale the shares so that they add up to 1; for the usual single retardation time leave [substrate] out";
-        modes_entry.fault(format!("`substrate.modes`: {error}"), "these modes", help).unquoted()
-    })
+    modes_entry.require_list(MODES)?.map(read_mode).collect()
 }
 
 /// Part of a modulus that a term has: in Pa, or of the instantaneous modulus.
@@ -85,7 +122,7 @@ enum Part {
     Fraction(f64),
 }
 
-fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
+fn read_relaxation(section: &Section<'_>, name: &str, entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
     let read_term = |term: Entry<'_>| {
         let keys = term.section(&["modulus", "fraction", "time"], |_| None)?;
         let time = Dimension::Time.read(&keys.require("time", TERMS)?)?;
@@ -99,7 +136,7 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
     };
     let list = entry.require_list(TERMS)?;
     if list.len() > MOST_TERMS {
-        let what = format!("`substrate.relaxation` may have at most {MOST_TERMS} terms, not {}", list.len());
+        let what = format!("`{}` may have at most {MOST_TERMS} terms, not {}", entry.path(), list.len());
         let help = "one or two for each decade of time describe any material";
         return Err(entry.fault(what, "too many terms", help).unquoted());
     }
@@ -110,7 +147,7 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
             .fault("terms have `modulus` or `fraction`, all of them the same", "both are there", TERMS)
             .unquoted());
     }
-    let given = given_modulus(section)?;
+    let given = given_modulus(section, name)?;
     // Fractions alone say nothing of the modulus: f and the times are the same whatever it is.
     let is_known = given.is_some();
     let parts: f64 = terms.iter().map(|(Part::Modulus(part) | Part::Fraction(part), _)| part).sum();
@@ -118,7 +155,7 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
         (None, true) => (1.0 - parts, 1.0),
         (None, false) => {
             let help = "add relaxed_modulus = \"1 MPa\", the modulus after a long time, or instantaneous_modulus";
-            return Err(section.fault("[substrate] needs a modulus beside `relaxation`", "no modulus", help));
+            return Err(section.fault(format!("[{name}] needs a modulus beside `relaxation`"), "no modulus", help));
         }
         (Some(Given::Relaxed(modulus)), false) => (modulus, 1.0),
         (Some(Given::Relaxed(modulus)), true) => (modulus, modulus / (1.0 - parts)),
@@ -126,7 +163,7 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
         (Some(Given::Instantaneous(modulus)), true) => (modulus * (1.0 - parts), modulus),
     };
     if parts.is_nan() || (fractions > 0 && parts >= 1.0) || relaxed <= 0.0 {
-        let what = "the terms of `substrate.relaxation` must leave a relaxed modulus above 0";
+        let what = format!("the terms of `{}` must leave a relaxed modulus above 0", entry.path());
         let help = "the parts of all terms together are less than the instantaneous modulus (less than 1 as fractions): a \
                     solid keeps a load for ever; what flows at last is no substrate here";
         return Err(entry.fault(what, "nothing is left", help).unquoted());
@@ -136,14 +173,15 @@ fn read_relaxation(section: &Section<'_>, entry: &Entry<'_>) -> Result<ReadSubst
         RelaxationTerm { modulus: part * unit, time: *time }
     };
     let relaxation = Relaxation::new(relaxed, terms.iter().map(term).collect())
-        .map_err(|error| entry.fault(format!("`substrate.relaxation`: {error}"), "these terms", TERMS).unquoted())?;
+        .map_err(|error| entry.fault(format!("`{}`: {error}", entry.path()), "these terms", TERMS).unquoted())?;
     let Material { relaxed_modulus, f, retardation_time, substrate } = relaxation.material();
     let material = MaterialDefaults {
         relaxed_modulus: is_known.then_some(relaxed_modulus),
         f: Some(f),
         retardation_time: Some(retardation_time),
+        ..MaterialDefaults::default()
     };
-    Ok(ReadSubstrate { substrate, material })
+    Ok(ReadSubstrate { substrate, material, has_spectrum: true })
 }
 
 fn read_fraction(entry: &Entry<'_>) -> Result<f64, Fault> {
@@ -155,20 +193,20 @@ fn read_fraction(entry: &Entry<'_>) -> Result<f64, Fault> {
     Err(entry.fault("a `fraction` must be above 0 and below 1", "not a fraction", help))
 }
 
-/// The modulus beside a relaxation, in Pa.
-enum Given {
+/// The modulus of a body, in Pa.
+pub(super) enum Given {
     Relaxed(f64),
     Instantaneous(f64),
 }
 
-fn given_modulus(section: &Section<'_>) -> Result<Option<Given>, Fault> {
+pub(super) fn given_modulus(section: &Section<'_>, name: &str) -> Result<Option<Given>, Fault> {
     let read = |entry: Entry<'_>| Dimension::Modulus.read(&entry);
     match (section.get("relaxed_modulus"), section.get("instantaneous_modulus")) {
         (None, None) => Ok(None),
         (Some(relaxed), None) => read(relaxed).map(Given::Relaxed).map(Some),
         (None, Some(instantaneous)) => read(instantaneous).map(Given::Instantaneous).map(Some),
         (Some(_), Some(instantaneous)) => {
-            let what = "[substrate] may have `relaxed_modulus` or `instantaneous_modulus`, not both";
+            let what = format!("[{name}] may have `relaxed_modulus` or `instantaneous_modulus`, not both");
             Err(instantaneous.fault(what, "both are there", "remove one of the two: the terms are the difference"))
         }
     }

@@ -22,6 +22,11 @@ pub fn with_f(f: &str) -> String {
     format!("[axes]\nf = {f}\nalpha = [1.0]\nbeta = [10.0]\n")
 }
 
+/// Quantities of the laboratory in nine lines, and more sections.
+fn with_body(sections: &str) -> String {
+    with_laboratory("", "") + sections
+}
+
 /// Quantities of the laboratory, a line each, one of them replaced.
 pub fn with_laboratory(key: &str, value: &str) -> String {
     let lines = [
@@ -129,6 +134,71 @@ pub fn bad_files() -> Vec<Row> {
             "at most 1000000000 cases, this one has 1001 f x 1000 alpha x 1000 beta",
             "fewer points",
         ),
+        // Bodies.
+        (with_axes("[flat]\n[substrate]\n"), "5:1", "two names of one section", "keep one"),
+        (with_axes("[flat]\nrigid = true\n"), "6:1", "`flat.rigid` goes with [laboratory]", "remove it"),
+        (with_axes("[roller]\nmodes = []\n"), "5:1", "at least one retardation mode", "shares add up to 1"),
+        (
+            with_axes(
+                "[flat]\nmodes = [{ share = 0.6, time = 1.0 }]\n[roller]\nmodes = [{ share = 0.5, time = 1.0 }]\n",
+            ),
+            "7:1",
+            "must add up to 1",
+            "those of flat and roller together",
+        ),
+        (
+            with_axes("[roller]\nrelaxation = [{ fraction = 0.5, time = 1.0 }]\n"),
+            "6:14",
+            "beside [roller] goes with [laboratory]",
+            "`modes` of both bodies",
+        ),
+        (with_body("[roller]\n"), "10:1", "[roller] needs `poisson_ratio`", "poisson_ratio = 0.5"),
+        (with_body("[roller]\npoisson_ratio = 0.5\n"), "10:1", "needs a modulus", "leave the section out"),
+        (with_body("[roller]\npoisson_ratio = 0.6\n"), "11:17", "from 0 to 0.5", "soft solids"),
+        (
+            with_body("[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\nf = 1.0\n"),
+            "10:1",
+            "needs `retardation_time`",
+            "20 ms",
+        ),
+        (
+            with_body("[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\nmodes = [{ share = 1.0, time = 1.0 }]\n"),
+            "10:1",
+            "needs `f` beside `modes`",
+            "f = E0/Einf - 1",
+        ),
+        (with_body("[roller]\nrigid = true\nf = 1.0\n"), "12:5", "says nothing of a rigid body", "remove it"),
+        (with_body("[flat]\nrigid = true\n"), "10:1", "both bodies are rigid", "give [roller] a modulus"),
+        (
+            with_body("[flat]\nrigid = true\n[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\n"),
+            "4:19",
+            "says nothing of a rigid flat",
+            "remove it",
+        ),
+        (
+            with_body("[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\n[output]\nsensitivities = true\n"),
+            "10:1",
+            "derivatives for a rigid roller",
+            "remove `sensitivities`",
+        ),
+        (
+            with_body(
+                "[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\nf = 1.0\nretardation_time = 1.0\n[solver]\n\
+                 method = \"relaxation\"\n",
+            ),
+            "10:1",
+            "two viscoelastic bodies",
+            "method = \"collocation\"",
+        ),
+        (with_speeds("speed = 1.0\nswap = true"), "9:8", "needs `slide_roll_ratio`", "entrainment_speed"),
+        (
+            with_speeds("entrainment_speed = 1.0\nslide_roll_ratio = [-1.0, 1.0]\nswap = true"),
+            "9:20",
+            "opposite ones are added",
+            "below 0",
+        ),
+        (with_axes("slide_roll = [-1.0, 1.0]\n"), "5:14", "at rest in the contact", "alpha = [inf]"),
+        (with_axes("slide_roll = [1.5]\n"), "5:15", "from -1 to 1", "pure rolling"),
         // Substrate.
         (with_axes("[substrate]\nmodes = []\n"), "6:9", "at least one retardation mode", "leave [substrate] out"),
         (

@@ -13,7 +13,7 @@ pub fn publish(
     let row = |row: usize| {
         let (i_f, i_alpha) = (row / alpha.len(), row % alpha.len());
         let points = cases(i_f, i_alpha).into_iter().zip(beta.iter().cycle());
-        points.map(|(case, beta)| Point { case, numbers: [f[i_f], alpha[i_alpha], *beta], experiment: None }).collect()
+        points.map(|(case, beta)| Point::new(case, [f[i_f], alpha[i_alpha], *beta])).collect()
     };
     let dimensions = [Dimension::strength(f), Dimension::alpha(alpha), Dimension::beta(beta)];
     store.publish(&Publication { title, sweep_text, dimensions: &dimensions, row: &row })

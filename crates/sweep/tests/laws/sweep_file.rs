@@ -43,7 +43,7 @@ fn refused(error: &InputError, text: &str) {
 
 fn taken(sweep: &Sweep, text: &str) {
     assert_eq!(sweep.text, text);
-    let Some(Axes { f, alpha, beta }) = sweep.grid.axes() else { return };
+    let Some(Axes { f, alpha, beta, .. }) = sweep.grid.axes() else { return };
     for axis in [f, alpha, beta] {
         assert!(!axis.is_empty() && axis.is_sorted_by(|left, right| left < right), "{axis:?}");
     }
@@ -54,7 +54,7 @@ fn taken(sweep: &Sweep, text: &str) {
 }
 
 fn planned(sweep: &Sweep, plan: &Plan) {
-    let Some(Axes { f, alpha, beta }) = sweep.grid.axes() else { return };
+    let Some(Axes { f, alpha, beta, .. }) = sweep.grid.axes() else { return };
     assert_eq!(plan.cases(), f.len() * alpha.len() * beta.len());
     assert!((1..=plan.cases()).contains(&plan.problems()));
     if plan.cases() > FEW {

@@ -20,7 +20,7 @@ fn what_is_left_out_has_its_default() {
     let sweep = Sweep::parse("small", AXES).expect("a sweep needs its axes only");
     let expected = Sweep {
         title: "small".into(),
-        grid: Axes { f: vec![100.0], alpha: vec![1.0], beta: vec![10.0] }.into(),
+        grid: Axes { slide_roll: None, f: vec![100.0], alpha: vec![1.0], beta: vec![10.0] }.into(),
         substrate: Substrate::default(),
         solver: SolverSettings { method: Method::Collocation, tolerance: 1e-5, ..SolverSettings::default() },
         output: Output::default(),
@@ -76,6 +76,7 @@ sensitivities = false
         sensitivities: false,
     };
     let axes = Axes {
+        slide_roll: None,
         f: vec![0.0, 50.0, 100.0],
         alpha: vec![0.0, 0.5, 1000.0, f64::INFINITY],
         beta: vec![10.0, 100.0, 1000.0],

@@ -84,7 +84,7 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
         |(title, f, alpha, beta, substrate, solver, mut output)| {
             // the other method has none
             output.sensitivities &= solver.method == Method::Collocation;
-            let axes = Axes { f, alpha, beta };
+            let axes = Axes { slide_roll: None, f, alpha, beta };
             let mut sweep =
                 Sweep { title, grid: axes.into(), substrate, solver, output, text: String::new(), name: "made".into() };
             sweep.text = written(&sweep);

@@ -1,0 +1,12 @@
+//! Temperature: its units, and the laws by which it shifts the times of a material.
+//!
+//! | file | what it holds |
+//! | --- | --- |
+//! | `unit` | [`TemperatureUnit`]: kelvins, degrees Celsius and Fahrenheit |
+//! | `shift_law` | [`ShiftLaw`]: times over those at a reference temperature, by Williams, Landel and Ferry or by Arrhenius |
+
+mod shift_law;
+mod unit;
+
+pub use shift_law::{GAS_CONSTANT, ShiftLaw};
+pub use unit::{TemperatureUnit, parse_temperature};

@@ -1,0 +1,42 @@
+//! The columns that only some sweeps have: sensitivities, and averages of runs with swapped bodies.
+
+use super::publication::Publication;
+use super::sensitivity_columns;
+use crate::{Column, Values};
+use stribeck_solver::Output;
+
+/// A published column of pure numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct FurtherColumn {
+    pub(super) name: String,
+    pub(super) long_name: String,
+}
+
+/// The further columns of a publication whose first place is given.
+pub(super) fn columns(publication: &Publication<'_>, output: &Output) -> Vec<FurtherColumn> {
+    let first = (publication.row)(0).into_iter().next();
+    let mut columns = match output.sensitivities {
+        true => sensitivity_columns::columns(first.and_then(|first| first.experiment).as_ref()),
+        false => Vec::new(),
+    };
+    if first.is_some_and(|first| first.swapped.is_some()) {
+        columns.extend(averages());
+    }
+    columns
+}
+
+/// The averages over both runs of an instrument that swaps the faster body.
+fn averages() -> [FurtherColumn; 2] {
+    [
+        ("mu_sliding", "half the difference of mu_drag with the flat and with the roller faster"),
+        ("mu_rolling", "mean of mu_drag with the flat and with the roller faster"),
+    ]
+    .map(|(name, long_name)| FurtherColumn { name: name.to_owned(), long_name: long_name.to_owned() })
+}
+
+/// [D(S) − D(−S)]/2 with S ≥ 0 and [D(S) + D(−S)]/2, in this order, from the values of both runs.
+pub(super) fn averages_of(slide_roll: f64, own: &Values, swapped: &Values) -> [f64; 2] {
+    let (own, other) = (own[Column::MuDrag], swapped[Column::MuDrag]);
+    let (faster, slower) = if slide_roll < 0.0 { (other, own) } else { (own, other) };
+    [0.5 * (faster - slower), 0.5 * (faster + slower)]
+}
