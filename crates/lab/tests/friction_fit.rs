@@ -68,6 +68,7 @@ fn fitted(
         substrate,
         cavity_shear: CavityShear::Full,
         unknowns: unknowns(names),
+        bounds: Vec::new(),
         tolerance: 1e-7,
     })
 }

@@ -133,6 +133,22 @@ impl Measured {
         one == other || (one / other).ln().abs() < 0.01
     }
 
+    /// The sum of the squares of the residuals of these friction coefficients: (μ − μᵢ)/σᵢ, or ln(μ/μᵢ) without
+    /// standard errors.
+    pub(crate) fn squares(&self, friction: &[f64]) -> f64 {
+        let residual = |(i, mu): (usize, &f64)| match &self.errors {
+            Some(errors) => (mu - self.friction[i]) / errors[i],
+            None => (mu / self.friction[i]).ln(),
+        };
+        friction.iter().enumerate().map(|it| residual(it).powi(2)).sum()
+    }
+
+    /// Leaves out the columns of these names.
+    pub fn without(mut self, is_left_out: impl Fn(&str) -> bool) -> Self {
+        self.coordinates.retain(|(name, _)| !is_left_out(name));
+        self
+    }
+
     /// The values of a coordinate, if the file has it.
     pub fn coordinate(&self, name: &str) -> Option<&[f64]> {
         self.coordinates.iter().find(|(known, _)| *known == name).map(|(_, values)| values.as_slice())
