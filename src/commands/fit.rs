@@ -29,12 +29,9 @@ The points are tables with mu, where it was measured (speed, load, …), and its
 CSV, exports of instruments, .xlsx; what was understood of them is printed first. The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/laboratory.md tells how it
 works and what the errors mean.")]
 pub struct Arguments {
-    /// The measured points: one table or several
-    #[arg(value_name = "DATA", required = true, num_args = 1..)]
-    data: Vec<PathBuf>,
-    /// The sweep file, with [laboratory]; the last one
-    #[arg(value_name = "SWEEP")]
-    sweep: PathBuf,
+    /// The measured points, one table or several, and last the sweep file, with [laboratory]
+    #[arg(value_name = "DATA… SWEEP", required = true, num_args = 1..)]
+    files: Vec<PathBuf>,
     /// What is looked for: f and names of [laboratory]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', required = true, value_parser = unknown)]
     unknown: Vec<Unknown>,
@@ -81,9 +78,14 @@ fn bounds(text: &str) -> Result<Bounds, String> {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let sweep = read_sweep(&arguments.sweep)?;
-    let refuse = |what: String| CliError::NoFit { files: arguments.data.clone(), what };
-    let parts = arguments.data.iter().map(|path| measured::read(path, &arguments.columns));
+    let (sweep_file, data) = arguments.files.split_last().expect("one is required");
+    let sweep = read_sweep(sweep_file)?;
+    if data.is_empty() {
+        let what = "there are no measured points; name their files before the sweep file".to_owned();
+        return Err(CliError::NoFit { files: vec![sweep_file.clone()], what });
+    }
+    let refuse = |what: String| CliError::NoFit { files: data.to_vec(), what };
+    let parts = data.iter().map(|path| measured::read(path, &arguments.columns));
     let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
     if let Some(name) = repeated(&arguments.unknown) {
         return Err(refuse(format!("--unknown has {name} twice")));
@@ -100,7 +102,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
                     \"collocation\" in [solver]";
         return Err(refuse(what.to_owned()));
     }
-    let axes = laboratory(&sweep, &arguments.sweep)?;
+    let axes = laboratory(&sweep, sweep_file)?;
     if !axes.roller.is_rigid() {
         let what = "a fit needs sensitivities, which are those of a rigid roller; [roller] is soft";
         return Err(refuse(what.to_owned()));

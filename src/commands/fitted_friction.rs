@@ -161,15 +161,19 @@ impl FittedFriction<'_> {
         let fit = self.fit;
         let quantities: Vec<_> = fit.points[0].experiment.given().collect();
         let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
-        let mut table = Table::new(
-            &[&["line"], &names[..], &["f", "alpha", "beta", "measured", "error", "fitted", "residual"]].concat(),
-        );
+        let several = self.measured.files.len() > 1;
+        let place = if several { &["file", "line"][..] } else { &["line"] };
+        let numbers = ["f", "alpha", "beta", "measured", "error", "fitted", "residual"];
+        let mut table = Table::new(&[place, &names[..], &numbers].concat());
         for point in &fit.points {
             let given = quantities.iter().map(|quantity| point.experiment.value(*quantity));
             let (alpha, beta) = (point.experiment.alpha(), point.experiment.beta());
             let error = point.error.unwrap_or(f64::NAN);
             let rest = [point.experiment.f, alpha, beta, point.measured, error, point.fitted, point.residual];
-            table.row(&[&point.place.1.to_string()], &given.chain(rest).collect::<Vec<_>>());
+            let (file, line) = point.place;
+            let place = [shown(&self.measured.files[file]), line.to_string()];
+            let place: Vec<&str> = place.iter().skip(usize::from(!several)).map(String::as_str).collect();
+            table.row(&place, &given.chain(rest).collect::<Vec<_>>());
         }
         table
     }

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use calamine::{DataRef, Reader, Xlsx, XlsxError};
 
-use super::blocks::{Table, tables as tables_of};
+use super::blocks::tables as tables_of;
 use super::layout::{Decimal, Layout, Separator};
+use super::rows::Table;
 use stribeck_input::printable;
 
 /// How the text of a sheet is written.
