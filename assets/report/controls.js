@@ -3,11 +3,10 @@
 import { columns, quantities } from "./columns.js";
 import { element, show } from "./elements.js";
 import { axes, indicesOf, placeAt } from "./grid.js";
-import { digits } from "./numbers.js";
 import { select, selection, selectNeighbour } from "./selection.js";
 import { turnSurface } from "./surface.js";
 import { changeTheme } from "./theme.js";
-import { longName, symbols } from "./words.js";
+import { longName, symbols, wordsAt } from "./words.js";
 
 const [fs] = axes;
 
@@ -21,12 +20,13 @@ export function fillControls() {
   showStrength();
 }
 
-// Shows the f of the selected place.
+// Shows the f of the selected place, and its slide-to-roll ratio where that is an axis.
 export function showStrength() {
   const { iF } = selection;
   element("f-slider").value = iF;
-  element("f-value").textContent = digits(fs[iF]);
-  element("f-slider").setAttribute("aria-valuetext", `f = ${digits(fs[iF])}`);
+  const words = wordsAt(0, iF);
+  element("f-value").textContent = words;
+  element("f-slider").setAttribute("aria-valuetext", words);
 }
 
 const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };

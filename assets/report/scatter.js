@@ -3,12 +3,12 @@
 import { axisPlaces } from "./axes.js";
 import { costs, largestErrors } from "./columns.js";
 import { say, show } from "./elements.js";
-import { axes, caseOf, failedAt, indicesOf, placeCount } from "./grid.js";
-import { digits, plural } from "./numbers.js";
+import { axes, axisWords, caseOf, failedAt, indicesOf, placeCount } from "./grid.js";
+import { plural } from "./numbers.js";
 import { draw, selectedMarker } from "./picture.js";
 import { colour, lineColours, theme } from "./theme.js";
 import { logTicks } from "./ticks.js";
-import { hoverWords } from "./words.js";
+import { hoverWords, wordsAt } from "./words.js";
 
 const [fs] = axes;
 const [fPlaces] = axisPlaces;
@@ -57,16 +57,16 @@ function knownPoints() {
   const { known } = places;
   if (fs.length > 4) {
     const { values: tickvals, text: ticktext } = logTicks(Math.min(...fPlaces), Math.max(...fPlaces));
-    const title = { text: "f", side: "right" };
+    const title = { text: axisWords[0].symbol, side: "right" };
     const colorbar = { title, thickness: 14, tickmode: "array", tickvals, ticktext };
     const color = known.map((place) => fPlaces[indicesOf(place)[0]]);
     const more = { name: "converged", showlegend: false };
     return [points(known, errorPlace, { color, colorscale: "Viridis", colorbar }, more)];
   }
   const shapes = ["circle", "square", "triangle-up", "diamond"];
-  return fs.map((f, iF) => {
+  return fs.map((_, iF) => {
     const own = known.filter((place) => indicesOf(place)[0] === iF);
-    return points(own, errorPlace, { color: lineColours()[iF], symbol: shapes[iF] }, { name: `f = ${digits(f)}` });
+    return points(own, errorPlace, { color: lineColours()[iF], symbol: shapes[iF] }, { name: wordsAt(0, iF) });
   });
 }
 

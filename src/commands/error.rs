@@ -10,7 +10,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
 use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
-use stribeck_lab::{RelaxationFitError, TableError};
+use stribeck_lab::{MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
@@ -210,6 +210,46 @@ pub enum CliError {
         /// Why there is none.
         source: RelaxationFitError,
     },
+    /// A series that is no material.
+    #[error("{}: {source}", shown(file))]
+    Series {
+        /// The file.
+        file: PathBuf,
+        /// Why it is none.
+        source: PronyError,
+    },
+    /// Moduli that are no master curve.
+    #[error("{}: {source}", shown(data))]
+    MasterCurve {
+        /// The table of measurements.
+        data: PathBuf,
+        /// Why they are none.
+        source: MasterCurveError,
+    },
+    /// Moduli at several temperatures, and none to shift them to.
+    #[error(
+        "{}: the moduli are at temperatures from {:.1} to {:.1} degC and no one material; say to which temperature they are \
+         to be shifted, as in --reference-temperature \"20 degC\"",
+        shown(data),
+        range.0 - 273.15,
+        range.1 - 273.15
+    )]
+    SeveralTemperatures {
+        /// The table of measurements.
+        data: PathBuf,
+        /// The lowest and the highest temperature, in K.
+        range: (f64, f64),
+    },
+    /// A temperature to shift moduli to that have none.
+    #[error(
+        "{}: no column has a temperature, so the moduli cannot be shifted to the reference temperature; leave the option \
+         out, or name the column, as in --columns \"temperature=#4\"",
+        shown(data)
+    )]
+    NoTemperatures {
+        /// The table of measurements.
+        data: PathBuf,
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -218,6 +258,15 @@ pub enum CliError {
         /// What the system said.
         source: io::Error,
     },
+}
+
+impl From<MaterialFileError> for CliError {
+    fn from(error: MaterialFileError) -> Self {
+        match error {
+            MaterialFileError::Table(error) => Self::Table(error),
+            MaterialFileError::Series(error) => Self::Input(error),
+        }
+    }
 }
 
 /// The remedy for a place that cannot be used.
@@ -242,6 +291,10 @@ impl CliError {
             | CliError::SeveralAsked { .. }
             | CliError::NoFit { .. }
             | CliError::Fit { .. }
+            | CliError::Series { .. }
+            | CliError::MasterCurve { .. }
+            | CliError::SeveralTemperatures { .. }
+            | CliError::NoTemperatures { .. }
             | CliError::NoTarget
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }

@@ -1,38 +1,94 @@
-//! `stribeck material`: a substrate from measured moduli.
+//! `stribeck material`: a substrate from measured moduli, or from a Prony series.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use clap::Args;
 
 use super::fitted_material::FittedMaterial;
+use super::measured::ColumnArguments;
+use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console};
-use crate::pictures::Format;
+use crate::pictures::{Chart, Format};
 use stribeck_input::shown;
-use stribeck_lab::{Measurements, RelaxationFit};
+use stribeck_lab::{
+    Dimension, Isotherms, MasterCurve, MaterialData, MaterialFile, MaterialOptions, Measurements, RelaxationFit,
+    ShiftFactors, TermChoice, parse_temperature,
+};
 use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 Examples:
-  stribeck material rubber.csv --terms 12               the fit, and the lines for a sweep file
-  stribeck material rubber.csv --terms 12 -o fit.svg    with a picture of it
-  stribeck material rubber.csv --terms 12 --json
+  stribeck material rubber.csv                          the fit, and the lines for a sweep file
+  stribeck material rubber.csv --terms 12 -o fit.svg    with so many terms, and a picture of it
+  stribeck material rheometer.csv --shear --poisson-ratio 0.5
+  stribeck material isotherms.csv --reference-temperature \"20 degC\"
+  stribeck material rubber.inp --modulus-unit MPa       a Prony series of Abaqus or Ansys: nothing is fitted
 
-The table has columns omega (rad/s) or frequency (Hz), storage and loss (both Pa). Times of the terms are spread over
-the measured range; those that the data do not ask for are dropped. docs/materials.md has more.")]
+The file is a table of moduli over frequency (storage and loss) or over time (relaxation), or a Prony series. Times of
+the terms are spread over the measured range; those that the data do not ask for are dropped. docs/materials.md has
+more.")]
 pub struct Arguments {
-    /// A table of measured moduli (CSV)
+    /// A table of measured moduli, or a Prony series
     #[arg(value_name = "DATA")]
     data: PathBuf,
-    /// Relaxation terms that are offered to the fit, from 1 to 100
-    #[arg(long, value_name = "N")]
-    terms: usize,
+    /// Relaxation terms that are offered to the fit, from 1 to 100, or auto: as many as the residuals ask for
+    #[arg(long, value_name = "N", default_value = "auto")]
+    terms: Terms,
+    /// The moduli are shear moduli: Young's modulus is 2 (1 + nu) times as large
+    #[arg(long, requires = "poisson_ratio")]
+    shear: bool,
+    /// Poisson's ratio, from 0 to 0.5, beside shear moduli
+    #[arg(long, value_name = "NU", value_parser = poisson_ratio)]
+    poisson_ratio: Option<f64>,
+    /// The unit of moduli in a file that names none, as in MPa
+    #[arg(long, value_name = "UNIT", value_parser = modulus_unit)]
+    modulus_unit: Option<f64>,
+    /// Shift moduli at several temperatures to this one, as in "20 degC" or "293 K"
+    #[arg(long, value_name = "T", value_parser = temperature)]
+    reference_temperature: Option<f64>,
+    /// A table of shift factors, by which moduli are shifted, instead of those that are found
+    #[arg(long, value_name = "FILE")]
+    shift_factors: Option<PathBuf>,
+    #[command(flatten)]
+    columns: ColumnArguments,
     /// A picture of measurements and fit, SVG or PNG by its extension
     #[arg(short, long, value_name = "FILE", value_parser = picture)]
     output: Option<(PathBuf, Format)>,
     /// JSON instead of a table
     #[arg(long)]
     json: bool,
+}
+
+/// The number of terms of a fit.
+#[derive(Clone, Copy, Debug)]
+enum Terms {
+    Auto,
+    Number(usize),
+}
+
+impl FromStr for Terms {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text == "auto" {
+            return Ok(Self::Auto);
+        }
+        text.parse().map(Self::Number).map_err(|_| "a whole number from 1 to 100, or auto")
+    }
+}
+
+fn poisson_ratio(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|ratio| (0.0..=0.5).contains(ratio)).ok_or("a number from 0 to 0.5; soft solids have 0.5")
+}
+
+fn modulus_unit(text: &str) -> Result<f64, &'static str> {
+    Dimension::Modulus.conversion(text).map(|unit| unit.in_si(1.0)).ok_or("a unit of a modulus, as in MPa")
+}
+
+fn temperature(text: &str) -> Result<f64, &'static str> {
+    parse_temperature(text).ok_or("a temperature with its unit, as in \"20 degC\" or \"293 K\"")
 }
 
 /// A file whose name tells its format.
@@ -44,14 +100,95 @@ fn picture(text: &str) -> Result<(PathBuf, Format), String> {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let measurements = Measurements::read(&arguments.data)?;
-    let fit = RelaxationFit::new(&measurements, arguments.terms)
-        .map_err(|source| CliError::Fit { data: arguments.data.clone(), source })?;
+    let options = MaterialOptions {
+        is_shear: arguments.shear,
+        poisson_ratio: arguments.poisson_ratio,
+        modulus_unit: arguments.modulus_unit,
+        columns: arguments.columns.choices(),
+    };
+    let file = MaterialFile::read(&arguments.data, &options)?;
+    console::tell(file.understood.trim_end());
     let name = arguments.data.file_stem().unwrap_or_default().to_string_lossy();
-    let fitted = FittedMaterial { name: &name, measurements: &measurements, fit: &fit, offered: arguments.terms };
-    let mut text = if arguments.json { fitted.json() } else { fitted.table() };
+    let measured = match &file.data {
+        MaterialData::Series(series) => {
+            let refused = |source| CliError::Series { file: arguments.data.clone(), source };
+            let relaxation = series.relaxation().map_err(refused)?;
+            let material = PronyMaterial { name: &name, series, relaxation: &relaxation };
+            return finish(arguments, &material.table(), &material.json(), &material.chart());
+        }
+        MaterialData::Moduli(measurements) => shifted_already(arguments, measurements)?,
+        MaterialData::Isotherms(isotherms) => at_one_temperature(arguments, isotherms)?,
+    };
+    let fitted = |source| CliError::Fit { data: arguments.data.clone(), source };
+    let (fit, offered, choice) = match arguments.terms {
+        Terms::Number(terms) => (RelaxationFit::new(&measured.measurements, terms).map_err(fitted)?, terms, None),
+        Terms::Auto => {
+            let choice = TermChoice::new(&measured.measurements).map_err(fitted)?;
+            (choice.fit.clone(), choice.offered, Some(choice))
+        }
+    };
+    let material = FittedMaterial {
+        name: &name,
+        measurements: &measured.measurements,
+        fit: &fit,
+        offered,
+        choice: choice.as_ref(),
+        master_curve: measured.master_curve.as_ref(),
+    };
+    finish(arguments, &material.table(), &material.json(), &material.chart())
+}
+
+/// Measurements at one temperature, and how they came there.
+struct Measured {
+    measurements: Measurements,
+    master_curve: Option<MasterCurve>,
+}
+
+/// Moduli of which no temperature is told: shift factors beside them give the law alone.
+fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result<Measured, CliError> {
+    let master_curve = match (&arguments.shift_factors, arguments.reference_temperature) {
+        (None, None) => None,
+        (None, Some(_)) => return Err(CliError::NoTemperatures { data: arguments.data.clone() }),
+        (Some(file), reference) => {
+            let refused = |source| CliError::MasterCurve { data: file.clone(), source };
+            let factors = read_factors(file)?;
+            Some(MasterCurve::of_shifted(measurements.clone(), &factors, reference).map_err(refused)?)
+        }
+    };
+    Ok(Measured { measurements: measurements.clone(), master_curve })
+}
+
+/// Reads shift factors, and tells what was understood of them.
+fn read_factors(file: &Path) -> Result<ShiftFactors, CliError> {
+    let (factors, understood) = ShiftFactors::read(file, &[])?;
+    console::tell(understood.to_string().trim_end());
+    Ok(factors)
+}
+
+/// Shifts isotherms to the reference temperature; a single one without a reference stays as it is.
+fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Measured, CliError> {
+    let refused = |source| CliError::MasterCurve { data: arguments.data.clone(), source };
+    let curve = match (&arguments.shift_factors, arguments.reference_temperature) {
+        (Some(file), reference) => {
+            let factors = read_factors(file)?;
+            MasterCurve::by_factors(isotherms, &factors, reference).map_err(refused)?
+        }
+        (None, Some(reference)) => MasterCurve::by_overlap(isotherms, reference).map_err(refused)?,
+        (None, None) => {
+            let [only] = isotherms.all() else {
+                return Err(CliError::SeveralTemperatures { data: arguments.data.clone(), range: isotherms.range() });
+            };
+            return Ok(Measured { measurements: only.measurements.clone(), master_curve: None });
+        }
+    };
+    Ok(Measured { measurements: curve.measurements.clone(), master_curve: Some(curve) })
+}
+
+/// Prints a material and paints its picture.
+fn finish(arguments: &Arguments, table: &str, json: &str, chart: &Chart) -> Result<Exit, CliError> {
+    let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
     if let Some((file, format)) = &arguments.output {
-        write_whole(file.clone(), &fitted.chart().paint(*format)?)?;
+        write_whole(file.clone(), &chart.paint(*format)?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

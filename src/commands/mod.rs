@@ -11,6 +11,8 @@
 //! | `terminal_plot` | a small plot of characters |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `fitted_material`, `fitted_friction` | a fit as a table, as JSON and as charts |
+//! | `prony_material` | a Prony series that was read, likewise |
+//! | `material_text`, `shifted` | a material and a master curve as lines of text and as JSON |
 //! | `error`, `console` | errors with their exit codes; output |
 //! | `shell`, `threads` | quoted commands; number of threads |
 //! | `replaceable` | files that a command replaces only if it wrote them |
@@ -25,10 +27,12 @@ mod fit_progress;
 mod fitted_friction;
 mod fitted_material;
 mod material;
+mod material_text;
 mod measured;
 mod merge;
 mod plan;
 mod plot;
+mod prony_material;
 mod published;
 mod replaceable;
 mod report;
@@ -36,6 +40,7 @@ mod run;
 mod run_report;
 mod sensitivities;
 mod shell;
+mod shifted;
 mod short_value;
 mod slurm;
 mod slurm_script;

@@ -190,7 +190,7 @@ def move_slider(visit):
     page.focus("#f-slider")
     page.keyboard.press("ArrowLeft")
     assert page.inner_text("#f-value") != before
-    assert np.isclose(read_number(page.inner_text("#f-value")), f[-2], rtol=1e-3)
+    assert np.isclose(read_number(page.inner_text("#f-value").removeprefix("f = ")), f[-2], rtol=1e-3)
     moved = heights(page, "map")
     expect_heights(visit, moved, -2)
     assert np.array_equal(heights(page, "surface"), moved, equal_nan=True), "the surface has another f than the map"

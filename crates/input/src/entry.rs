@@ -75,6 +75,11 @@ impl<'t> Entry<'t> {
         &self.path
     }
 
+    /// Where the value stands in the text; of a section that has a header of its own, where that stands.
+    pub fn span(&self) -> Range<usize> {
+        self.span.clone()
+    }
+
     /// A fault of this value: `what` says what is allowed.
     pub fn fault(&self, what: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Fault {
         Fault::new(self.span.clone(), what, label, help)
@@ -181,6 +186,12 @@ impl<'t> Entry<'t> {
     /// True if the value is a table.
     pub fn is_section(&self) -> bool {
         matches!(self.value, DeValue::Table(_))
+    }
+
+    /// The value of a key, known or not, if this is a table with such a key.
+    pub fn member(&self, key: &str) -> Option<Entry<'t>> {
+        let DeValue::Table(table) = self.value else { return None };
+        Section { path: Rc::clone(&self.path), span: self.span.clone(), table }.get(key)
     }
 
     /// A table in which no key but the `known` ones stands.

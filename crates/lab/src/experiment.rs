@@ -14,6 +14,16 @@ pub enum Modulus {
     Instantaneous(f64),
 }
 
+impl Modulus {
+    /// The same one, larger by a factor.
+    pub fn times(self, factor: f64) -> Self {
+        match self {
+            Self::Relaxed(value) => Self::Relaxed(value * factor),
+            Self::Instantaneous(value) => Self::Instantaneous(value * factor),
+        }
+    }
+}
+
 /// An experiment: a cylinder, a fluid and a flat, in SI units. Moduli, times and f are those of the flat.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Experiment {

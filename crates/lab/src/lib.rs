@@ -52,7 +52,10 @@ pub use friction_fit::{
     Bounds, Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown, Watch,
 };
 pub use material::{
-    Material, MaterialError, Measurement, Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm,
+    Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
+    MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,
+    PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors,
+    ShiftFactorsError, TermChoice,
 };
 pub use measured::Measured;
 pub use motion::Motion;
@@ -63,6 +66,6 @@ pub use table::{
     Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
     Table, TableError, TableFile, Understood, decode,
 };
-pub use temperature::{GAS_CONSTANT, ShiftLaw, TemperatureUnit, parse_temperature};
+pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
 pub use units::{Conversion, Dimension};
 pub use viscosity_law::{ViscosityLaw, ViscosityTable};

@@ -41,8 +41,9 @@ impl ViscosityLaw {
     }
 }
 
-/// Measured viscosities at ascending temperatures, two at least. Between them ln η is linear in 1/T; beyond them nothing
-/// is known.
+/// Measured viscosities at ascending temperatures, two at least.
+///
+/// Between them ln η is linear in 1/T; beyond them nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViscosityTable {
     points: [(f64, f64); Self::MOST],

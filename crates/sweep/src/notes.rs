@@ -48,12 +48,13 @@ impl Note {
     pub const fn sentence(self) -> &'static str {
         match self {
             Self::ContactWide => {
-                "a0 or the film is above a third of R, or the pressure above a third of the modulus: a parabola on a half \
-                 space is no model of it. The load is per length of the cylinder, in N/m; look at load, radius and modulus"
+                "a0 or the film is above a third of R, or the pressure above a third of the modulus: a parabola on a \
+                 half space is no model of it. The load is per length of the cylinder, in N/m; look at load, radius \
+                 and modulus"
             }
             Self::FilmRough => {
-                "the smallest film is below three times the roughness, or below 10 nm where none is given: lubrication is \
-                 mixed there, and friction is not that of a full film"
+                "the smallest film is below three times the roughness, or below 10 nm where none is given: lubrication \
+                 is mixed there, and friction is not that of a full film"
             }
             Self::CavityMatters => {
                 "more than a tenth of the drag is shear behind the film, where the fluid's amount is assumed: compare \

@@ -102,6 +102,24 @@ fn a_body_at_rest_is_relaxed() {
     }
 }
 
+/// Each body alone has both limits of α: a roller that creeps far too slowly is its stiff elastic self, one that creeps at
+/// once its relaxed one.
+#[test]
+fn a_body_alone_has_both_limits() {
+    let roller = |rest: &str| format!("[flat]\n{RUBBER}[roller]\npoisson_ratio = 0.4\n{rest}");
+    let values = |rest: &str| solved(&sweep(&rolling(SPEEDS, 0.5), &roller(rest)));
+    for (time, modulus) in [("1e9", 2e6), ("1e-9", 0.5e6)] {
+        let creeping = values(&format!("relaxed_modulus = 0.5e6\nf = 3.0\nretardation_time = {time}\n"));
+        let elastic = values(&format!("relaxed_modulus = {modulus:?}\n"));
+        for (creeping, elastic) in creeping.iter().zip(&elastic) {
+            for column in [Column::MuVFlat, Column::MuDrag, Column::MuPressure, Column::FilmMin, Column::PMax] {
+                check(creeping[column], elastic[column], 1e-6, column.name());
+            }
+            assert!(creeping[Column::MuVRoller] < 1e-6 * creeping[Column::MuVFlat]);
+        }
+    }
+}
+
 /// Two elastic bodies are one whose compliance is the sum: 1/E* = 1/1.5e6 + 1/3e6 is that of 1 MPa.
 #[test]
 fn compliances_add() {

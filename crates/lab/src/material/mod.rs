@@ -8,16 +8,44 @@
 //! | `relaxation` | [`Relaxation`]: E(t) = E∞ + Σ E_i e^{−t/τ_i}, in pascals and seconds |
 //! | `creep` | [`Material`]: the same material by its creep, as a case needs it |
 //! | `conversion` | from one to the other |
-//! | `measurements` | [`Measurements`]: storage and loss modulus over frequency |
+//! | `modulus_kind` | [`ModulusKind`]: Young's modulus or shear modulus |
+//! | `measurement` | [`Measurements`]: moduli over frequency or time |
+//! | `prony`, `prony_file` | [`PronySeries`]: terms as they are passed on, and files of Abaqus and Ansys with them |
 //! | `relaxation_fit` | [`RelaxationFit`]: the relaxation spectrum that fits the measurements |
+//! | `term_choice`, `doubt` | how many terms it needs; what the measurements do not tell of it |
+//! | `material_file`, `material_table`, `table_fields` | [`MaterialFile`]: a file that describes a material, whatever wrote it |
+//! | `isotherms` | [`Isotherms`]: measurements sorted by temperature |
+//! | `master_curve`, `shift_factors` | [`MasterCurve`]: isotherms shifted to one temperature; given shift factors |
+//! | `shift_factor_file` | the reader of these |
 
 mod conversion;
 mod creep;
-mod measurements;
+mod doubt;
+mod isotherms;
+mod master_curve;
+mod material_file;
+mod material_table;
+mod measurement;
+mod modulus_kind;
+mod prony;
+mod prony_file;
 mod relaxation;
 mod relaxation_fit;
+mod shift_factor_file;
+mod shift_factors;
+mod table_fields;
+mod term_choice;
 
 pub use creep::Material;
-pub use measurements::{Measurement, Measurements};
+pub use doubt::Doubt;
+pub use isotherms::{Isotherm, Isotherms, IsothermsError};
+pub use master_curve::{MasterCurve, MasterCurveError, Shift};
+pub use material_file::{MaterialData, MaterialFile, MaterialFileError, MaterialOptions};
+pub use measurement::{Measurement, Measurements};
+pub use modulus_kind::ModulusKind;
+pub use prony::{PronyError, PronyParts, PronySeries};
+pub use prony_file::PronyFile;
 pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};
 pub use relaxation_fit::{RelaxationFit, RelaxationFitError};
+pub use shift_factors::{ShiftFactors, ShiftFactorsError};
+pub use term_choice::TermChoice;

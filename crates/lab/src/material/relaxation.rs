@@ -1,5 +1,6 @@
 //! A material by its relaxation: what a step of strain leaves of the stress, and how it answers to oscillation.
 
+use super::measurement::Measurement;
 use stribeck_solver::Parameters;
 
 /// One relaxation term (a Maxwell element).
@@ -68,6 +69,27 @@ impl Relaxation {
             (storage + term.modulus * stored, loss + term.modulus * lost)
         })
     }
+
+    /// E(t) in Pa at the time t in s after a step of strain (T47).
+    pub fn modulus(&self, time: f64) -> f64 {
+        self.terms.iter().fold(self.relaxed_modulus, |modulus, term| modulus + term.modulus * (-time / term.time).exp())
+    }
+
+    /// What this material would have shown in place of a measurement.
+    pub fn answer(&self, measurement: &Measurement) -> Measurement {
+        match *measurement {
+            Measurement::Oscillation { omega, .. } => {
+                let (storage, loss) = self.storage_and_loss(omega);
+                Measurement::Oscillation { omega, storage, loss }
+            }
+            Measurement::Relaxation { time, .. } => Measurement::Relaxation { time, modulus: self.modulus(time) },
+        }
+    }
+
+    /// |E*_this − E*|/|E*| of a measurement, or |E_this(t) − E(t)|/E(t).
+    pub(super) fn residual(&self, measurement: &Measurement) -> f64 {
+        Measurement::distance(self.answer(measurement).moduli(), measurement.moduli())
+    }
 }
 
 impl RelaxationTerm {
@@ -75,6 +97,14 @@ impl RelaxationTerm {
     pub(super) fn response(&self, omega: f64) -> (f64, f64) {
         let x = omega * self.time;
         (x / (x + 1.0 / x), 1.0 / (x + 1.0 / x))
+    }
+
+    /// The part of E_i in what is measured: storage and loss, or e^{−t/τ_i} and zero.
+    pub(super) fn response_at(&self, measurement: &Measurement) -> [f64; 2] {
+        match *measurement {
+            Measurement::Oscillation { omega, .. } => self.response(omega).into(),
+            Measurement::Relaxation { time, .. } => [(-time / self.time).exp(), 0.0],
+        }
     }
 }
 

@@ -72,6 +72,11 @@ impl Column {
         row.cells.get(self.place).map_or("", |cell| cell)
     }
 
+    /// True if the file names its unit.
+    pub fn has_unit(&self) -> bool {
+        self.unit.is_given
+    }
+
     /// The decimal mark of its numbers.
     pub fn decimal(&self) -> Decimal {
         self.decimal

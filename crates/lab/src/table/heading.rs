@@ -116,7 +116,12 @@ fn any_case(unit: &str) -> Option<&'static str> {
 /// A unit stands in the line below, in brackets, behind a slash, ` in `, a comma, a blank or a low line. Where it is
 /// not in brackets it must be a unit of the field.
 pub(super) fn named(heading: &Heading, fields: &[Field]) -> Option<Named> {
-    let find = |name: &str| fields.iter().position(|field| field.is_called(name));
+    // names of two fields, as t of time and T of temperature, are told apart by their units
+    let find = |name: &str, unit: Option<&str>| {
+        let called = || (0..fields.len()).filter(|field| fields[*field].is_called(name));
+        let unit = unit.or(heading.unit.as_deref());
+        called().find(|field| fields[*field].unit(unit).is_ok()).or_else(|| called().next())
+    };
     let text = heading.text.trim();
     let of = |field: usize, name: &str, unit: Option<&str>| Named {
         field,
@@ -129,12 +134,12 @@ pub(super) fn named(heading: &Heading, fields: &[Field]) -> Option<Named> {
     let (slash, comma) = (text.split_once(" / ").or_else(|| text.split_once('/')), text.rsplit_once(','));
     let ways = [bracketed(text), slash, text.rsplit_once(" in "), comma, text.rsplit_once(' '), text.rsplit_once('_')];
     let known = |(name, unit): (&str, &str)| {
-        let field = find(name).filter(|field| fields[*field].has_unit(unit))?;
+        let field = find(name, Some(unit)).filter(|field| fields[*field].has_unit(unit))?;
         Some(of(field, name, Some(unit)))
     };
-    let unknown = || bracketed(text).and_then(|(name, unit)| Some(of(find(name)?, name, Some(unit))));
+    let unknown = || bracketed(text).and_then(|(name, unit)| Some(of(find(name, Some(unit))?, name, Some(unit))));
     let found = ways.into_iter().flatten().filter_map(known).next();
-    found.or_else(unknown).or_else(|| find(text).map(|field| of(field, text, None)))
+    found.or_else(|| find(text, None).map(|field| of(field, text, None))).or_else(unknown)
 }
 
 /// A name and the unit in brackets behind it.

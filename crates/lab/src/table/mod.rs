@@ -27,6 +27,7 @@ mod understood;
 mod workbook;
 
 pub use columns::{Column, ColumnChoice, Columns, LeftOutColumn};
+pub(crate) use file::bytes;
 pub use file::{TableError, TableFile};
 pub use heading::{Field, Measures};
 pub use layout::{Decimal, Layout, Separator};

@@ -1,10 +1,13 @@
 //! Fits to moduli that are known.
 
-use std::fs;
+use std::path::Path;
 
+use super::{decades, decay, oscillation, rubber, solid};
 use proptest::prelude::*;
-use stribeck_lab::{Measurements, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm};
-use tempfile::tempdir;
+use stribeck_lab::{
+    MaterialData, MaterialFile, MaterialOptions, Measurements, Relaxation, RelaxationFit, RelaxationFitError,
+    RelaxationTerm,
+};
 
 /// The table of a material at these angular frequencies.
 fn table(relaxation: &Relaxation, omegas: impl IntoIterator<Item = f64>) -> String {
@@ -17,20 +20,11 @@ fn table(relaxation: &Relaxation, omegas: impl IntoIterator<Item = f64>) -> Stri
 }
 
 fn measurements(text: &str) -> Measurements {
-    let directory = tempdir().expect("a temporary directory");
-    let file = directory.path().join("data.csv");
-    fs::write(&file, text).expect("written");
-    Measurements::read(&file).expect("a table")
-}
-
-/// Angular frequencies over these decades, ten in each.
-fn decades(from: i32, to: i32) -> impl Iterator<Item = f64> {
-    (10 * from..=10 * to).map(|tenth| 10_f64.powf(f64::from(tenth) / 10.0))
-}
-
-fn solid(relaxed_modulus: f64, terms: &[(f64, f64)]) -> Relaxation {
-    let terms = terms.iter().map(|&(modulus, time)| RelaxationTerm { modulus, time }).collect();
-    Relaxation::new(relaxed_modulus, terms).expect("a material")
+    let options = MaterialOptions::default();
+    match MaterialFile::of(Path::new("data.csv"), text.as_bytes(), &options).expect("a table").data {
+        MaterialData::Moduli(measurements) => measurements,
+        other => panic!("{other:?}"),
+    }
 }
 
 /// Offered its own times, a fit finds the material and drops the others.
@@ -66,8 +60,9 @@ fn no_neighbour_is_better() {
     let fit = RelaxationFit::new(&measurements, 7).expect("a fit");
     let residual = |relaxation: &Relaxation| -> f64 {
         let square = |row: &stribeck_lab::Measurement| {
-            let (storage, loss) = relaxation.storage_and_loss(row.omega);
-            ((storage - row.storage).powi(2) + (loss - row.loss).powi(2)) / (row.storage.powi(2) + row.loss.powi(2))
+            let [storage, loss] = row.moduli();
+            let (fitted, lost) = relaxation.storage_and_loss(row.rate());
+            ((fitted - storage).powi(2) + (lost - loss).powi(2)) / (storage.powi(2) + loss.powi(2))
         };
         let rows = measurements.rows();
         (rows.iter().map(square).sum::<f64>() / rows.len() as f64).sqrt()
@@ -91,6 +86,24 @@ fn no_neighbour_is_better() {
     }
 }
 
+/// Moduli in oscillation and after a step of strain are two views of one material: offered its own times, both fits find
+/// its terms.
+#[test]
+fn a_decay_gives_the_terms_that_an_oscillation_gives() {
+    let material = rubber();
+    // ten times, of which the outermost are those of the material
+    let [waves, steps] = [oscillation(&material, -3, 6), decay(&material, -6, 3)]
+        .map(|rows| RelaxationFit::new(&Measurements::new(rows).expect("many rates"), 10).expect("a fit").relaxation);
+    for fit in [&waves, &steps] {
+        assert!((fit.relaxed_modulus() / material.relaxed_modulus() - 1.0).abs() < 1e-6, "{fit:?}");
+        assert_eq!(fit.terms().len(), 10);
+        for (term, exact) in fit.terms().iter().zip(material.terms()) {
+            assert!((term.time / exact.time - 1.0).abs() < 1e-9, "{term:?}");
+            assert!((term.modulus / exact.modulus - 1.0).abs() < 1e-6, "{term:?}, not {exact:?}");
+        }
+    }
+}
+
 #[test]
 fn frequencies_and_order_of_columns_and_rows_are_free() {
     let material = solid(1e6, &[(3e8, 1e-3), (2e7, 1e-1)]);
@@ -105,8 +118,8 @@ fn frequencies_and_order_of_columns_and_rows_are_free() {
     let other = format!("\u{feff}loss, frequency,storage\r\n\n{}", rows.iter().map(columns).collect::<String>());
     let (plain, other) = (measurements(&plain), measurements(&other));
     for (a, b) in plain.rows().iter().zip(other.rows()) {
-        assert!((a.omega / b.omega - 1.0).abs() < 1e-15);
-        assert_eq!((a.storage, a.loss), (b.storage, b.loss));
+        assert!((a.rate() / b.rate() - 1.0).abs() < 1e-15);
+        assert_eq!(a.moduli(), b.moduli());
     }
     assert_eq!(plain.rows().len(), other.rows().len());
 }
@@ -116,7 +129,7 @@ fn what_no_material_fits_is_told() {
     let rows = measurements("omega,storage,loss\n1,100,10\n2,110,12\n");
     for (terms, error) in [
         (0, RelaxationFitError::Terms { terms: 0 }),
-        (4, RelaxationFitError::TooFewRows { terms: 4, rows: 2 }),
+        (4, RelaxationFitError::TooFewNumbers { terms: 4, numbers: 4 }),
         (101, RelaxationFitError::Terms { terms: 101 }),
     ] {
         assert_eq!(RelaxationFit::new(&rows, terms), Err(error));

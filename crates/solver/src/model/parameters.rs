@@ -164,10 +164,11 @@ impl Parameters {
         Self::new(f64::INFINITY, beta, 0.0)
     }
 
-    /// The case of two bodies that move at speeds of their own (T59): the modes of each as parts of f and with times over
-    /// the one in α, which the flat's speed and the roller's change by themselves. A time of 0 is that of a body at rest
-    /// in the contact, whose modes are relaxed: they belong to the elastic part, which leaves the strength
-    /// f′ = f s/(1 + f (1 − s)) to the modes that move, s being their part of f.
+    /// The case of two bodies that move at speeds of their own (T59).
+    ///
+    /// The modes of each body are parts of f, with times over the one in α: the speed of a body is in its times. A time
+    /// of 0 is that of a body at rest in the contact, whose modes are relaxed. They belong to the elastic part, which
+    /// leaves the strength f′ = f s/(1 + f (1 − s)) to the modes that move, s being their part of f.
     ///
     /// # Errors
     /// As [`Substrate::of_two_bodies`], of the modes that are left.

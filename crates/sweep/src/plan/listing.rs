@@ -21,8 +21,9 @@ struct Row {
 }
 
 impl Listing {
-    /// Lists a grid of the given shape, whose β falls along rows if `backwards`. `id` is the problem at a place, `limit`
-    /// the most cases of a chain in the row that begins at a place.
+    /// Lists a grid of the given shape, whose β falls along rows if `backwards`.
+    ///
+    /// `id` is the problem at a place, `limit` the most cases of a chain in the row that begins at a place.
     ///
     /// A problem belongs to the first place that has it in the order of publication, so that an extension at the end of
     /// an axis leaves the rows before as they were.

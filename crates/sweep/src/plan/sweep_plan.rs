@@ -19,7 +19,8 @@ use stribeck_solver::{Parameters, Substrate};
 /// the same α, β and f, and with a viscoelastic roller the ratio does change problems: each is solved at the first place
 /// that has it, and rows are listed.
 ///
-/// Grid points are published in the order f, then α, then β, behind the slide-to-roll ratio if it is an axis, or f, then the quantities in their order, the speed last.
+/// Grid points are published in the order f, then α, then β, behind the slide-to-roll ratio if it is an axis, or f, then
+/// the quantities in their order, the speed last.
 #[derive(Clone, Debug)]
 pub struct Plan {
     grid: Grid,

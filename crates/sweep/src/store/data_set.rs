@@ -213,7 +213,9 @@ impl DataSet {
         })
     }
 
-    /// The notes on each place, by the [masks](crate::Note::mask) of those that hold; none in files of earlier versions.
+    /// The notes on each place, by the [masks](crate::Note::mask) of those that hold.
+    ///
+    /// `None` in files of earlier versions.
     ///
     /// # Errors
     /// [`StoreError`] if the file cannot be read.

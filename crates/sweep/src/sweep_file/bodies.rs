@@ -1,7 +1,9 @@
 //! The two bodies of a sweep: the sections `[flat]` (or `[substrate]`, its other name) and `[roller]`.
 
+use super::modulus;
+use super::named_series::NamedSeries;
 use super::sections::{keys, section};
-use super::substrate::{self, Given, MaterialDefaults, ReadSubstrate};
+use super::substrate::{self, MaterialDefaults, ReadSubstrate};
 use super::temperature::read_shift;
 use stribeck_input::{Entry, Fault, Quantity, Section, Values};
 use stribeck_lab::{Dimension, LaboratoryQuantity, Roller, ShiftLaw};
@@ -26,8 +28,8 @@ pub(super) struct ReadBodies {
     pub(super) shifts: [Option<ShiftLaw>; 2],
 }
 
-/// Reads the sections of both bodies.
-pub(super) fn read(root: &Section<'_>) -> Result<ReadBodies, Fault> {
+/// Reads the sections of both bodies, with the series of files that they name.
+pub(super) fn read(root: &Section<'_>, files: &NamedSeries) -> Result<ReadBodies, Fault> {
     let flat = match (root.get("substrate"), root.get("flat")) {
         (Some(_), Some(flat)) => {
             let what = "[substrate] and [flat] are two names of one section";
@@ -37,15 +39,19 @@ pub(super) fn read(root: &Section<'_>) -> Result<ReadBodies, Fault> {
     };
     let roller = root.get("roller");
     match root.get("laboratory") {
-        None => read_dimensionless(flat.as_ref(), roller.as_ref()),
-        Some(_) => read_quantities(flat.as_ref(), roller.as_ref()),
+        None => read_dimensionless(flat.as_ref(), roller.as_ref(), files),
+        Some(_) => read_quantities(flat.as_ref(), roller.as_ref(), files),
     }
 }
 
 /// Both bodies of cases over α, β and f: their modes, whose shares add up to 1.
-fn read_dimensionless(flat: Option<&Entry<'_>>, roller: Option<&Entry<'_>>) -> Result<ReadBodies, Fault> {
+fn read_dimensionless(
+    flat: Option<&Entry<'_>>,
+    roller: Option<&Entry<'_>>,
+    files: &NamedSeries,
+) -> Result<ReadBodies, Fault> {
     let Some(roller) = roller else {
-        let read = flat.map(substrate::read).transpose()?.unwrap_or_default();
+        let read = flat.map(|entry| substrate::read_with(entry, files)).transpose()?.unwrap_or_default();
         return Ok(ReadBodies { substrate: read.substrate, flat: read.material, ..ReadBodies::default() });
     };
     let modes = |entry: &Entry<'_>| {
@@ -64,7 +70,11 @@ fn read_dimensionless(flat: Option<&Entry<'_>>, roller: Option<&Entry<'_>>) -> R
 }
 
 /// Both bodies of an experiment.
-fn read_quantities(flat: Option<&Entry<'_>>, roller: Option<&Entry<'_>>) -> Result<ReadBodies, Fault> {
+fn read_quantities(
+    flat: Option<&Entry<'_>>,
+    roller: Option<&Entry<'_>>,
+    files: &NamedSeries,
+) -> Result<ReadBodies, Fault> {
     let mut bodies = ReadBodies::default();
     if let Some(entry) = flat {
         if is_rigid(entry)? {
@@ -77,7 +87,7 @@ fn read_quantities(flat: Option<&Entry<'_>>, roller: Option<&Entry<'_>>) -> Resu
                 ..MaterialDefaults::default()
             };
         } else {
-            let read = read_body(entry)?;
+            let read = read_body(entry, files)?;
             let MaterialDefaults { relaxed_modulus, instantaneous_modulus, f, retardation_time, .. } = read.material;
             let has_modulus = relaxed_modulus.or(instantaneous_modulus).is_some();
             bodies.flat_is_elastic = has_modulus && !read.has_spectrum && f.or(retardation_time).is_none();
@@ -86,7 +96,7 @@ fn read_quantities(flat: Option<&Entry<'_>>, roller: Option<&Entry<'_>>) -> Resu
     }
     match roller {
         Some(entry) if !is_rigid(entry)? => {
-            (bodies.roller, bodies.roller_spectrum) = soft_roller(entry)?;
+            (bodies.roller, bodies.roller_spectrum) = soft_roller(entry, files)?;
         }
         _ if bodies.flat_is_rigid => {
             let help =
@@ -119,9 +129,9 @@ fn is_rigid(entry: &Entry<'_>) -> Result<bool, Fault> {
 }
 
 /// Spectrum, moduli, Poisson's ratio, f and time of a body, as far as they are given.
-fn read_body(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
+fn read_body(entry: &Entry<'_>, files: &NamedSeries) -> Result<ReadSubstrate, Fault> {
     let (body, name) = (section(entry)?, entry.path());
-    let mut read = substrate::read_spectrum(&body, name)?;
+    let mut read = substrate::read_spectrum(&body, name, files)?;
     let material = &mut read.material;
     let number = |key: &str, quantity: &dyn Values| body.get(key).map(|entry| quantity.read(&entry)).transpose();
     material.poisson_ratio = number("poisson_ratio", &LaboratoryQuantity::PoissonRatio)?;
@@ -132,19 +142,22 @@ fn read_body(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
     if body.get("relaxation").is_none() {
         material.f = number("f", &Quantity::Strength)?;
         material.retardation_time = body.get("retardation_time").map(|time| Dimension::Time.read(&time)).transpose()?;
-        match substrate::given_modulus(&body, name)? {
-            Some(Given::Relaxed(modulus)) => material.relaxed_modulus = Some(modulus),
-            Some(Given::Instantaneous(modulus)) => material.instantaneous_modulus = Some(modulus),
-            None => {}
+        if let Some(given) = modulus::find(&body, name)? {
+            let value = Some(Dimension::Modulus.read(&given.entry)?);
+            material.kind = given.kind;
+            match given.quantity {
+                LaboratoryQuantity::RelaxedModulus => material.relaxed_modulus = value,
+                _ => material.instantaneous_modulus = value,
+            }
         }
     }
     Ok(read)
 }
 
 /// A roller that is not rigid: elastic, or with a spectrum.
-fn soft_roller(entry: &Entry<'_>) -> Result<(Roller, Substrate), Fault> {
+fn soft_roller(entry: &Entry<'_>, files: &NamedSeries) -> Result<(Roller, Substrate), Fault> {
     let body = section(entry)?;
-    let ReadSubstrate { substrate, material, has_spectrum } = read_body(entry)?;
+    let ReadSubstrate { substrate, material, has_spectrum } = read_body(entry, files)?;
     let poisson_ratio = match material.poisson_ratio {
         Some(ratio) => ratio,
         None => LaboratoryQuantity::PoissonRatio.read(&body.require("poisson_ratio", "add poisson_ratio = 0.5")?)?,
@@ -168,6 +181,7 @@ fn soft_roller(entry: &Entry<'_>) -> Result<(Roller, Substrate), Fault> {
             return Err(body.fault("[roller] needs a modulus, which is missing", "no modulus", help));
         }
     };
+    let relaxed = relaxed * material.kind.young_factor(poisson_ratio);
     let plane_strain_modulus = relaxed / (1.0 - poisson_ratio * poisson_ratio);
     Ok((Roller { plane_strain_modulus, f, retardation_time }, substrate))
 }

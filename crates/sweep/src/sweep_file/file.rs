@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::bodies::{self, ReadBodies};
+use super::named_series::NamedSeries;
 use super::sections::{home, keys, section};
 use super::specification::{Method, Sweep};
 use super::{laboratory, output, solver};
@@ -21,12 +22,13 @@ const AXES_EXAMPLE: &str = "add the three axes, for instance\n[axes]\nf = [100.0
      beta = { from = 10.0, to = 1000.0, points = 9, scale = \"log\" }";
 
 impl Sweep {
-    /// Reads a sweep file.
+    /// Reads a sweep file, and the files that it names beside it.
     ///
     /// # Errors
     /// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8 or not a valid sweep.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, InputError> {
-        stribeck_input::read(KIND, path.as_ref(), interpret)
+        let folder = path.as_ref().parent();
+        stribeck_input::read(KIND, path.as_ref(), |name, text| interpret(name, text, folder))
     }
 
     /// Takes the text of a sweep file called `name`.toml.
@@ -34,14 +36,15 @@ impl Sweep {
     /// # Errors
     /// [`InputError::Invalid`] if the text is not a valid sweep.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
-        stribeck_input::parse(name, text, interpret)
+        stribeck_input::parse(name, text, |name, text| interpret(name, text, None))
     }
 }
 
-fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
+fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<Sweep, Fault> {
     let document = stribeck_input::document(text)?;
     let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
-    let bodies = bodies::read(&root)?;
+    let files = NamedSeries::read(&root, folder)?;
+    let bodies = bodies::read(&root, &files)?;
     let grid = read_grid(&root, &bodies)?;
     let title = root.get("title").map(|title| read_title(&title)).transpose()?;
     let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
@@ -55,7 +58,7 @@ fn interpret(name: &str, text: &str) -> Result<Sweep, Fault> {
         substrate: bodies.substrate,
         solver,
         output,
-        text: text.to_owned(),
+        text: files.written_into(text)?,
         name: name.to_owned(),
     })
 }

@@ -1,6 +1,7 @@
 //! The section `[laboratory]` of a sweep file: quantities with units in place of α and β.
 
 use super::bodies::ReadBodies;
+use super::modulus;
 use super::sections::section;
 use super::substrate::MaterialDefaults;
 use super::temperature::read_viscosity;
@@ -100,10 +101,11 @@ fn check_temperatures(section: &Section<'_>, given: &[Given], laws: &Temperature
 
 /// Refuses moduli and times of a flat that is rigid.
 fn refuse_softness(section: &Section<'_>, has_axis_of_f: bool) -> Result<(), Fault> {
-    let keys = ["relaxed_modulus", "instantaneous_modulus", "poisson_ratio", "retardation_time", "f"];
+    let others = ["poisson_ratio", "retardation_time", "f"];
+    let mut keys = modulus::KEYS.map(|(key, ..)| key).into_iter().chain(others);
     let what = "says nothing of a rigid flat";
     let help = "remove it, or `rigid` from the flat";
-    match keys.into_iter().find_map(|key| section.get(key)) {
+    match keys.find_map(|key| section.get(key)) {
         Some(entry) => Err(entry.fault(format!("`{}` {what}", entry.path()), "beside a rigid flat", help)),
         None if has_axis_of_f => Err(section.fault(format!("`axes.f` {what}"), "beside a rigid flat", help)),
         None => Ok(()),
@@ -177,23 +179,20 @@ fn read_quantity(
     f: &[f64],
 ) -> Result<Option<Varying>, Fault> {
     use LaboratoryQuantity as Q;
+    let is_modulus = matches!(quantity, Q::RelaxedModulus | Q::InstantaneousModulus);
+    if let Some(given) = if is_modulus { modulus::find(section, "laboratory")? } else { None } {
+        let is_this = given.quantity == quantity;
+        return is_this.then(|| modulus::read_young(section, material, &given)).transpose();
+    }
     if let Some(entry) = section.get(quantity.name()) {
-        if quantity == Q::InstantaneousModulus && section.get(Q::RelaxedModulus.name()).is_some() {
-            let what = "[laboratory] may have `relaxed_modulus` or `instantaneous_modulus`, not both";
-            let help = "remove one of the two: the other one follows from f";
-            return Err(entry.fault(what, "both are there", help));
-        }
         return read_varying(&entry, quantity).map(Some);
     }
+    let young = |modulus: f64| Ok(modulus * modulus::young_factor(section, material, material.kind)?);
     let default = match quantity {
-        Q::RelaxedModulus if section.get(Q::InstantaneousModulus.name()).is_some() => return Ok(None),
         Q::RelaxedModulus if material.instantaneous_modulus.is_some() => return Ok(None),
-        Q::RelaxedModulus => material.relaxed_modulus,
-        Q::InstantaneousModulus => match material.instantaneous_modulus {
-            Some(_) if section.get(Q::RelaxedModulus.name()).is_some() => return Ok(None),
-            None => return Ok(None),
-            own => own,
-        },
+        Q::RelaxedModulus => material.relaxed_modulus.map(young).transpose()?,
+        Q::InstantaneousModulus if material.instantaneous_modulus.is_none() => return Ok(None),
+        Q::InstantaneousModulus => material.instantaneous_modulus.map(young).transpose()?,
         Q::PoissonRatio => material.poisson_ratio,
         Q::Temperature => return Ok(None),
         // An elastic substrate responds at once: α = ∞.

@@ -10,12 +10,16 @@
 //! | `sections` | the sections of a sweep file and their keys |
 //! | `laboratory`, `solver`, `output` | a reader for each section of these names |
 //! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
+//! | `modulus` | a modulus of a section: relaxed or instantaneous, Young's or shear |
+//! | `named_series` | Prony series in files that a sweep file names |
 //! | `temperature` | the readers of laws of temperature |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
 mod bodies;
 mod file;
 mod laboratory;
+mod modulus;
+mod named_series;
 mod output;
 mod sections;
 mod solver;

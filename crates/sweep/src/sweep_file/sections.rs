@@ -1,5 +1,6 @@
 //! The sections of a sweep file, and the keys of each.
 
+use super::modulus::check_shear_modulus;
 use stribeck_input::{Entry, Fault, Section};
 
 /// The tables of a sweep file and their keys; the first one is the top level.
@@ -13,6 +14,8 @@ const SECTIONS: [(&str, &[&str]); 9] = [
             "load",
             "relaxed_modulus",
             "instantaneous_modulus",
+            "relaxed_shear_modulus",
+            "instantaneous_shear_modulus",
             "poisson_ratio",
             "viscosity",
             "retardation_time",
@@ -43,6 +46,8 @@ const BODY: &[&str] = &[
     "relaxation",
     "relaxed_modulus",
     "instantaneous_modulus",
+    "relaxed_shear_modulus",
+    "instantaneous_shear_modulus",
     "poisson_ratio",
     "f",
     "retardation_time",
@@ -61,5 +66,6 @@ pub(super) fn home(key: &str) -> Option<&'static str> {
 
 /// The table behind an entry, with the keys its path says.
 pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
+    check_shear_modulus(entry)?;
     entry.section(keys(entry.path()), home)
 }

@@ -24,7 +24,7 @@ pub struct Sweep {
     pub solver: SolverSettings,
     /// What is wanted of each case.
     pub output: Output,
-    /// The sweep file as it was read.
+    /// The sweep file as it was read, with the content of files that it names in place of their names.
     pub text: String,
     /// Stem of the file's name.
     pub name: String,

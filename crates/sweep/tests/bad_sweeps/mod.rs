@@ -368,5 +368,29 @@ pub fn bad_files() -> Vec<Row> {
             "a term has `modulus` or `fraction`",
             "relaxation = [",
         ),
+        (
+            with_axes("[substrate]\nshear_modulus = 1e6\n"),
+            "6:17",
+            "`substrate.shear_modulus` does not say which modulus it is",
+            "three times where Poisson's ratio is 0.5",
+        ),
+        (
+            with_laboratory("relaxed_modulus", "1e5\nshear_modulus = 1e5"),
+            "5:17",
+            "`laboratory.shear_modulus` does not say which modulus it is",
+            "relaxed_shear_modulus or instantaneous_shear_modulus",
+        ),
+        (
+            with_laboratory("relaxed_modulus", "1e5\nrelaxed_shear_modulus = 1e5"),
+            "5:25",
+            "`relaxed_modulus` or `relaxed_shear_modulus`, not both",
+            "remove one",
+        ),
+        (
+            with_laboratory("poisson_ratio", "[0.4, 0.5]").replace("relaxed_modulus", "relaxed_shear_modulus"),
+            "5:17",
+            "beside a shear modulus `laboratory.poisson_ratio` must be one number",
+            "would change along this axis",
+        ),
     ]
 }

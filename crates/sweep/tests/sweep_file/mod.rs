@@ -1,6 +1,8 @@
 //! Sweep files: what is taken, what is refused, and how the refusal reads.
 
 mod documents;
+mod moduli;
+mod named_series;
 mod refused;
 mod round_trip;
 

@@ -1,0 +1,133 @@
+//! One material in every form in which tables describe it.
+
+use std::path::Path;
+
+use super::{decay, oscillation, rubber};
+use stribeck_lab::{
+    ColumnChoice, MaterialData, MaterialFile, MaterialOptions, Measurement, Measurements, RelaxationFit, ShiftFactors,
+};
+use tempfile::tempdir;
+
+fn read(text: &str, options: &MaterialOptions) -> MaterialFile {
+    MaterialFile::of(Path::new("table"), text.as_bytes(), options).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn moduli(text: &str, options: &MaterialOptions) -> Measurements {
+    match read(text, options).data {
+        MaterialData::Moduli(measurements) => measurements,
+        MaterialData::Isotherms(isotherms) if isotherms.all().len() == 1 => isotherms.all()[0].measurements.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A table with these names, and the numbers that a row of each measurement has.
+fn table(names: &str, rows: &[Measurement], numbers: impl Fn(f64, [f64; 2]) -> Vec<f64>) -> String {
+    let line = |row: &Measurement| {
+        let numbers = numbers(row.rate(), row.moduli());
+        numbers.iter().map(|number| format!("{number:e}")).collect::<Vec<_>>().join("\t") + "\n"
+    };
+    format!("{names}\n{}", rows.iter().map(line).collect::<String>())
+}
+
+fn assert_near(found: &Measurements, exact: &[Measurement], what: &str) {
+    assert_eq!(found.rows().len(), exact.len(), "{what}");
+    for (row, exact) in found.rows().iter().zip(exact) {
+        assert!((row.rate() / exact.rate() - 1.0).abs() < 1e-12, "{what}: {row:?}, not {exact:?}");
+        let ([a, b], [c, d]) = (row.moduli(), exact.moduli());
+        assert!((a - c).hypot(b - d) < 1e-12 * c.hypot(d), "{what}: {row:?}, not {exact:?}");
+    }
+}
+
+/// Frequency or ω, storage and loss or tan δ or |E*| and δ, in any unit, of Young's modulus or of shear.
+#[test]
+fn all_forms_of_moduli_are_the_same_material() {
+    use std::f64::consts::TAU;
+    let rows = oscillation(&rubber(), -2, 3);
+    let plain = MaterialOptions::default();
+    let shear = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let said = MaterialOptions { is_shear: true, ..shear.clone() };
+    let unit = MaterialOptions { modulus_unit: Some(1e6), ..MaterialOptions::default() };
+    type Numbers = fn(f64, [f64; 2]) -> Vec<f64>;
+    let forms: [(&str, &MaterialOptions, Numbers); 10] = [
+        ("omega\tstorage\tloss", &plain, |rate, [a, b]| vec![rate, a, b]),
+        ("Angular frequency\tStorage modulus\tLoss modulus\nrad/s\tMPa\tMPa", &plain, |rate, [a, b]| {
+            vec![rate, a / 1e6, b / 1e6]
+        }),
+        ("freq_hz\tE'' (GPa)\tE' (GPa)\tnote", &plain, |rate, [a, b]| vec![rate / TAU, b / 1e9, a / 1e9, 7.0]),
+        ("Freq\tG'\tG\"\tTemp\nrad/s\tPa\tPa\t°C", &shear, |rate, [a, b]| vec![rate, a / 3.0, b / 3.0, 25.0]),
+        ("f [Hz]\tE′ [kPa]\ttan(delta) [-]", &plain, |rate, [a, b]| vec![rate / TAU, a / 1e3, b / a]),
+        ("frequency\t|E*| (Pa)\tphase angle (deg)", &plain, |rate, [a, b]| {
+            vec![rate / TAU, a.hypot(b), (b / a).atan().to_degrees()]
+        }),
+        ("omega\t|G*|\tdelta / rad\ttime", &shear, |rate, [a, b]| vec![rate, a.hypot(b) / 3.0, (b / a).atan(), 1.0]),
+        ("omega\tstorage\tloss", &said, |rate, [a, b]| vec![rate, a / 3.0, b / 3.0]),
+        ("omega\tE_stor\tE_loss", &unit, |rate, [a, b]| vec![rate, a / 1e6, b / 1e6]),
+        ("f\tE_stor\tE_loss\tE_abs\tt\nHz\tPa\tPa\tPa\ts", &plain, |rate, [a, b]| vec![rate / TAU, a, b, 1.0, 2.0]),
+    ];
+    for (names, options, numbers) in forms {
+        assert_near(&moduli(&table(names, &rows, numbers), options), &rows, names);
+    }
+    let chosen = MaterialOptions {
+        columns: ColumnChoice::list("omega=#1,storage=#3 (kPa),loss=#2 (kPa)").expect("choices"),
+        ..MaterialOptions::default()
+    };
+    let bare = table("", &rows, |rate, [a, b]| vec![rate, b / 1e3, a / 1e3]);
+    assert_near(&moduli(bare.trim_start(), &chosen), &rows, "chosen");
+}
+
+/// E(t), from the first time or from the last.
+#[test]
+fn a_relaxation_test_is_read_and_fitted() {
+    let mut rows = decay(&rubber(), -6, 3);
+    rows.reverse();
+    for (names, factor) in
+        [("t\tE_relax\ns\tMPa", 1e6), ("Time (s)\tRelaxation modulus (Pa)", 1.0), ("time\tE(t)", 1.0)]
+    {
+        let text = table(names, &rows, |rate, [modulus, _]| vec![1.0 / rate, modulus / factor]);
+        assert_near(&moduli(&text, &MaterialOptions::default()), &rows, names);
+    }
+    let text = table("t\tG(t)\ns\tPa", &rows, |rate, [modulus, _]| vec![1.0 / rate, modulus / 3.0]);
+    let shear = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let fit = RelaxationFit::new(&moduli(&text, &shear), 10).expect("a fit");
+    assert!((fit.relaxation.relaxed_modulus() / rubber().relaxed_modulus() - 1.0).abs() < 1e-6);
+}
+
+/// T is the temperature and t the time, by their units or, without, by the letter; what is not read is told.
+#[test]
+fn temperatures_are_told_from_times_and_kept() {
+    for names in ["t,E_relax,T\ns,MPa,C\n", "t,E_relax,T (degC)\n", "t (s),E_relax,temperature_C\n"] {
+        let text = format!("{names}1,3,20\n10,2,20.1\n1,2.5,30\n10,1.5,30.2\n");
+        let MaterialData::Isotherms(isotherms) = read(&text, &MaterialOptions::default()).data else {
+            panic!("{names}")
+        };
+        let found: Vec<f64> = isotherms.all().iter().map(|one| one.temperature - 273.15).collect();
+        assert!((found[0] - 20.05).abs() < 1e-9 && (found[1] - 30.1).abs() < 1e-9, "{found:?}");
+    }
+    let file = read("omega,storage,loss,torque\n1,2,3,4\n2,,4,4\n3,4,5,4\n", &MaterialOptions::default());
+    for said in ["2 rows", "`torque` (not known here)", "1 line left out (3): no value of storage"] {
+        assert!(file.understood.contains(said), "{said}\n{}", file.understood);
+    }
+}
+
+#[test]
+fn shift_factors_are_read_in_two_forms() {
+    let directory = tempdir().expect("a temporary directory");
+    let path = directory.path().join("factors.csv");
+    let factors = |text: &str| {
+        std::fs::write(&path, text).expect("written");
+        ShiftFactors::read(&path, &[]).map(|(factors, _)| factors)
+    };
+    let one = factors("\u{feff}T,log_aT\nC, -\n40,-2\n20,0\n0,3\n").expect("factors");
+    let other = factors("temperature (K);a_T\n273,15;1000\n293,15;1\n313,15;0,01\n").expect("factors");
+    assert_eq!(one, other);
+    assert_eq!(one.reference(), Some(293.15));
+    for (text, said) in [
+        ("T,b\nC,-\n0,1\n", "it has no shift factors"),
+        ("T,log_aT\nC,-\n0,-2\n20,0\n", "some print its reciprocal"),
+        ("T,aT\nC,-\n0,-2\n20,0\n", "a number above 0"),
+        ("T,log_aT\n0,3\n20,0\n", "above 100 K; write the unit"),
+    ] {
+        let error = factors(text).expect_err("no factors").to_string();
+        assert!(error.contains(said), "{error}");
+    }
+}
