@@ -121,6 +121,7 @@ impl FittedFriction<'_> {
 
     fn residual_label(&self) -> &'static str {
         match self.measured.errors {
+            Some(_) if self.measured.is_logarithmic() => "ln(fitted/measured)/relative standard error",
             Some(_) => "(fitted − measured)/standard error",
             None => "ln(fitted/measured)",
         }

@@ -52,6 +52,7 @@ fn points(speeds: &[f64], friction: Vec<f64>, errors: Option<Vec<f64>>) -> Measu
         friction,
         errors,
         coordinates: vec![("speed", speeds.to_vec())],
+        is_averaged: false,
         is_computed: false,
     }
 }

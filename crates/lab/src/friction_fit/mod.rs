@@ -9,7 +9,8 @@
 //! | `profile` | intervals of unknowns, while the others follow |
 //!
 //! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard
-//! errors σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
+//! errors σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals, or for means
+//! of readings their own, as ln(μ/μᵢ) μᵢ/σᵢ.
 
 mod bounds;
 mod prediction;
@@ -137,7 +138,7 @@ pub struct FittedPoint {
     pub error: Option<f64>,
     /// The friction coefficient of the solution.
     pub fitted: f64,
-    /// (μ − μᵢ)/σᵢ, or ln(μ/μᵢ) without standard errors.
+    /// (μ − μᵢ)/σᵢ, ln(μ/μᵢ) μᵢ/σᵢ for means of readings, or ln(μ/μᵢ) without standard errors.
     pub residual: f64,
 }
 

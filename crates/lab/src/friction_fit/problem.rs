@@ -20,8 +20,8 @@ pub(super) struct Problem<'a> {
     watch: &'a Watch<'a>,
     start: Vec<f64>,
     paths: Vec<Path>,
-    /// σᵢ over what all of them have in common, where standard errors are known.
-    errors: Option<Vec<f64>>,
+    /// What each residual is multiplied with, over what all of them have in common.
+    weights: Vec<f64>,
     /// What residuals are to be multiplied with: 1 without standard errors.
     scale: f64,
     parameters: DVector<f64>,
@@ -67,8 +67,10 @@ impl<'a> Problem<'a> {
             Err(NotPredicted::Interrupted) => return Err(FrictionFitError::TimeLimit { evaluations: 0, best: None }),
         };
         // Common factors of standard errors must not change the search: its steps are as long as residuals are large.
+        let weights = measured.weights();
+        let size = |(weight, mu): (&f64, &f64)| if measured.is_logarithmic() { *weight } else { (weight * mu).abs() };
         let scale = match &measured.errors {
-            Some(errors) => friction.iter().zip(errors).map(|(mu, error)| (mu / error).abs()).fold(0.0, f64::max),
+            Some(_) => weights.iter().zip(friction).map(size).fold(0.0, f64::max),
             None => 1.0,
         };
         if !(scale > 0.0 && scale.is_finite()) {
@@ -76,7 +78,7 @@ impl<'a> Problem<'a> {
                 "its standard errors are beyond what can be computed with; are they in the unit of the friction?";
             return Err(FrictionFitError::Task { what: what.to_owned() });
         }
-        let errors = measured.errors.as_ref().map(|errors| errors.iter().map(|error| error * scale).collect());
+        let weights = weights.into_iter().map(|weight| weight / scale).collect();
         let (parameters, best) = (DVector::zeros(start.len()), (start.clone(), f64::INFINITY));
         let mut problem = Self {
             predictor,
@@ -84,7 +86,7 @@ impl<'a> Problem<'a> {
             watch,
             start,
             paths,
-            errors,
+            weights,
             scale,
             parameters,
             prediction,
@@ -148,10 +150,9 @@ impl<'a> Problem<'a> {
     /// The Jacobian with respect to the logarithms of the unknowns.
     fn by_logarithms(&self) -> Option<DMatrix<f64>> {
         let Prediction { friction, derivatives } = self.prediction.as_ref().ok()?;
-        let element = |i: usize, j: usize| match &self.errors {
-            Some(errors) => derivatives[i][j] / errors[i],
-            None => derivatives[i][j] / friction[i],
-        };
+        let of_difference = |i: usize| if self.measured.is_logarithmic() { 1.0 / friction[i] } else { 1.0 };
+        let factors: Vec<f64> = self.weights.iter().enumerate().map(|(i, weight)| weight * of_difference(i)).collect();
+        let element = |i: usize, j: usize| factors[i] * derivatives[i][j];
         Some(DMatrix::from_fn(friction.len(), self.start.len(), element))
     }
 }
@@ -205,10 +206,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         let measured = self.measured;
         match &self.prediction {
             Ok(Prediction { friction, .. }) => {
-                let residual = |(i, mu): (usize, &f64)| match &self.errors {
-                    Some(errors) => (mu - measured.friction[i]) / errors[i],
-                    None => (mu / measured.friction[i]).ln(),
-                };
+                let residual = |(i, mu): (usize, &f64)| self.weights[i] * measured.difference(i, *mu);
                 Some(DVector::from_iterator(friction.len(), friction.iter().enumerate().map(residual)))
             }
             Err(NotPredicted::Failed { .. }) => Some(DVector::from_element(measured.friction.len(), REFUSED)),

@@ -2,6 +2,8 @@
 
 use super::prediction::{NotPredicted, Predictor};
 use super::problem::Found;
+use crate::Measured;
+
 use super::{Estimate, FrictionFit, FrictionFitError, FrictionTask, Watch, search};
 
 /// Values tried for each end.
@@ -76,17 +78,23 @@ impl FrictionFit {
         let predictor = Predictor::new(&task)?;
         if task.unknowns.is_empty() {
             return match predictor.predict(&[], watch.interrupt) {
-                Ok(prediction) => Ok(Some(task.measured.squares(&prediction.friction))),
+                Ok(prediction) => Ok(Some(squares(task.measured, &prediction.friction))),
                 Err(NotPredicted::Failed { .. }) => Ok(None),
                 Err(NotPredicted::Interrupted) => Err(FrictionFitError::TimeLimit { evaluations: 0, best: None }),
             };
         }
         match search(&task, &predictor, watch) {
-            Ok((Found { friction, .. }, _)) => Ok(Some(task.measured.squares(&friction))),
+            Ok((Found { friction, .. }, _)) => Ok(Some(squares(task.measured, &friction))),
             Err(FrictionFitError::TimeLimit { evaluations, best }) => {
                 Err(FrictionFitError::TimeLimit { evaluations, best })
             }
             Err(_) => Ok(None),
         }
     }
+}
+
+/// The sum of the squares of the residuals of these friction coefficients.
+fn squares(measured: &Measured, friction: &[f64]) -> f64 {
+    let residuals = measured.weights().into_iter().zip(friction).enumerate();
+    residuals.map(|(i, (weight, mu))| (weight * measured.difference(i, *mu)).powi(2)).sum()
 }

@@ -84,6 +84,7 @@ pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>]) -> Measured {
         errors: Some(errors).filter(|errors| errors.iter().all(|error| *error > 0.0)),
         places: groups.iter().map(|group| readings.places[group[0]]).collect(),
         coordinates: readings.coordinates.iter().map(|(name, values)| (*name, means(values))).collect(),
+        is_averaged: true,
         ..readings.clone()
     }
 }
