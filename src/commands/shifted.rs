@@ -37,7 +37,9 @@ pub fn law_lines(curve: &MasterCurve) -> String {
     curve
         .laws
         .first()
-        .map(|fit| format!("\nIts shift with temperature:\n\nshift = {}\n", fit.law.toml()))
+        .map(|fit| {
+            format!("\nFor the same section, beside a temperature in [laboratory]:\n\nshift = {}\n", fit.law.toml())
+        })
         .unwrap_or_default()
 }
 
