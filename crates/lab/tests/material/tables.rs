@@ -174,7 +174,7 @@ const PIECES: [&str; 34] = [
 proptest! {
     #![proptest_config(ProptestConfig {
         rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
-        ..ProptestConfig::with_cases(2000)
+        ..ProptestConfig::with_cases(1000)
     })]
 
     /// A file is a material or refused with a reason, whatever is in it.
@@ -183,7 +183,9 @@ proptest! {
         let options = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
         match MaterialFile::of(Path::new("any"), pieces.concat().as_bytes(), &options) {
             Ok(file) => match file.data {
-                MaterialData::Series(series) => prop_assert!(series.terms.iter().all(|term| term.0 > 0.0 && term.1 > 0.0)),
+                MaterialData::Series(series) => {
+                    prop_assert!(series.terms.iter().all(|term| term.0 > 0.0 && term.1 > 0.0));
+                }
                 MaterialData::Moduli(moduli) => prop_assert!(moduli.rates().0 < moduli.rates().1),
                 MaterialData::Isotherms(isotherms) => prop_assert!(!isotherms.all().is_empty()),
             },
