@@ -160,7 +160,7 @@ fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result
 
 /// Reads shift factors, and tells what was understood of them.
 fn read_factors(file: &Path) -> Result<ShiftFactors, CliError> {
-    let (factors, understood) = ShiftFactors::read(file, &[])?;
+    let (factors, understood) = ShiftFactors::read(file)?;
     console::tell(understood.to_string().trim_end());
     Ok(factors)
 }

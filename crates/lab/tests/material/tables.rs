@@ -116,7 +116,7 @@ fn shift_factors_are_read_in_two_forms() {
     let path = directory.path().join("factors.csv");
     let factors = |text: &str| {
         std::fs::write(&path, text).expect("written");
-        ShiftFactors::read(&path, &[]).map(|(factors, _)| factors)
+        ShiftFactors::read(&path).map(|(factors, _)| factors)
     };
     let one = factors("\u{feff}T,log_aT\nC, -\n40,-2\n20,0\n0,3\n").expect("factors");
     let other = factors("temperature (K);a_T\n273,15;1000\n293,15;1\n313,15;0,01\n").expect("factors");
