@@ -100,3 +100,98 @@ fn the_command_names_what_is_wrong() {
         assert!(code(&said) == 2 && err(&said).contains(expected), "{arguments:?}: {}", err(&said));
     }
 }
+
+/// The points in the shapes of laboratories: what was understood stands on stderr, and the fit is the same.
+#[test]
+fn files_of_laboratories_give_the_same_fit() {
+    let directory = tempfile::tempdir().unwrap();
+    write_points(directory.path());
+    let text = fs::read_to_string(directory.path().join("points.csv")).unwrap();
+    let foreign =
+        text.replace("speed (mm/s),load,mu,error", "Sliding Speed [mm/s],Normal load,COF,Std").replace(',', ";");
+    let foreign = foreign.replace('.', ",").replace('\n', "\r\n");
+    let wide: Vec<u8> = foreign.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    fs::write(directory.path().join("foreign.txt"), wide).unwrap();
+    let rows: Vec<&str> = text.lines().collect();
+    let half = |rows: &[&str]| [&["V,load,F,error"], rows].concat().join("\n");
+    fs::write(directory.path().join("one.csv"), half(&rows[2..7])).unwrap();
+    fs::write(directory.path().join("two.csv"), half(&rows[7..])).unwrap();
+    let values = |data: &[&str]| -> Vec<f64> {
+        let options = ["sweep.toml", "--unknown", "relaxed_modulus,retardation_time", "--json"];
+        let said = say(directory.path(), &[&["fit"], data, &options].concat());
+        assert_eq!(code(&said), 0, "{data:?}: {}", err(&said));
+        assert!(err(&said).contains("as mu") || err(&said).contains("`mu`"), "{}", err(&said));
+        let json: Value = serde_json::from_str(&out(&said)).unwrap();
+        (0..2).map(|i| json["estimates"][i]["value"].as_f64().unwrap()).collect()
+    };
+    let expected = values(&["points.csv"]);
+    assert_eq!(values(&["foreign.txt"]), expected);
+    assert_eq!(values(&["one.csv", "two.csv", "--columns", "speed=V (mm/s),mu=F"]), expected);
+}
+
+/// Readings at few places are solved once for each, and their scatter is their error.
+#[test]
+fn repeated_readings_cost_no_more_than_their_means() {
+    let directory = tempfile::tempdir().unwrap();
+    write_points(directory.path());
+    let text = fs::read_to_string(directory.path().join("points.csv")).unwrap();
+    let readings = text.lines().skip(2).flat_map(|row| {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        (0..30).map(move |i| format!("{},{},{}\n", cells[0], cells[1], cells[2] * (1.0 + 0.01 * f64::from(i % 3 - 1))))
+    });
+    let readings = format!("speed (mm/s),load,mu\n{}", readings.collect::<String>());
+    fs::write(directory.path().join("readings.csv"), readings).unwrap();
+    let said = say(
+        directory.path(),
+        &[
+            "fit",
+            "readings.csv",
+            "sweep.toml",
+            "--unknown",
+            "relaxed_modulus",
+            "--bounds",
+            "relaxed_modulus=1e4:1e6",
+            "--profile",
+        ],
+    );
+    assert_eq!(code(&said), 0, "{}", err(&said));
+    assert!(err(&said).contains("300 readings at 10 places"), "{}", err(&said));
+    let text = out(&said);
+    assert!(
+        text.starts_with("10 points of readings.csv") && text.contains("interval") && text.contains(" kPa"),
+        "{text}"
+    );
+}
+
+/// A curve of the program is fitted by what it was computed with.
+#[test]
+fn a_curve_of_the_program_is_fitted_by_itself() {
+    let directory = tempfile::tempdir().unwrap();
+    let sweep = SWEEP.replace("[100.0, 119.0]", "119.0").replace("[1e-3, 1e-2]", "[1e-3, 1e-2, 1e-1]");
+    fs::write(directory.path().join("curve.toml"), &sweep).unwrap();
+    fs::write(directory.path().join("sweep.toml"), sweep.replace("5.1 Pa s", "4 Pa s")).unwrap();
+    assert_eq!(code(&say(directory.path(), &["curve", "curve.toml", "--csv", "curve.csv"])), 0);
+    let said = say(directory.path(), &["fit", "curve.csv", "sweep.toml", "--unknown", "viscosity", "--json"]);
+    assert_eq!(code(&said), 0, "{}", err(&said));
+    let json: Value = serde_json::from_str(&out(&said)).unwrap();
+    assert!((json["estimates"][0]["value"].as_f64().unwrap() / 5.1 - 1.0).abs() < 1e-4, "{json}");
+}
+
+#[test]
+fn a_fit_ends_when_its_time_is_up() {
+    let directory = tempfile::tempdir().unwrap();
+    write_points(directory.path());
+    let fit = ["fit", "points.csv", "sweep.toml", "--unknown", "viscosity"];
+    let said = say(directory.path(), &[&fit[..], &["--time-limit", "0.000001s"]].concat());
+    assert!(code(&said) == 2 && err(&said).contains("the time is up after"), "{}", err(&said));
+    for (options, expected) in [
+        (["--time-limit", "soon"], "write a time as in 90s, 10m or 1.5h"),
+        (["--bounds", "f=0:100"], "--bounds has f, which is not looked for"),
+        (["--bounds", "viscosity=6:10"], "is not between its bounds"),
+        (["--bounds", "viscosity=6"], "write bounds as in f=0:100"),
+        (["--columns", "mu"], "write quantity=column"),
+    ] {
+        let said = say(directory.path(), &[&fit[..], &options].concat());
+        assert!(code(&said) == 2 && err(&said).contains(expected), "{options:?}: {}", err(&said));
+    }
+}

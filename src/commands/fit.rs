@@ -2,15 +2,17 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::Args;
 
 use super::curve::laboratory;
+use super::fit_progress::{time_limit, watched};
 use super::fitted_friction::FittedFriction;
 use super::measured::{self, ColumnArguments};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format};
-use stribeck_lab::{Experiment, FrictionFit, FrictionTask, Measured, Unknown};
+use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, FrictionTask, Measured, Unknown};
 use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::write_whole;
 use stribeck_sweep::{LaboratoryAxes, Method};
@@ -19,22 +21,29 @@ use stribeck_sweep::{LaboratoryAxes, Method};
 #[command(after_help = "\
 Examples:
   stribeck fit points.csv sweeps/rubber.toml --unknown relaxed_modulus,retardation_time
+  stribeck fit monday.txt friday.txt sweeps/rubber.toml --unknown f --bounds f=0:100 --time-limit 10m
   stribeck fit points.csv sweeps/rubber.toml --unknown f,viscosity -o fit      pictures and tables in fit/
   stribeck fit points.csv sweeps/rubber.toml --unknown viscosity --json
 
-The points are a CSV with mu, where it was measured (speed, load, …), and its standard error `error` if that is known.
-The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/laboratory.md tells how it
+The points are tables with mu, where it was measured (speed, load, …), and its standard error `error` if that is known:
+CSV, exports of instruments, .xlsx; what was understood of them is printed first. The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/laboratory.md tells how it
 works and what the errors mean.")]
 pub struct Arguments {
-    /// The measured points: one table or several
-    #[arg(value_name = "DATA", required = true, num_args = 1..)]
-    data: Vec<PathBuf>,
-    /// The sweep file, with [laboratory]; the last one
-    #[arg(value_name = "SWEEP")]
-    sweep: PathBuf,
+    /// The measured points, one table or several, and last the sweep file, with [laboratory]
+    #[arg(value_name = "DATA… SWEEP", required = true, num_args = 1..)]
+    files: Vec<PathBuf>,
     /// What is looked for: f and names of [laboratory]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', required = true, value_parser = unknown)]
     unknown: Vec<Unknown>,
+    /// Where unknowns must stay, in SI units, as in f=0:100; either end may be left out
+    #[arg(long, value_name = "NAME=LO:HI,…", value_delimiter = ',', value_parser = bounds)]
+    bounds: Vec<Bounds>,
+    /// End the search after this time, as in 10m or 90s
+    #[arg(long, value_name = "TIME", value_parser = time_limit)]
+    time_limit: Option<Duration>,
+    /// Find intervals from the profile of the residuals, too: more fits, for errors that differ on both sides
+    #[arg(long)]
+    profile: bool,
     #[command(flatten)]
     columns: ColumnArguments,
     /// Write pictures and a table to this directory
@@ -55,20 +64,45 @@ fn unknown(name: &str) -> Result<Unknown, String> {
     })
 }
 
+/// The bounds of an unknown.
+fn bounds(text: &str) -> Result<Bounds, String> {
+    let (name, (least, most)) = text
+        .split_once('=')
+        .and_then(|(name, ends)| Some((name, ends.split_once(':')?)))
+        .ok_or_else(|| "write bounds as in f=0:100, f=0.1: or f=:100".to_owned())?;
+    let end = |text: &str| match text.trim() {
+        "" => Ok(None),
+        text => text.parse().map(Some).map_err(|_| format!("{text} is no number; bounds are in SI units")),
+    };
+    Ok(Bounds { unknown: unknown(name)?, least: end(least)?, most: end(most)? })
+}
+
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let sweep = read_sweep(&arguments.sweep)?;
-    let refuse = |what: String| CliError::NoFit { files: arguments.data.clone(), what };
-    let parts = arguments.data.iter().map(|path| measured::read(path, &arguments.columns));
+    let (sweep_file, data) = arguments.files.split_last().expect("one is required");
+    let sweep = read_sweep(sweep_file)?;
+    if data.is_empty() {
+        let what = "there are no measured points; name their files before the sweep file".to_owned();
+        return Err(CliError::NoFit { files: vec![sweep_file.clone()], what });
+    }
+    let refuse = |what: String| CliError::NoFit { files: data.to_vec(), what };
+    let parts = data.iter().map(|path| measured::read(path, &arguments.columns));
     let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
     if let Some(name) = repeated(&arguments.unknown) {
         return Err(refuse(format!("--unknown has {name} twice")));
     }
+    if let Some(other) = arguments.bounds.iter().find(|bounds| !arguments.unknown.contains(&bounds.unknown)) {
+        return Err(refuse(format!(
+            "--bounds has {0}, which is not looked for; add it to --unknown",
+            other.unknown.name()
+        )));
+    }
+    let measured = beside(measured, &arguments.unknown);
     if sweep.solver.method != Method::Collocation {
         let what = "a fit needs sensitivities, which the collocation method alone has; write method = \
                     \"collocation\" in [solver]";
         return Err(refuse(what.to_owned()));
     }
-    let axes = laboratory(&sweep, &arguments.sweep)?;
+    let axes = laboratory(&sweep, sweep_file)?;
     if !axes.roller.is_rigid() {
         let what = "a fit needs sensitivities, which are those of a rigid roller; [roller] is soft";
         return Err(refuse(what.to_owned()));
@@ -79,16 +113,47 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         substrate: &sweep.substrate,
         cavity_shear: sweep.output.cavity_shear,
         unknowns: arguments.unknown.clone(),
+        bounds: arguments.bounds.clone(),
         tolerance: sweep.solver.tolerance,
     };
-    let fit = FrictionFit::new(&task).map_err(|error| refuse(error.to_string()))?;
-    let fitted = FittedFriction { fit: &fit, measured: &measured };
+    note_temperatures(&measured, &task.experiment);
+    let (fit, intervals) = watched(&arguments.unknown, arguments.time_limit, |watch| {
+        let fit = FrictionFit::watched(&task, watch)?;
+        let intervals = arguments.profile.then(|| fit.intervals(&task, watch)).transpose()?;
+        Ok((fit, intervals))
+    })
+    .map_err(|error: FrictionFitError| refuse(error.to_string()))?;
+    let fitted = FittedFriction { fit: &fit, measured: &measured, intervals: intervals.as_deref() };
     let directory = arguments.output.as_deref();
     if let Some(directory) = directory {
         write(&fitted, directory, arguments.format)?;
     }
     console::print(&if arguments.json { fitted.json() } else { fitted.text(directory) })?;
     Ok(Exit::Success)
+}
+
+/// The points of a fit: of files that this program wrote, what is looked for is no column.
+fn beside(measured: Measured, unknowns: &[Unknown]) -> Measured {
+    if !measured.is_computed {
+        return measured;
+    }
+    let looks_for = |is: &dyn Fn(&str) -> bool| unknowns.iter().any(|unknown| is(unknown.name()));
+    let is_modulus = |name: &str| name.ends_with("_modulus");
+    measured.without(|column| looks_for(&|name| name == column || (is_modulus(name) && is_modulus(column))))
+}
+
+/// Says that points at several temperatures are taken for points at one, where the sweep file has no temperature.
+fn note_temperatures(measured: &Measured, experiment: &Experiment) {
+    const APART: f64 = 5.0;
+    let (Some(values), None) = (measured.coordinate("temperature"), experiment.temperature) else { return };
+    let (least, most) =
+        values.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), it| (least.min(*it), most.max(*it)));
+    if most - least > APART {
+        console::tell(&format!(
+            "note: the points are from {least:.1} K to {most:.1} K, and the sweep file has no temperature: viscosity and \
+             times are taken to be the same at all of them"
+        ));
+    }
 }
 
 /// The name of an unknown that stands there twice.

@@ -4,18 +4,20 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::short_value::short;
 use super::terminal_plot::{TextAxis, plot};
 use crate::format::{Align, count, table_line};
 use crate::pictures::Table;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::shown;
 use stribeck_lab::{Estimate, FrictionFit, Measured, Unknown};
-use stribeck_solver::shortest;
 
 /// A fit and the points that it was made from.
 pub struct FittedFriction<'a> {
     pub fit: &'a FrictionFit,
     pub measured: &'a Measured,
+    /// The interval of each unknown from the profile of the residuals, if it was asked for.
+    pub intervals: Option<&'a [[Option<f64>; 2]]>,
 }
 
 impl FittedFriction<'_> {
@@ -46,10 +48,20 @@ impl FittedFriction<'_> {
 
     fn estimates(&self) -> String {
         let columns = [Align::Left(22), Align::Right(12), Align::Right(12), Align::Left(5), Align::Right(12)];
-        let mut text = table_line(&columns, &["unknown", "value", "std. error", "unit", "start"]);
-        for Estimate { unknown, value, error, start } in &self.fit.estimates {
-            let [value, error, start] = [value, error, start].map(|number| format!("{number:.5e}"));
-            text += &table_line(&columns, &[unknown.name(), &value, &error, unknown.units(), &start]);
+        let columns = [&columns[..], &[Align::Left(18), Align::Left(0)]].concat();
+        let interval = if self.intervals.is_some() { "interval" } else { "" };
+        let mut text = table_line(&columns, &["unknown", "value", "std. error", "unit", "start", "in short", interval]);
+        let number = |number: f64| if number.is_nan() { "-".to_owned() } else { format!("{number:.5e}") };
+        for (i, Estimate { unknown, value, error, start, at_bound }) in self.fit.estimates.iter().enumerate() {
+            let [value_text, error_text, start] = [*value, *error, *start].map(number);
+            let bound = if *at_bound { " at its bound" } else { "" };
+            let short = short(*value, *error, unknown.units()) + bound;
+            let interval = self.intervals.map_or_else(String::new, |intervals| {
+                let [from, to] = intervals[i].map(|end| end.map_or("?".to_owned(), |end| format!("{end:.4e}")));
+                format!("{from} to {to}")
+            });
+            let cells = [unknown.name(), &value_text, &error_text, unknown.units(), &start, &short, &interval];
+            text += &table_line(&columns, &cells);
         }
         text
     }
@@ -109,6 +121,7 @@ impl FittedFriction<'_> {
 
     fn residual_label(&self) -> &'static str {
         match self.measured.errors {
+            Some(_) if self.measured.is_logarithmic() => "ln(fitted/measured)/relative standard error",
             Some(_) => "(fitted − measured)/standard error",
             None => "ln(fitted/measured)",
         }
@@ -123,7 +136,7 @@ impl FittedFriction<'_> {
             .map(|it| {
                 json!({
                     "unknown": it.unknown.name(), "units": it.unknown.units(), "start": it.start, "value": it.value,
-                    "standard_error": it.error
+                    "standard_error": it.error, "at_bound": it.at_bound,
                 })
             })
             .collect();
@@ -138,6 +151,7 @@ impl FittedFriction<'_> {
             "degrees_of_freedom": fit.degrees_of_freedom,
             "reduced_chi_squared": fit.reduced_chi_squared,
             "evaluations": fit.evaluations,
+            "intervals": self.intervals,
             "points": points,
         });
         serde_json::to_string_pretty(&whole).expect("strings and numbers can be written") + "\n"
@@ -148,15 +162,19 @@ impl FittedFriction<'_> {
         let fit = self.fit;
         let quantities: Vec<_> = fit.points[0].experiment.given().collect();
         let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
-        let mut table = Table::new(
-            &[&["line"], &names[..], &["f", "alpha", "beta", "measured", "error", "fitted", "residual"]].concat(),
-        );
+        let several = self.measured.files.len() > 1;
+        let place = if several { &["file", "line"][..] } else { &["line"] };
+        let numbers = ["f", "alpha", "beta", "measured", "error", "fitted", "residual"];
+        let mut table = Table::new(&[place, &names[..], &numbers].concat());
         for point in &fit.points {
             let given = quantities.iter().map(|quantity| point.experiment.value(*quantity));
             let (alpha, beta) = (point.experiment.alpha(), point.experiment.beta());
             let error = point.error.unwrap_or(f64::NAN);
             let rest = [point.experiment.f, alpha, beta, point.measured, error, point.fitted, point.residual];
-            table.row(&[&point.place.1.to_string()], &given.chain(rest).collect::<Vec<_>>());
+            let (file, line) = point.place;
+            let place = [shown(&self.measured.files[file]), line.to_string()];
+            let place: Vec<&str> = place.iter().skip(usize::from(!several)).map(String::as_str).collect();
+            table.row(&place, &given.chain(rest).collect::<Vec<_>>());
         }
         table
     }
@@ -183,10 +201,10 @@ impl FittedFriction<'_> {
         }
         let points = fit.points.iter().map(|point| (point.experiment.motion.along().1, point.measured)).collect();
         curves.push(curve("measured", points, Stroke::Points, Colour::Black, true));
-        let found = fit.estimates.iter().map(|it| {
-            let (value, error) = (three(it.value), three(it.error));
-            format!("{} = {value} ± {error} {}", it.unknown.name(), unit(it.unknown)).trim_end().to_owned()
-        });
+        let found = fit
+            .estimates
+            .iter()
+            .map(|it| format!("{} = {}", it.unknown.name(), short(it.value, it.error, it.unknown.units())));
         let labels = [along, "friction coefficient μ"];
         chart("friction, measured and fitted", found.collect::<Vec<_>>().join(", "), labels, curves)
     }
@@ -219,9 +237,4 @@ fn chart(title: &str, subtitle: String, [along, y]: [&str; 2], curves: Vec<Curve
         y: LineAxis { label: y.to_owned(), logarithmic: false, range: None },
         curves,
     }
-}
-
-/// A number with three digits.
-fn three(value: f64) -> String {
-    shortest(format!("{value:.2e}").parse().expect("{:e} writes a number"))
 }

@@ -48,7 +48,9 @@ mod units;
 mod viscosity_law;
 
 pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
-pub use friction_fit::{Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown};
+pub use friction_fit::{
+    Bounds, Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown, Watch,
+};
 pub use material::{
     Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
     MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,

@@ -105,4 +105,16 @@ mod tests {
             assert_eq!(parts(text), expected, "{text}");
         }
     }
+
+    #[test]
+    fn a_comma_is_a_decimal_mark_where_it_cannot_be_another() {
+        let read = |text: &str| match with_point(text) {
+            Comma::None(number) => Some(number),
+            Comma::Ambiguous => None,
+        };
+        for (text, number) in [("1,5", "1.5"), ("0,125", "0.125"), ("-12,5e3", "-12.5e3"), ("1500,250", "1500.250")] {
+            assert_eq!(read(text).as_deref(), Some(number));
+        }
+        assert!(["1,500", "-12,345"].into_iter().all(|text| read(text).is_none()));
+    }
 }

@@ -12,6 +12,7 @@ use uom::si::{
     surface_tension, time, velocity,
 };
 
+use crate::TemperatureUnit;
 use crate::notation::{Comma, canonical, in_si, parts, with_point};
 use stribeck_input::{Entry, Fault, Values};
 
@@ -84,58 +85,37 @@ impl Dimension {
         Self::KinematicViscosity,
     ];
 
+    /// Its name with an article, its SI unit, and an example of a value.
+    fn facts(self) -> [&'static str; 3] {
+        match self {
+            Dimension::Length => ["a length", "m", "\"2 mm\" or 2e-3 (in m)"],
+            Dimension::LineLoad => ["a load per length", "N/m", "\"119 N/m\" or 119.0 (in N/m)"],
+            Dimension::Modulus => ["a modulus", "Pa", "\"100 kPa\" or 1e5 (in Pa)"],
+            Dimension::Viscosity => ["a viscosity", "Pa s", "\"5.1 Pa s\" or 5.1 (in Pa s)"],
+            Dimension::Time => ["a time", "s", "\"20 ms\" or 0.02 (in s)"],
+            Dimension::Speed => ["a speed", "m/s", "\"1 mm/s\" or 1e-3 (in m/s)"],
+            Dimension::Frequency => ["a frequency", "Hz", "\"10 Hz\" or 10.0 (in Hz)"],
+            Dimension::AngularFrequency => ["an angular frequency", "rad/s", "\"10 rad/s\" or 10.0 (in rad/s)"],
+            Dimension::Temperature => ["a temperature", "K", "\"20 degC\" or 293.15 (in K)"],
+            Dimension::Angle => ["an angle", "rad", "\"5 deg\" or 0.087 (in rad)"],
+            Dimension::Force => ["a force", "N", "\"20 N\" or 20.0 (in N)"],
+            Dimension::KinematicViscosity => ["a kinematic viscosity", "m²/s", "\"10 cSt\" or 1e-5 (in m²/s)"],
+        }
+    }
+
     /// Its name, with an article.
     pub fn words(self) -> &'static str {
-        match self {
-            Dimension::Length => "a length",
-            Dimension::LineLoad => "a load per length",
-            Dimension::Modulus => "a modulus",
-            Dimension::Viscosity => "a viscosity",
-            Dimension::Time => "a time",
-            Dimension::Speed => "a speed",
-            Dimension::Frequency => "a frequency",
-            Dimension::AngularFrequency => "an angular frequency",
-            Dimension::Temperature => "a temperature",
-            Dimension::Angle => "an angle",
-            Dimension::Force => "a force",
-            Dimension::KinematicViscosity => "a kinematic viscosity",
-        }
+        self.facts()[0]
     }
 
     /// Its SI unit.
     pub fn unit(self) -> &'static str {
-        match self {
-            Dimension::Length => "m",
-            Dimension::LineLoad => "N/m",
-            Dimension::Modulus => "Pa",
-            Dimension::Viscosity => "Pa s",
-            Dimension::Time => "s",
-            Dimension::Speed => "m/s",
-            Dimension::Frequency => "Hz",
-            Dimension::AngularFrequency => "rad/s",
-            Dimension::Temperature => "K",
-            Dimension::Angle => "rad",
-            Dimension::Force => "N",
-            Dimension::KinematicViscosity => "m²/s",
-        }
+        self.facts()[1]
     }
 
     /// An example of a value.
     fn example(self) -> &'static str {
-        match self {
-            Dimension::Length => "\"2 mm\" or 2e-3 (in m)",
-            Dimension::LineLoad => "\"119 N/m\" or 119.0 (in N/m)",
-            Dimension::Modulus => "\"100 kPa\" or 1e5 (in Pa)",
-            Dimension::Viscosity => "\"5.1 Pa s\" or 5.1 (in Pa s)",
-            Dimension::Time => "\"20 ms\" or 0.02 (in s)",
-            Dimension::Speed => "\"1 mm/s\" or 1e-3 (in m/s)",
-            Dimension::Frequency => "\"10 Hz\" or 10.0 (in Hz)",
-            Dimension::AngularFrequency => "\"10 rad/s\" or 10.0 (in rad/s)",
-            Dimension::Temperature => "\"20 degC\" or 293.15 (in K)",
-            Dimension::Angle => "\"5 deg\" or 0.087 (in rad)",
-            Dimension::Force => "\"20 N\" or 20.0 (in N)",
-            Dimension::KinematicViscosity => "\"10 cSt\" or 1e-5 (in m²/s)",
-        }
+        self.facts()[2]
     }
 
     /// The number of SI units in a unit, written as `uom` writes it; `None` if the unit has another dimension.
@@ -166,7 +146,7 @@ impl Dimension {
             Dimension::KinematicViscosity => {
                 factor!(KinematicViscosity, kinematic_viscosity, square_meter_per_second)
             }
-            Dimension::Temperature => (unit == "K").then_some(1.0),
+            Dimension::Temperature => None,
         }
     }
 
@@ -180,14 +160,11 @@ impl Dimension {
 
     /// What becomes of numbers in a unit, written in any way; `None` if the unit has another dimension.
     pub fn conversion(self, unit: &str) -> Option<Conversion> {
-        let unit = canonical(unit);
-        match (self, unit.as_str()) {
-            (Dimension::Temperature, "°C" | "C") => Some(Conversion { factor: 1.0, offset: 273.15 }),
-            (Dimension::Temperature, "°F" | "F") => {
-                Some(Conversion { factor: 5.0 / 9.0, offset: 273.15 - 160.0 / 9.0 })
-            }
-            _ => self.factor(&unit).map(Conversion::by),
+        if self == Dimension::Temperature {
+            let unit = TemperatureUnit::named(unit)?;
+            return Some(Conversion { factor: unit.kelvins_of_difference(1.0), offset: unit.kelvins(0.0) });
         }
+        self.factor(&canonical(unit)).map(Conversion::by)
     }
 
     /// What a unit measures, written in any way.
@@ -326,5 +303,19 @@ mod tests {
         // a product is not a prefix
         assert!(["m s", "m.s", "m in"].into_iter().all(|unit| Dimension::Time.conversion(unit).is_none()));
         assert!(Dimension::ALL.into_iter().all(|it| it.conversion(it.unit()) == Some(Conversion::NONE)));
+    }
+
+    /// What people have at hand in place of a quantity is told with what it lacks.
+    #[test]
+    fn what_is_missing_is_named() {
+        for (wanted, unit, words) in [
+            (Dimension::LineLoad, "N", "a force; a load is per length: divide it by the length"),
+            (Dimension::Viscosity, "cSt", "multiply it by the density"),
+            (Dimension::Speed, "rpm", "multiply by the radius"),
+            (Dimension::Speed, "Pa", "a modulus, not a speed"),
+        ] {
+            let other = Dimension::of_unit(unit).unwrap_or_else(|| panic!("{unit} is known"));
+            assert!(wanted.mismatch(other).contains(words), "{unit}");
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 use stribeck_lab::{
-    Experiment, FrictionFit, FrictionFitError, FrictionTask, LaboratoryQuantity, Measured, Modulus, Motion, Relaxation,
-    RelaxationTerm, Roller, Unknown,
+    Bounds, Experiment, FrictionFit, FrictionFitError, FrictionTask, LaboratoryQuantity, Measured, Modulus, Motion,
+    Relaxation, RelaxationTerm, Roller, Unknown, Watch,
 };
 use stribeck_solver::{
     CavityShear, Interrupt, Method, Parameters, RetardationMode, Settings, SolvedCase, Substrate, collocation,
@@ -52,6 +52,7 @@ fn points(speeds: &[f64], friction: Vec<f64>, errors: Option<Vec<f64>>) -> Measu
         friction,
         errors,
         coordinates: vec![("speed", speeds.to_vec())],
+        is_averaged: false,
         is_computed: false,
     }
 }
@@ -68,6 +69,7 @@ fn fitted(
         substrate,
         cavity_shear: CavityShear::Full,
         unknowns: unknowns(names),
+        bounds: Vec::new(),
         tolerance: 1e-7,
     })
 }
@@ -288,4 +290,103 @@ fn a_search_that_runs_away_is_no_fit() {
     let friction: Vec<f64> = exact(&speeds, TRUTH, &substrate).iter().map(|mu| 50.0 * mu).collect();
     let error = fitted(&points(&speeds, friction, None), TRUTH, &substrate, &["f"]).unwrap_err();
     assert!(matches!(error, FrictionFitError::NoMinimum { .. }), "{error}");
+}
+
+/// A common factor of all standard errors changes no minimum, however small the errors are.
+#[test]
+fn a_common_factor_of_errors_changes_no_minimum() {
+    let speeds = speeds(6, 1e-3, 0.3);
+    let mut noise = Noise(11);
+    let friction: Vec<f64> =
+        exact(&speeds, TRUTH, &Substrate::default()).iter().map(|mu| mu * (1.0 + 0.05 * noise.normal())).collect();
+    let start = Experiment { viscosity: 1.0, ..TRUTH };
+    let fit = |factor: f64| {
+        let errors = Some(friction.iter().map(|mu| factor * mu).collect());
+        let fit =
+            fitted(&points(&speeds, friction.clone(), errors), start, &Substrate::default(), &["viscosity"]).unwrap();
+        (fit.estimates[0].value, fit.estimates[0].error / factor)
+    };
+    let (value, error) = fit(0.05);
+    for factor in [1e-6, 1e-10, 1e-100] {
+        let (other, other_error) = fit(factor);
+        assert!((other / value - 1.0).abs() < 1e-5 && (other_error / error - 1.0).abs() < 1e-3, "{factor}: {other}");
+    }
+}
+
+/// Bounds hold the search between them: a minimum inside is the same, and one outside is found at the bound.
+#[test]
+fn bounds_are_kept() {
+    let (speeds, substrate) = (speeds(8, 1e-3, 0.3), Substrate::default());
+    let measured = points(&speeds, exact(&speeds, TRUTH, &substrate), None);
+    let start = Experiment { viscosity: 4.0, f: 8.0, ..TRUTH };
+    let fit = |least, most| {
+        let bounds = vec![Bounds { unknown: Unknown::Strength, least, most }];
+        FrictionFit::new(&FrictionTask {
+            measured: &measured,
+            experiment: start,
+            substrate: &substrate,
+            cavity_shear: CavityShear::Full,
+            unknowns: unknowns(&["viscosity", "f"]),
+            bounds,
+            tolerance: 1e-7,
+        })
+    };
+    for (least, most) in [(None, Some(100.0)), (Some(0.0), Some(100.0)), (Some(1.0), None), (Some(9.9), None)] {
+        let start_is_inside = least.is_none_or(|least| least < 8.0);
+        let Ok(fit) = fit(least, most) else {
+            assert!(!start_is_inside);
+            continue;
+        };
+        assert!(start_is_inside && (fit.estimates[1].value / 10.0 - 1.0).abs() < 1e-4, "{:?}", fit.estimates);
+        assert!(!fit.estimates[1].at_bound && fit.estimates[1].error.is_finite());
+    }
+    let held = fit(Some(7.0), Some(9.0)).expect("a minimum at the bound");
+    let [viscosity, strength] = held.estimates[..] else { panic!("two") };
+    assert!(strength.at_bound && strength.error.is_nan() && (strength.value / 9.0 - 1.0).abs() < 1e-2, "{strength:?}");
+    assert!(!viscosity.at_bound && viscosity.error > 0.0);
+}
+
+/// The interval of the one unknown of a fit is where its sum of squares has risen as it should, and in a fit of several
+/// it is about that of the standard error where errors are small.
+#[test]
+fn intervals_follow_the_profile_of_the_residuals() {
+    let (speeds, substrate) = (speeds(8, 1e-3, 0.3), Substrate::default());
+    let exact = exact(&speeds, TRUTH, &substrate);
+    let errors = Some(exact.iter().map(|mu| 0.01 * mu).collect());
+    let measured = points(&speeds, exact, errors);
+    let interrupt = Interrupt::new();
+    let watch = Watch { interrupt: &interrupt, evaluated: &|_, _| {} };
+    for names in [&["viscosity"][..], &["viscosity", "f"]] {
+        let task = FrictionTask {
+            measured: &measured,
+            experiment: TRUTH,
+            substrate: &substrate,
+            cavity_shear: CavityShear::Full,
+            unknowns: unknowns(names),
+            bounds: Vec::new(),
+            tolerance: 1e-7,
+        };
+        let fit = FrictionFit::new(&task).expect("a fit");
+        for (estimate, ends) in fit.estimates.iter().zip(fit.intervals(&task, &watch).expect("in time")) {
+            for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
+                let reached = (end.expect("an end") / estimate.value).ln() * estimate.value / estimate.error;
+                assert!((sign * reached - 1.0).abs() < 0.2, "{}: {reached}", estimate.unknown.name());
+            }
+        }
+    }
+    interrupt.request();
+    let task = FrictionTask {
+        measured: &measured,
+        experiment: TRUTH,
+        substrate: &substrate,
+        cavity_shear: CavityShear::Full,
+        unknowns: unknowns(&["viscosity"]),
+        bounds: Vec::new(),
+        tolerance: 1e-7,
+    };
+    let error = FrictionFit::watched(&task, &watch).unwrap_err();
+    assert!(
+        matches!(error, FrictionFitError::TimeLimit { .. }) && error.to_string().contains("the time is up"),
+        "{error}"
+    );
 }

@@ -83,3 +83,138 @@ fn what_is_wrong_is_named_with_its_place() {
     let missing = Measured::read(Path::new("nowhere.csv"), &[]).unwrap_err();
     assert!(matches!(missing, TableError::Unreadable { .. }) && missing.to_string().contains("nowhere.csv"));
 }
+
+/// Exports of a machine: two steps of readings, rolling and sliding, in the tests' own numbers.
+#[test]
+fn steps_of_readings_are_points_with_their_errors() {
+    let bytes = include_bytes!("findings/table/steps-of-readings.txt");
+    let (found, understood) = Measured::of(Path::new("steps.txt"), bytes, &[]).expect("steps");
+    assert_eq!(found.friction.len(), 2);
+    // 0.1, 0.101 and 0.099 scatter by 0.001
+    assert!((found.friction[0] - 0.1).abs() < 1e-15 && (found.friction[1] - 0.2).abs() < 1e-15);
+    let errors = found.errors.as_ref().expect("they scatter");
+    assert!(errors.iter().all(|error| (error / (1e-3 / 3.0_f64.sqrt()) - 1.0).abs() < 1e-9), "{errors:?}");
+    let near = |name: &str, expected: [f64; 2]| {
+        let values = found.coordinate(name).unwrap_or_else(|| panic!("{name}"));
+        assert!(
+            values.iter().zip(expected).all(|(value, expected)| (value / expected - 1.0).abs() < 1e-9),
+            "{values:?}"
+        );
+    };
+    near("entrainment_speed", [0.2002, 0.1002]);
+    near("slide_roll_ratio", [0.502, 0.502]);
+    near("temperature", [294.35, 294.35]);
+    assert_eq!(found.coordinates.len(), 3);
+    let said = understood.to_string();
+    for words in [
+        "separated by tabs, decimal points; 6 rows",
+        "`SRR (%)` as slide_roll_ratio, in %",
+        "`Ball Load (N)` (is in N: a force; a load is per length",
+        "`Sliding Speed (mm/s)` (follows from the entrainment speed and the slide-to-roll ratio)",
+        "`Traction Coeff (-)` (the same numbers as in column 2)",
+        "2 steps; 2 points",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}
+
+/// What stands for what, with or without a unit that the file gives.
+#[test]
+fn names_of_the_field_are_known() {
+    let text = "COF (-);Rolling Speed [mm/s];Sliding speed (mm/s);Std. Dev.;Normal load (mN/mm);operator\n\
+                0,1;200;100;0,01;3;x\n0,2;100;-50;0,01;3;y\n";
+    let (found, said) = points(text, "").expect("a table");
+    assert_eq!((found.column, &found.friction[..]), ("mu_drag", &[0.1, 0.2][..]));
+    assert_eq!(found.errors.as_deref(), Some(&[0.01, 0.01][..]));
+    assert_eq!(found.coordinate("entrainment_speed"), Some(&[0.2, 0.1][..]));
+    assert_eq!(found.coordinate("slide_roll_ratio"), Some(&[0.5, -0.5][..]));
+    assert_eq!(found.coordinate("load"), Some(&[3.0, 3.0][..]));
+    assert!(said.contains("semicolons, decimal commas; 2 rows") && said.contains("left out: `operator`"), "{said}");
+}
+
+/// What names do not tell is said by choices; what is not there is told with what there is.
+#[test]
+fn choices_say_what_columns_hold() {
+    let text = "My V (mm/s),F,a,F\n1,0.5,2,9\n2,0.4,3,9\n";
+    let (found, _) = points("My V (mm/s),F\n1,0.5\n2,0.4\n", "speed=My V (mm/s),mu=F").expect("chosen");
+    assert_eq!((found.coordinate("speed"), &found.friction[..]), (Some(&[1e-3, 2e-3][..]), &[0.5, 0.4][..]));
+    let (found, _) = points("V,F\n1,0.5\n2,0.4\n", "speed=V (mm/s),mu_v=#2").expect("chosen");
+    assert_eq!((found.coordinate("speed"), found.column), (Some(&[1e-3, 2e-3][..]), "mu_v"));
+    let (found, _) = points("speed,mu,mu_v\n1,0.5,0.3\n", "mu_v=mu_v").expect("chosen");
+    assert_eq!((found.column, &found.friction[..]), ("mu_v", &[0.3][..]));
+    for (text, columns, expected) in [
+        (text, "speed=V,mu=G", "there is no column V, but `My V (mm/s)`, `F`, `a`, `F`"),
+        ("V,F\n1,2\n", "velocities=V", "--columns velocities=…: there are mu, mu_drag"),
+        ("V,F\n1,2\n", "speed=#3,mu=F", "there is no column #3"),
+        ("V (N),F\n1,2\n", "speed=V,mu=F", "its column `V (N)` is in N: a force, not a speed"),
+        ("V,F\n1,2\n", "speed", "write quantity=column"),
+    ] {
+        let error = points(text, columns).unwrap_err();
+        assert!(error.contains(expected), "{columns}: {error}");
+    }
+}
+
+/// What the program writes is read back: drag of converged cases, where it was computed.
+#[test]
+fn results_of_the_program_are_measured_points() {
+    let text = "case,f,alpha,beta,status,reason,mu_v,mu_h,mu_drag,error_mu_v\n\
+                a,1,2,10,converged,,0.1,0.2,0.35,1e-6\nb,1,2,20,failed,no film,,,,\nc,1,2,30,converged,,0.1,0.2,0.3,1e-6\n";
+    let (found, said) = points(text, "").expect("a summary");
+    assert_eq!((found.column, &found.friction[..], found.is_computed), ("mu_drag", &[0.35, 0.3][..], true));
+    assert_eq!(found.coordinate("beta"), Some(&[10.0, 30.0][..]));
+    assert!(said.contains("1 line left out (3): no value of mu_drag"), "{said}");
+    let curve = "status,reason,f,alpha,beta,radius,speed,mu_v,mu_drag\nconverged,,1,2,10,0.01,0.1,0.1,0.35\n";
+    let (found, _) = points(curve, "").expect("a curve");
+    assert_eq!((found.coordinate("alpha"), found.coordinate("speed")), (None, Some(&[0.1][..])));
+    let fit = "line,radius,speed,f,alpha,beta,measured,error,fitted,residual\n2,0.01,0.1,1,2,3,0.5,0.01,0.51,1\n";
+    let (found, _) = points(fit, "").expect("a fit");
+    assert_eq!((&found.friction[..], found.errors.as_deref()), (&[0.5][..], Some(&[0.01][..])));
+}
+
+/// Readings at one place are one point where all places have three, and none has an error of its own.
+#[test]
+fn repeated_readings_are_one_point() {
+    let rows: String = (0..30).map(|i| format!("{},{}\n", 1 + i % 3, 0.5 + 0.01 * f64::from(i / 3))).collect();
+    let (found, said) = points(&format!("speed,mu\n{rows}"), "").expect("readings");
+    assert_eq!((found.coordinate("speed"), found.friction.len()), (Some(&[1.0, 2.0, 3.0][..]), 3));
+    // the scatter of ten equidistant numbers h apart is h √(n(n + 1)/12)
+    let expected = 0.01 * (10.0_f64 * 11.0 / 12.0).sqrt() / 10.0_f64.sqrt();
+    assert!(found.errors.expect("they scatter").iter().all(|error| (error / expected - 1.0).abs() < 1e-9));
+    assert!(said.contains("30 readings at 3 places"), "{said}");
+    assert_eq!(read(&format!("speed,mu\n{rows}9,0.5\n")).expect("one is alone").friction.len(), 31);
+    assert_eq!(read("speed,mu\n1,0.5\n1,0.5\n1,0.5\n").expect("none scatters").errors, None);
+    let with_errors: String = rows.lines().map(|row| format!("{row},0.1\n")).collect();
+    assert_eq!(read(&format!("speed,mu,error\n{with_errors}")).expect("readings").friction.len(), 30);
+}
+
+#[test]
+fn files_are_joined_where_they_hold_the_same() {
+    let part = |name: &str, text: &str| Measured::of(Path::new(name), text.as_bytes(), &[]).expect("points").0;
+    let [one, two] = [part("a.csv", "speed,mu\n1,0.5\n"), part("b.csv", "mu;speed (mm/s)\n0,4;3\n")];
+    let whole = Measured::join([one.clone(), two]).expect("alike");
+    assert_eq!((whole.coordinate("speed"), &whole.friction[..]), (Some(&[1.0, 3e-3][..]), &[0.5, 0.4][..]));
+    assert_eq!((whole.place(0), whole.place(1)), ("line 2 of a.csv".to_owned(), "line 2 of b.csv".to_owned()));
+    for (text, expected) in [
+        ("speed,load,mu\n1,2,0.5\n", "a.csv and b.csv have other columns (speed; speed, load)"),
+        ("speed,mu,error\n1,0.5,0.1\n", "have standard errors in one of them alone"),
+        ("speed,mu_v\n1,0.5\n", "hold mu_drag and mu_v"),
+    ] {
+        let error = Measured::join([one.clone(), part("b.csv", text)]).unwrap_err();
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+/// The first sheet with a table is read, below its title and right of an empty column.
+#[test]
+fn a_workbook_is_read_as_a_table() {
+    let bytes = include_bytes!("findings/table/two-sheets.xlsx");
+    let (found, said) = Measured::of(Path::new("a.xlsx"), bytes, &[]).expect("a workbook");
+    assert_eq!((found.coordinate("speed"), &found.friction[..]), (Some(&[1e-3, 2.5e-3][..]), &[0.5, 0.25][..]));
+    assert_eq!(found.places, [(0, 4), (0, 5)]);
+    assert!(said.to_string().starts_with("a.xlsx: workbook, sheet Friction; 2 rows\n"), "{said}");
+    for (bytes, expected) in [(&b"PK\x03\x04 no archive"[..], "no workbook"), (b"\xd0\xcf\x11\xe0", "of the old kind")]
+    {
+        let error = Measured::of(Path::new("a.xlsx"), bytes, &[]).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}

@@ -153,6 +153,15 @@ fn lines_that_are_no_rows_are_told() {
 #[path = "laws/table.rs"]
 mod law;
 
+/// What fuzzing found or begins with: every file keeps the law.
+#[test]
+fn findings_keep_the_law() {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/findings/table");
+    let files = std::fs::read_dir(directory).expect("a directory").map(|entry| entry.expect("an entry").path());
+    let count = files.map(|file| law::check(&std::fs::read(file).expect("a file"))).count();
+    assert!(count >= 12, "{count}");
+}
+
 /// Pieces that tables are made of.
 fn piece() -> impl Strategy<Value = String> {
     let pieces = [

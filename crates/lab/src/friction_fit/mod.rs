@@ -2,32 +2,38 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `unknown` | [`Unknown`]: what a fit may look for |
+//! | `unknown`, `bounds` | [`Unknown`]: what a fit may look for; [`Bounds`]: where it may be |
 //! | `prediction` | friction at the measured points, and how it changes with the unknowns |
 //! | `problem` | residuals and their Jacobian, for the Levenberg–Marquardt method |
 //! | `statistics` | standard errors and correlations |
+//! | `profile` | intervals of unknowns, while the others follow |
 //!
 //! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard
-//! errors σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals.
+//! errors σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals, or for means
+//! of readings their own, as ln(μ/μᵢ) μᵢ/σᵢ.
 
+mod bounds;
 mod prediction;
 mod problem;
+mod profile;
 mod statistics;
 mod unknown;
 
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
-use nalgebra::{DMatrix, DVector};
 
 use crate::{Experiment, Measured};
+pub use bounds::Bounds;
 use prediction::Predictor;
 use problem::{Found, Problem};
 pub use statistics::Inseparable;
 use statistics::{Statistics, statistics};
-use stribeck_solver::{CavityShear, Failure, Substrate};
+use stribeck_solver::{CavityShear, Failure, Interrupt, Substrate};
 pub use unknown::Unknown;
 
 /// Relative changes of residuals and unknowns below which a fit has converged.
 const TOLERANCE: f64 = 1e-8;
+/// Residuals, relative to the friction, that are larger than what the errors of solutions make.
+const RESOLVED: f64 = 1e-5;
 /// A slope of the residuals (a cosine) below which the search has ended at a minimum.
 const FLAT: f64 = 0.01;
 /// Norm of the first step over the scale of the problem: what is far away is reached in several steps.
@@ -46,8 +52,19 @@ pub struct FrictionTask<'a> {
     pub cavity_shear: CavityShear,
     /// The unknowns, at least one and each once.
     pub unknowns: Vec<Unknown>,
+    /// Where unknowns must stay, for those that are bounded.
+    pub bounds: Vec<Bounds>,
     /// Relative error wanted of the solutions; a fit takes 1e-7 or less.
     pub tolerance: f64,
+}
+
+/// What goes on beside a fit.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// Ends it.
+    pub interrupt: &'a Interrupt,
+    /// Is told after each evaluation how many there were, and the best unknowns so far.
+    pub evaluated: &'a dyn Fn(usize, &[f64]),
 }
 
 /// The reason why nothing was fitted.
@@ -77,6 +94,17 @@ pub enum FrictionFitError {
         /// The reason of its end.
         why: String,
     },
+    /// The search was told to stop.
+    #[error(
+        "the time is up after {evaluations} evaluations{}; give more time, or begin there",
+        best.as_ref().map_or_else(String::new, |best| format!(", the best so far with {best}"))
+    )]
+    TimeLimit {
+        /// The number of times that all points were solved.
+        evaluations: usize,
+        /// The best values so far, if there are some.
+        best: Option<String>,
+    },
     /// Some unknowns have the same effect.
     #[error(transparent)]
     Inseparable(#[from] Inseparable),
@@ -91,8 +119,10 @@ pub struct Estimate {
     pub start: f64,
     /// Its value.
     pub value: f64,
-    /// Its standard error.
+    /// Its standard error; NaN at a bound.
     pub error: f64,
+    /// True if it is at one of its bounds.
+    pub at_bound: bool,
 }
 
 /// One point, fitted.
@@ -108,7 +138,7 @@ pub struct FittedPoint {
     pub error: Option<f64>,
     /// The friction coefficient of the solution.
     pub fitted: f64,
-    /// (μ − μᵢ)/σᵢ, or ln(μ/μᵢ) without standard errors.
+    /// (μ − μᵢ)/σᵢ, ln(μ/μᵢ) μᵢ/σᵢ for means of readings, or ln(μ/μᵢ) without standard errors.
     pub residual: f64,
 }
 
@@ -137,40 +167,59 @@ impl FrictionFit {
     /// [`FrictionFitError`] if points and unknowns do not go together, points have no solution, the search finds no
     /// minimum, or the unknowns have the same effect.
     pub fn new(task: &FrictionTask<'_>) -> Result<Self, FrictionFitError> {
+        Self::watched(task, &Watch { interrupt: &Interrupt::new(), evaluated: &|_, _| {} })
+    }
+
+    /// Fits the unknowns of a task while somebody watches, and may end it.
+    ///
+    /// # Errors
+    /// As [`FrictionFit::new`], and [`FrictionFitError::TimeLimit`] if the interrupt was requested.
+    pub fn watched(task: &FrictionTask<'_>, watch: &Watch<'_>) -> Result<Self, FrictionFitError> {
         let predictor = Predictor::new(task)?;
-        let (Found { unknowns, friction, residuals, jacobian }, evaluations) = search(task, &predictor)?;
+        let (found, evaluations) = search(task, &predictor, watch)?;
+        let free: Vec<usize> = (0..found.unknowns.len()).filter(|unknown| !found.at_bounds[*unknown]).collect();
+        let names: Vec<Unknown> = free.iter().map(|unknown| task.unknowns[*unknown]).collect();
         let known_errors = task.measured.errors.is_some();
+        let jacobian = found.jacobian.select_columns(&free);
         let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } =
-            statistics(&jacobian, &residuals, known_errors, &task.unknowns)?;
-        let estimates = task.unknowns.iter().zip(&unknowns).zip(&errors).map(|((unknown, value), relative)| Estimate {
+            statistics(&jacobian, &found.residuals, known_errors, &names)?;
+        let place = |unknown: usize| free.iter().position(|free| *free == unknown);
+        let estimates = task.unknowns.iter().enumerate().map(|(i, unknown)| Estimate {
             unknown: *unknown,
             start: unknown.value(&task.experiment),
-            value: *value,
-            error: value * relative,
+            value: found.unknowns[i],
+            error: place(i).map_or(f64::NAN, |place| found.unknowns[i] * errors[place] / found.scale),
+            at_bound: found.at_bounds[i],
         });
-        let points = predictor.experiments(&unknowns).into_iter().enumerate().map(|(i, experiment)| FittedPoint {
-            place: task.measured.places[i],
-            experiment,
-            measured: task.measured.friction[i],
-            error: task.measured.errors.as_ref().map(|errors| errors[i]),
-            fitted: friction[i],
-            residual: residuals[i],
-        });
+        let of_all = |i: usize, j: usize| place(i).zip(place(j)).map_or(f64::NAN, |(i, j)| correlation[i][j]);
+        let unknowns = 0..found.unknowns.len();
+        let points =
+            predictor.experiments(&found.unknowns).into_iter().enumerate().map(|(i, experiment)| FittedPoint {
+                place: task.measured.places[i],
+                experiment,
+                measured: task.measured.friction[i],
+                error: task.measured.errors.as_ref().map(|errors| errors[i]),
+                fitted: found.friction[i],
+                residual: found.residuals[i] * found.scale,
+            });
         Ok(Self {
             estimates: estimates.collect(),
-            correlation,
+            correlation: unknowns.clone().map(|i| unknowns.clone().map(|j| of_all(i, j)).collect()).collect(),
             points: points.collect(),
             degrees_of_freedom,
-            reduced_chi_squared,
+            reduced_chi_squared: reduced_chi_squared * found.scale * found.scale,
             evaluations,
         })
     }
 }
 
 /// Searches for the minimum; also returns the number of evaluations.
-fn search(task: &FrictionTask<'_>, predictor: &Predictor<'_>) -> Result<(Found, usize), FrictionFitError> {
-    let start: Vec<f64> = task.unknowns.iter().map(|unknown| unknown.value(&task.experiment)).collect();
-    let problem = Problem::new(predictor, task.measured, start)?;
+fn search(
+    task: &FrictionTask<'_>,
+    predictor: &Predictor<'_>,
+    watch: &Watch<'_>,
+) -> Result<(Found, usize), FrictionFitError> {
+    let problem = Problem::new(predictor, task.measured, &task.bounds, watch)?;
     let method = LevenbergMarquardt::new()
         .with_ftol(TOLERANCE)
         .with_xtol(TOLERANCE)
@@ -178,6 +227,11 @@ fn search(task: &FrictionTask<'_>, predictor: &Predictor<'_>) -> Result<(Found, 
         .with_stepbound(FIRST_STEP);
     let (problem, report) = method.minimize(problem);
     let (evaluations, was_refused) = (problem.evaluations(), problem.was_refused());
+    if let Some(best) = problem.interrupted() {
+        let words = task.unknowns.iter().zip(best).map(|(unknown, value)| format!("{} = {value:.4e}", unknown.name()));
+        let best = Some(words.collect::<Vec<_>>().join(", "));
+        return Err(FrictionFitError::TimeLimit { evaluations, best });
+    }
     let no_minimum = |why: String| Err(FrictionFitError::NoMinimum { evaluations, why });
     match report.termination {
         // What is left is below the errors of the solutions.
@@ -188,20 +242,23 @@ fn search(task: &FrictionTask<'_>, predictor: &Predictor<'_>) -> Result<(Found, 
     let Some(found) = problem.found() else {
         return no_minimum("the last values tried have no solution".to_owned());
     };
-    // Steps that are taken back one after the other look like convergence.
-    if was_refused && slope(&found.residuals, &found.jacobian) > FLAT {
+    // Steps that are taken back one after the other look like convergence, and so do steps that are too short.
+    let is_resolved = found.residuals.norm() > RESOLVED * (found.residuals.len() as f64).sqrt();
+    if (was_refused || is_resolved) && slope(&found) > FLAT {
         return no_minimum("beyond these values cases have no solution, or an unknown runs away".to_owned());
     }
     Ok((found, evaluations))
 }
 
-/// The largest cosine between the residuals and a column of the Jacobian: 0 at a minimum.
-fn slope(residuals: &DVector<f64>, jacobian: &DMatrix<f64>) -> f64 {
-    let cosine = |column: nalgebra::DVectorView<'_, f64>| {
+/// The largest cosine between the residuals and a column of the Jacobian: 0 at a minimum. Unknowns at their bounds do
+/// not count.
+fn slope(found: &Found) -> f64 {
+    let Found { residuals, jacobian, at_bounds, .. } = found;
+    let cosine = |(column, _): (nalgebra::DVectorView<'_, f64>, &bool)| {
         let length = column.norm() * residuals.norm();
         if length > 0.0 { (column.dot(residuals) / length).abs() } else { 0.0 }
     };
-    jacobian.column_iter().map(cosine).fold(0.0, f64::max)
+    jacobian.column_iter().zip(at_bounds).filter(|(_, at_bound)| !**at_bound).map(cosine).fold(0.0, f64::max)
 }
 
 fn describe(reason: &TerminationReason) -> String {

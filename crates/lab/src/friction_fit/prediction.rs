@@ -13,6 +13,8 @@ const TOLERANCE: f64 = 1e-7;
 /// The points of a task.
 pub(super) struct Predictor<'a> {
     measured: &'a Measured,
+    /// The experiment of the task.
+    beginning: Experiment,
     /// The experiment of each point, with the start of the unknowns.
     experiments: Vec<Experiment>,
     unknowns: &'a [Unknown],
@@ -29,11 +31,13 @@ pub(super) struct Prediction {
     pub(super) derivatives: Vec<Vec<f64>>,
 }
 
-/// A point whose case failed.
+/// Why there is no prediction.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Failed {
-    pub(super) point: usize,
-    pub(super) failure: Failure,
+pub(super) enum NotPredicted {
+    /// The case of a point failed.
+    Failed { point: usize, failure: Failure },
+    /// The solver was told to stop.
+    Interrupted,
 }
 
 impl<'a> Predictor<'a> {
@@ -47,6 +51,7 @@ impl<'a> Predictor<'a> {
         let method = collocation::Settings::for_tolerance(task.tolerance.min(TOLERANCE));
         Ok(Self {
             measured: task.measured,
+            beginning: task.experiment,
             experiments: (0..task.measured.friction.len()).map(|point| at_point(task, point)).collect(),
             unknowns: &task.unknowns,
             substrate: task.substrate,
@@ -64,15 +69,25 @@ impl<'a> Predictor<'a> {
         self.experiments.iter().map(with).collect()
     }
 
-    /// Solves the cases of all points.
-    pub(super) fn predict(&self, unknowns: &[f64]) -> Result<Prediction, Failed> {
+    /// The unknowns.
+    pub(super) fn unknowns(&self) -> &[Unknown] {
+        self.unknowns
+    }
+
+    /// The values at which they begin.
+    pub(super) fn start(&self) -> Vec<f64> {
+        self.unknowns.iter().map(|unknown| unknown.value(&self.beginning)).collect()
+    }
+
+    /// Solves the cases of all points, those that are equal once.
+    pub(super) fn predict(&self, unknowns: &[f64], interrupt: &Interrupt) -> Result<Prediction, NotPredicted> {
         let experiments = self.experiments(unknowns);
         let cases: Vec<Parameters> =
             experiments.iter().map(|experiment| experiment.parameters(self.substrate)).collect();
-        let solved = solve_points(&cases, &self.settings, &Interrupt::new()).expect("nobody interrupts");
+        let solved = solve_points(&cases, &self.settings, interrupt).map_err(|_| NotPredicted::Interrupted)?;
         let mut prediction = Prediction::default();
         for (point, (solved, experiment)) in solved.into_iter().zip(&experiments).enumerate() {
-            let solution = solved.outcome.map_err(|failure| Failed { point, failure })?;
+            let solution = solved.outcome.map_err(|failure| NotPredicted::Failed { point, failure })?;
             let (friction, derivatives) = self.friction(&solution, experiment);
             prediction.friction.push(friction);
             prediction.derivatives.push(derivatives);

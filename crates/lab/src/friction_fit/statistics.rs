@@ -43,6 +43,14 @@ pub(super) fn statistics(
     unknowns: &[Unknown],
 ) -> Result<Statistics, Inseparable> {
     let (points, count) = jacobian.shape();
+    let degrees_of_freedom = points - count;
+    let reduced_chi_squared = match degrees_of_freedom {
+        0 => f64::NAN,
+        degrees => residuals.norm_squared() / degrees as f64,
+    };
+    if count == 0 {
+        return Ok(Statistics { errors: vec![], correlation: vec![], degrees_of_freedom, reduced_chi_squared });
+    }
     let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
     if let Some(place) = lengths.iter().position(|length| *length == 0.0) {
         return Err(Inseparable { names: vec![unknowns[place].name()] });
@@ -56,11 +64,6 @@ pub(super) fn statistics(
         let names = (0..count).filter(|j| part(*j) > 0.1).map(|j| unknowns[j].name()).collect();
         return Err(Inseparable { names });
     }
-    let degrees_of_freedom = points - count;
-    let reduced_chi_squared = match degrees_of_freedom {
-        0 => f64::NAN,
-        degrees => residuals.norm_squared() / degrees as f64,
-    };
     let variance = if known_errors { 1.0 } else { reduced_chi_squared };
     let covariance = |j: usize, k: usize| {
         let sum: f64 = (0..values.len()).map(|i| vectors[(i, j)] * vectors[(i, k)] / values[i].powi(2)).sum();

@@ -58,7 +58,10 @@ pub(super) fn fields() -> Vec<Field> {
     let quantities = LaboratoryQuantity::ALL.map(|quantity| Field {
         name: quantity.name(),
         synonyms: synonyms(quantity),
-        measures: quantity.dimension().map_or(Measures::Ratio, |dimension| Measures::Dimensions(alone(dimension))),
+        measures: match quantity {
+            LaboratoryQuantity::Temperature => Measures::Dimensions(&[Dimension::Temperature]),
+            other => other.dimension().map_or(Measures::Ratio, |dimension| Measures::Dimensions(alone(dimension))),
+        },
     });
     let error = ratio(ERROR, &ERROR_SYNONYMS[..]);
     friction.into_iter().chain([error]).chain(dimensionless).chain(quantities).collect()
@@ -73,7 +76,6 @@ fn alone(dimension: Dimension) -> &'static [Dimension] {
         Dimension::Viscosity => &[Dimension::Viscosity],
         Dimension::Time => &[Dimension::Time],
         Dimension::Speed => &[Dimension::Speed],
-        Dimension::Temperature => &[Dimension::Temperature],
         other => unreachable!("no quantity of the laboratory is {}", other.words()),
     }
 }
@@ -111,11 +113,12 @@ pub(super) fn admits(field: &str, value: f64) -> bool {
 
 /// The values that the column of a field may have, in words.
 pub(super) fn allowed(field: &str) -> &'static str {
-    use LaboratoryQuantity::{FlatSpeed, PoissonRatio, RollerSpeed, SlideRollRatio};
+    use LaboratoryQuantity::{FlatSpeed, PoissonRatio, RollerSpeed, SlideRollRatio, Temperature};
     match (field, LaboratoryQuantity::named(field)) {
         (_, Some(PoissonRatio)) => "it is a number from 0 to 0.5",
         (_, Some(SlideRollRatio)) => "it is a number from -2 to 2, flat less roller over the mean",
         (_, Some(RollerSpeed | FlatSpeed)) => "it is a number from 0: both surfaces move the same way",
+        (_, Some(Temperature)) => "it is a temperature from 100 K to 2000 K, in K or as in `temperature (degC)`",
         (_, Some(_)) | ("beta", _) => "it is a number above 0",
         ("f" | "alpha", _) => "it is a number from 0",
         (ERROR, _) => "a standard error is a number above 0",

@@ -35,6 +35,8 @@ pub struct Measured {
     pub places: Vec<(usize, u64)>,
     /// Names of the columns that say where a point belongs, each with a value for each point.
     pub coordinates: Vec<(&'static str, Vec<f64>)>,
+    /// True if each point is the mean of readings, and its standard error that of the mean.
+    pub is_averaged: bool,
     /// True if this program wrote the file: its quantities of the laboratory are those of a computation.
     pub is_computed: bool,
 }
@@ -97,6 +99,7 @@ impl Measured {
             whole.friction.extend(part.friction);
             whole.files.extend(part.files);
             whole.is_computed &= part.is_computed;
+            whole.is_averaged &= part.is_averaged;
         }
         Ok(whole)
     }
@@ -117,6 +120,8 @@ impl Measured {
         let along = experiment.motion.along().0.name();
         self.coordinates.iter().filter(|(name, _)| *name != along).all(|(name, values)| {
             let own = match LaboratoryQuantity::named(name) {
+                // an experiment without one is at any temperature
+                Some(LaboratoryQuantity::Temperature) if experiment.temperature.is_none() => return true,
                 Some(quantity) => experiment.value(quantity),
                 None if *name == "f" => experiment.f,
                 // these change with the speed
@@ -129,6 +134,33 @@ impl Measured {
     /// True for values that differ by less than 1 %.
     pub fn is_same(one: f64, other: f64) -> bool {
         one == other || (one / other).ln().abs() < 0.01
+    }
+
+    /// True if residuals are those of the logarithms: where the file has no standard errors of its own, as friction
+    /// scatters in proportion to its size. A mean that is not above 0 has no logarithm.
+    pub fn is_logarithmic(&self) -> bool {
+        self.errors.is_none() || (self.is_averaged && self.friction.iter().all(|mu| *mu > 0.0))
+    }
+
+    /// What each residual is multiplied with: 1/σᵢ for μ − μᵢ, or μᵢ/σᵢ for ln(μ/μᵢ), and 1 without standard errors.
+    pub(crate) fn weights(&self) -> Vec<f64> {
+        let of = |(mu, error): (&f64, &f64)| if self.is_logarithmic() { mu / error } else { 1.0 / error };
+        match &self.errors {
+            Some(errors) => self.friction.iter().zip(errors).map(of).collect(),
+            None => vec![1.0; self.friction.len()],
+        }
+    }
+
+    /// The difference of a friction coefficient from that of a point, or of their logarithms.
+    pub(crate) fn difference(&self, point: usize, friction: f64) -> f64 {
+        let measured = self.friction[point];
+        if self.is_logarithmic() { (friction / measured).ln() } else { friction - measured }
+    }
+
+    /// Leaves out the columns of these names.
+    pub fn without(mut self, is_left_out: impl Fn(&str) -> bool) -> Self {
+        self.coordinates.retain(|(name, _)| !is_left_out(name));
+        self
     }
 
     /// The values of a coordinate, if the file has it.

@@ -184,6 +184,7 @@ impl Reader<'_> {
             errors: columns.find(ERROR).map(|_| Vec::new()),
             places: Vec::new(),
             coordinates: columns.taken.iter().filter(is_coordinate).map(|column| (name(column), Vec::new())).collect(),
+            is_averaged: false,
             is_computed: is_computed(&table.headings),
         };
         for row in table.rows() {

@@ -6,6 +6,10 @@ use super::Measured;
 
 /// The fewest readings whose scatter is told.
 const FEWEST: usize = 3;
+/// The coordinate that no machine holds still.
+const TEMPERATURE: &str = "temperature";
+/// How far apart the temperatures of readings at one place may be, in K.
+const NEAR_KELVINS: f64 = 5.0;
 /// How far the readings of a step may be from their median, relative to it or, for ratios, as they are.
 const NEAR: f64 = 0.02;
 /// The part of the readings of a step that must be near the median.
@@ -17,18 +21,34 @@ pub(super) fn averaged(readings: &Measured) -> Option<Measured> {
     if readings.errors.is_some() {
         return None;
     }
-    let mut groups: Vec<Vec<usize>> = Vec::new();
-    let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
-    for reading in 0..readings.friction.len() {
-        let place = readings.coordinates.iter().map(|(_, values)| values[reading].to_bits()).collect();
-        let group = *known.entry(place).or_insert(groups.len());
-        if group == groups.len() {
-            groups.push(Vec::new());
-        }
-        groups[group].push(reading);
-    }
+    let groups = groups(readings);
     let points = groups.iter().all(|group| group.len() >= FEWEST).then(|| mean(readings, &groups))?;
     points.errors.is_some().then_some(points)
+}
+
+/// Readings by their places, in the order of the file. Temperatures that are near each other are one place.
+fn groups(readings: &Measured) -> Vec<Vec<usize>> {
+    let by = |is_key: &dyn Fn(&str) -> bool| {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
+        for reading in 0..readings.friction.len() {
+            let keys = readings.coordinates.iter().filter(|(name, _)| is_key(name));
+            let place = keys.map(|(_, values)| values[reading].to_bits()).collect();
+            let group = *known.entry(place).or_insert(groups.len());
+            if group == groups.len() {
+                groups.push(Vec::new());
+            }
+            groups[group].push(reading);
+        }
+        groups
+    };
+    let without = by(&|name| name != TEMPERATURE);
+    let temperatures = readings.coordinate(TEMPERATURE).unwrap_or_default();
+    let spread = |group: &Vec<usize>| {
+        let values = || group.iter().filter_map(|reading| temperatures.get(*reading).copied());
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    if without.iter().all(|group| spread(group) <= NEAR_KELVINS) { without } else { by(&|_| true) }
 }
 
 /// The readings of a step that were taken at one place; `None` if the step runs over several.
@@ -64,6 +84,7 @@ pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>]) -> Measured {
         errors: Some(errors).filter(|errors| errors.iter().all(|error| *error > 0.0)),
         places: groups.iter().map(|group| readings.places[group[0]]).collect(),
         coordinates: readings.coordinates.iter().map(|(name, values)| (*name, means(values))).collect(),
+        is_averaged: true,
         ..readings.clone()
     }
 }

@@ -2,9 +2,9 @@
 
 use std::str::FromStr;
 
-use super::blocks::{Row, Table, finite};
 use super::heading::{Field, Named, Unit, bracketed, named, squeezed};
 use super::layout::Decimal;
+use super::rows::{Row, Table, finite};
 use crate::Dimension;
 use stribeck_input::printable;
 

@@ -5,8 +5,9 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::blocks::{Table, tables};
+use super::blocks::tables;
 use super::layout::Layout;
+use super::rows::Table;
 use super::text::{Decoded, decode};
 use super::workbook;
 use stribeck_input::{printable, shown};

@@ -10,7 +10,8 @@
 //! | `text` | from bytes to text, whatever the encoding |
 //! | `workbook` | from a workbook to text |
 //! | `layout` | separator and decimal mark |
-//! | `blocks` | tables: names, units, rows, and lines between them |
+//! | `rows` | [`Table`]: names of columns, and rows of cells |
+//! | `blocks` | the tables in a text: names, units, rows, and lines between them |
 //! | `heading` | from the name of a column to a field and a unit |
 //! | `columns` | the columns of fields; [`ColumnChoice`] |
 //! | `understood` | what was understood, for people |
@@ -20,15 +21,16 @@ mod columns;
 mod file;
 mod heading;
 mod layout;
+mod rows;
 mod text;
 mod understood;
 mod workbook;
 
-pub use blocks::{Heading, Row, Table};
 pub use columns::{Column, ColumnChoice, Columns, LeftOutColumn};
 pub(crate) use file::bytes;
 pub use file::{TableError, TableFile};
 pub use heading::{Field, Measures};
 pub use layout::{Decimal, Layout, Separator};
+pub use rows::{Heading, Row, Table};
 pub use text::{Decoded, decode};
 pub use understood::Understood;

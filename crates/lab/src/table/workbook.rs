@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use calamine::{DataRef, Reader, Xlsx, XlsxError};
 
-use super::blocks::{Table, tables as tables_of};
+use super::blocks::tables as tables_of;
 use super::layout::{Decimal, Layout, Separator};
+use super::rows::Table;
 use stribeck_input::printable;
 
 /// How the text of a sheet is written.
@@ -40,10 +41,9 @@ pub(super) fn tables(bytes: &[u8]) -> Result<(String, Vec<Table>), String> {
     };
     let mut workbook: Workbook<'_> = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
     for name in workbook.sheet_names() {
-        let text: Arc<str> = text(&mut workbook, &name).map_err(broken)?.into();
-        if text.len() >= MOST_BYTES {
-            return Err(format!("its sheet {} is too large; save what is needed as CSV", printable(&name)));
-        }
+        let text = text(&mut workbook, &name).map_err(broken)?;
+        let too_large = || format!("its sheet {} is too large; save what is needed as CSV", printable(&name));
+        let text: Arc<str> = padded(&text).ok_or_else(too_large)?.into();
         let found = tables_of(&text, LAYOUT).map_err(|(_, what)| format!("sheet {}: {what}", printable(&name)))?;
         if found.iter().any(|table| !table.is_empty()) {
             return Ok((format!("{SHEET}{}", printable(&name)), found));
@@ -73,6 +73,15 @@ fn text(workbook: &mut Workbook<'_>, sheet: &str) -> Result<String, XlsxError> {
         text += &value;
     }
     Ok(text)
+}
+
+/// A text whose lines have the same number of cells; `None` if it is too large.
+fn padded(text: &str) -> Option<String> {
+    let tabs = |line: &str| line.matches('\t').count();
+    let most = text.lines().map(tabs).max().unwrap_or(0);
+    let size = text.lines().count().saturating_mul(most).saturating_add(text.len());
+    let pad = |line: &str| format!("{line}{}\n", "\t".repeat(most - tabs(line)));
+    (size < MOST_BYTES).then(|| text.lines().map(pad).collect())
 }
 
 /// A cell as a piece of a line.

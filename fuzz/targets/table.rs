@@ -1,0 +1,7 @@
+//! Any bytes as a table of measured points.
+#![no_main]
+
+#[path = "../../crates/lab/tests/laws/table.rs"]
+mod law;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| law::check(bytes));
