@@ -110,6 +110,28 @@ fn temperatures_are_told_from_times_and_kept() {
     }
 }
 
+/// Steps at two temperatures below a header, and an interval whose names stand behind a word.
+#[test]
+fn text_tables_of_rheometers_are_read() {
+    let names = "Angular frequency\tStorage modulus\tLoss modulus\tTan(delta)\tTemperature\nrad/s\tPa\tPa\t\t°C\n";
+    let steps = format!(
+        "Filename\tmade up\n[step]\nFrequency sweep - 1\n{names}0.1\t100\t10\t0.1\t25.0\n1\t120\t15\t0.125\t25.1\n\
+         [step]\nFrequency sweep - 2\n{names}0.1\t90\t9\t0.1\t35.0\n1\t105\t12\t0.114\t35.0\n"
+    );
+    let file = read(&steps, &MaterialOptions::default());
+    assert!(file.understood.contains("taken for Young's moduli"), "{}", file.understood);
+    let MaterialData::Isotherms(isotherms) = file.data else { panic!("{}", file.understood) };
+    assert_eq!(isotherms.all().iter().map(|one| one.measurements.rows().len()).collect::<Vec<_>>(), [2, 2]);
+    let interval = "Project:\tmade up\nInterval and data points:\t1\t2\n\
+                    Interval data:\tPoint No.\tAngular Frequency\tStorage Modulus\tLoss Modulus\n\
+                    \t\t[rad/s]\t[kPa]\t[kPa]\n\t1\t0.1\t1\t0.1\n\t2\t1\t1.2\t0.15\n";
+    let said = MaterialOptions { is_shear: true, poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let file = read(interval, &said);
+    assert!(!file.understood.contains("taken for Young's moduli"), "{}", file.understood);
+    let MaterialData::Moduli(moduli) = file.data else { panic!("{}", file.understood) };
+    assert_eq!(moduli.rows()[1].moduli().map(f64::round), [3600.0, 450.0]);
+}
+
 #[test]
 fn shift_factors_are_read_in_two_forms() {
     let directory = tempdir().expect("a temporary directory");
