@@ -179,14 +179,14 @@ impl<'t> Tables<'t> {
         });
         let last = lines.next()?;
         let names = self.split(last, cells)?;
-        if names.iter().all(|name| name.is_empty() || is_unit(name)) {
-            if let Some((place, above)) = lines.next().and_then(|place| Some((place, self.split(place, cells)?))) {
-                let heading = |(i, text): (usize, String)| Heading {
-                    text,
-                    unit: names.get(i).map(|unit| bare(unit).to_owned()).filter(|unit| !unit.is_empty()),
-                };
-                return Some((above.into_iter().enumerate().map(heading).collect(), place));
-            }
+        let above = || lines.next().and_then(|place| Some((place, self.split(place, cells)?)));
+        let are_units = names.iter().all(|name| name.is_empty() || is_unit(name));
+        if let Some((place, above)) = are_units.then(above).flatten() {
+            let heading = |(i, text): (usize, String)| Heading {
+                text,
+                unit: names.get(i).map(|unit| bare(unit).to_owned()).filter(|unit| !unit.is_empty()),
+            };
+            return Some((above.into_iter().enumerate().map(heading).collect(), place));
         }
         Some((names.into_iter().map(|text| Heading { text, unit: None }).collect(), last))
     }

@@ -127,7 +127,8 @@ impl Separator {
 
     /// The quoted cell whose text follows the quote.
     fn quoted(self, inner: &str) -> Quoted<'_> {
-        let near = &inner[..inner.floor_char_boundary(LONGEST_CELL)];
+        let length = inner.char_indices().map(|(place, _)| place).take_while(|place| *place <= LONGEST_CELL).last();
+        let near = if inner.len() > LONGEST_CELL { &inner[..length.unwrap_or(0)] } else { inner };
         let mut from = 0;
         loop {
             let Some(end) = near[from..].find('"').map(|place| from + place) else {
