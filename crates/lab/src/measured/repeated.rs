@@ -6,6 +6,9 @@ use super::Measured;
 
 /// The fewest readings whose scatter is told.
 const FEWEST: usize = 3;
+/// The fewest readings whose scatter is that of their point: of fewer it is known so badly that all points together
+/// tell it better, relative to their means.
+const ENOUGH: usize = 10;
 /// The coordinate that no machine holds still.
 const TEMPERATURE: &str = "temperature";
 /// How far apart the temperatures of readings at one place may be, in K.
@@ -65,7 +68,7 @@ pub(super) fn at_one_place(readings: &Measured) -> Option<Vec<usize>> {
     (near.len() >= FEWEST && near.len() as f64 >= MOST * count as f64).then_some(near)
 }
 
-/// A point for each group of readings. It has no errors if those of a group do not scatter.
+/// A point for each group of readings. It has no errors if readings do not scatter.
 pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>]) -> Measured {
     let average = |values: &[f64], group: &[usize]| {
         let first = values[group[0]];
@@ -73,15 +76,21 @@ pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>]) -> Measured {
         first + group.iter().map(|reading| values[*reading] - first).sum::<f64>() / group.len() as f64
     };
     let means = |values: &[f64]| groups.iter().map(|group| average(values, group)).collect::<Vec<f64>>();
+    // Sum of the squares of the deviations over the mean, and how many of them are independent.
+    let scatter = |group: &Vec<usize>| {
+        let mean = average(&readings.friction, group);
+        let square = |reading: &usize| (readings.friction[*reading] / mean - 1.0).powi(2);
+        (group.iter().map(square).sum::<f64>(), group.len() as f64 - 1.0)
+    };
+    let all = groups.iter().map(scatter).fold((0.0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
     let error = |group: &Vec<usize>| {
-        let (mean, count) = (average(&readings.friction, group), group.len() as f64);
-        let squares: f64 = group.iter().map(|reading| (readings.friction[*reading] - mean).powi(2)).sum();
-        (squares / (count - 1.0) / count).sqrt()
+        let (squares, independent) = if group.len() < ENOUGH { all } else { scatter(group) };
+        average(&readings.friction, group).abs() * (squares / independent / group.len() as f64).sqrt()
     };
     let errors: Vec<f64> = groups.iter().map(error).collect();
     Measured {
         friction: means(&readings.friction),
-        errors: Some(errors).filter(|errors| errors.iter().all(|error| *error > 0.0)),
+        errors: Some(errors).filter(|errors| errors.iter().all(|error| *error > 0.0 && error.is_finite())),
         places: groups.iter().map(|group| readings.places[group[0]]).collect(),
         coordinates: readings.coordinates.iter().map(|(name, values)| (*name, means(values))).collect(),
         is_averaged: true,
