@@ -24,7 +24,7 @@ import numpy as np
 RELAXED, TERMS = 3.0, [(1.5, 0.003), (1.0, 0.03), (0.5, 0.3)]
 VISCOSITY = "80 mPa s"
 RATIOS = [0.2, 1.0]
-READINGS = 4
+READINGS = 6
 noise = np.random.default_rng(2022)
 
 

@@ -12,6 +12,7 @@ mod fit;
 #[path = "../crates/sweep/tests/grids/mod.rs"]
 mod grids;
 mod in_python;
+mod instrument_files;
 mod laboratory;
 mod material;
 mod parts;

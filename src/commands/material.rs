@@ -46,7 +46,7 @@ pub struct Arguments {
     #[arg(long, value_name = "UNIT", value_parser = modulus_unit)]
     modulus_unit: Option<f64>,
     /// Shift moduli at several temperatures to this one, as in "20 degC" or "293 K"
-    #[arg(long, value_name = "T", value_parser = temperature)]
+    #[arg(long, value_name = "T", value_parser = temperature, allow_hyphen_values = true)]
     reference_temperature: Option<f64>,
     /// A table of shift factors, by which moduli are shifted, instead of those that are found
     #[arg(long, value_name = "FILE")]
@@ -160,7 +160,7 @@ fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result
 
 /// Reads shift factors, and tells what was understood of them.
 fn read_factors(file: &Path) -> Result<ShiftFactors, CliError> {
-    let (factors, understood) = ShiftFactors::read(file, &[])?;
+    let (factors, understood) = ShiftFactors::read(file)?;
     console::tell(understood.to_string().trim_end());
     Ok(factors)
 }

@@ -12,6 +12,9 @@ use stribeck_lab::{PronySeries, Relaxation};
 /// Points of a curve.
 const POINTS: u32 = 300;
 
+/// E∞/E₀ below which the sum of the terms, as it is printed, hardly differs from 1.
+const HARDLY_SOLID: f64 = 1e-4;
+
 /// A series and the material that it is.
 pub struct PronyMaterial<'a> {
     /// Name of the file.
@@ -27,6 +30,13 @@ impl PronyMaterial<'_> {
         let known = self.series.modulus.is_some();
         let mut text = format!("{}, as they stand there\n", count(self.series.terms.len() as u64, "term"));
         text += &material_text::numbers(self.relaxation, known);
+        let left = self.relaxation.relaxed_modulus() / self.relaxation.instantaneous_modulus();
+        if left < HARDLY_SOLID {
+            text += &format!(
+                "note: after a long time {left:.1e} of the modulus is left, what rounding of the terms leaves perhaps: \
+                 hardly a solid, and f is not known\n"
+            );
+        }
         text += &material_text::spectra(self.relaxation, known);
         text + "\nFor a sweep file:\n\n" + &self.toml()
     }

@@ -7,7 +7,7 @@ use stribeck_lab::{MasterCurve, ShiftLaw, ShiftLawFit};
 
 /// A temperature in degrees Celsius.
 pub fn celsius(kelvins: f64) -> String {
-    format!("{} degC", ((kelvins - 273.15) * 1e3).round() / 1e3)
+    format!("{} degC", ((kelvins - 273.15) * 1e3).round() / 1e3 + 0.0)
 }
 
 /// Where each isotherm went, how well it lies there, and the laws that the shifts follow.
@@ -17,7 +17,8 @@ pub fn table(curve: &MasterCurve) -> String {
     text += "  T/degC    log a_T    overlap/%\n";
     for shift in &curve.shifts {
         let residual = shift.residual.map_or_else(|| "-".to_owned(), |residual| format!("{:.2}", 100.0 * residual));
-        let cells = [format!("{:.1}", shift.temperature - 273.15), format!("{:.3}", shift.log_factor), residual];
+        let celsius = (10.0 * (shift.temperature - 273.15)).round() / 10.0 + 0.0;
+        let cells = [format!("{celsius:.1}"), format!("{:.3}", shift.log_factor), residual];
         text += &table_line(&columns, &cells);
     }
     for fit in &curve.laws {
@@ -32,13 +33,22 @@ pub fn table(curve: &MasterCurve) -> String {
     text + "\n"
 }
 
+/// A residual of a law, in decades, that is worth a word: times are wrong by a factor of 2.
+const FAR: f64 = 0.3;
+
 /// The better law as a line for a sweep file; nothing where no law was found.
 pub fn law_lines(curve: &MasterCurve) -> String {
-    curve
-        .laws
-        .first()
-        .map(|fit| format!("\nIts shift with temperature:\n\nshift = {}\n", fit.law.toml()))
-        .unwrap_or_default()
+    let Some(fit) = curve.laws.first() else { return String::new() };
+    let far = if fit.rms_residual > FAR {
+        format!(
+            "note: no law follows these shift factors: this one misses them by {:.2} decades rms; fit one to fewer \
+             temperatures, those of the experiment\n\n",
+            fit.rms_residual
+        )
+    } else {
+        String::new()
+    };
+    format!("\nFor the same section, beside a temperature in [laboratory]:\n\n{far}shift = {}\n", fit.law.toml())
 }
 
 fn constants(law: &ShiftLaw) -> String {

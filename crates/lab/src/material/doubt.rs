@@ -6,7 +6,7 @@ use super::relaxation::Relaxation;
 /// E∞ over the lowest modulus measured, below which it is called extrapolated.
 const EXTRAPOLATED: f64 = 0.5;
 /// The part of the modulus lost over the slowest decade, above which it is called not levelled off.
-const FALLS: f64 = 0.25;
+const FALLS: f64 = 1.0 / 3.0;
 
 /// Why E∞ of a fit, and f with it, may be no property of the material.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

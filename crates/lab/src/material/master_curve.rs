@@ -6,7 +6,7 @@ use super::shift_factors::{ShiftFactors, ShiftFactorsError};
 use crate::temperature::{ShiftLawFit, least_of};
 
 /// The part of the shorter one of two isotherms, in decades, that lies over the other one at least.
-const OVERLAP: f64 = 0.3;
+const OVERLAP: f64 = 0.2;
 /// Steps in a decade in which a shift is looked for.
 const STEPS: f64 = 50.0;
 
@@ -41,7 +41,7 @@ impl MasterCurve {
     /// straight lines between the points on logarithmic scales. Nothing is shifted along the axis of moduli.
     ///
     /// # Errors
-    /// [`MasterCurveError`] if the reference lies outside, or two neighbours have no best overlap of a third of the
+    /// [`MasterCurveError`] if the reference lies outside, or two neighbours have no best overlap of a fifth of the
     /// shorter one.
     pub fn by_overlap(isotherms: &Isotherms, reference: f64) -> Result<Self, MasterCurveError> {
         let all = isotherms.all();
@@ -196,7 +196,7 @@ fn overlap(cold: &Isotherm, warm: &Isotherm) -> Result<(f64, f64), MasterCurveEr
 pub enum MasterCurveError {
     /// Two isotherms that do not overlap.
     #[error(
-        "the moduli at {:.1} and {:.1} degC do not overlap by a third of their range, so one cannot be shifted onto the \
+        "the moduli at {:.1} and {:.1} degC do not overlap by a fifth of their range, so one cannot be shifted onto the \
          other; leave out those beyond the gap, or give shift factors (--shift-factors FILE)",
         cold - 273.15,
         warm - 273.15

@@ -5,7 +5,9 @@ use super::measurement::{Measurement, Measurements};
 use super::table_fields::FIELDS;
 use super::{Isotherms, ModulusKind, PronyParts, PronySeries};
 use crate::notation::{Comma, parts, with_point};
-use crate::{ColumnChoice, Columns, Dimension, Heading, Modulus, Row, Table, TableError, TableFile, Understood};
+use crate::{
+    Column, ColumnChoice, Columns, Dimension, Heading, Modulus, Row, Table, TableError, TableFile, Understood,
+};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use stribeck_input::printable;
 
@@ -46,12 +48,22 @@ pub(super) fn read(file: &TableFile, options: &MaterialOptions) -> Result<(Mater
     if factor != 1.0 {
         understood.note(format!("shear moduli are multiplied by 2 (1 + nu) = {factor}, for Young's modulus"));
     }
+    if description.kind == ModulusKind::Young && !options.is_shear && columns.taken.iter().any(may_be_shear) {
+        understood
+            .note("taken for Young's moduli; rheometers write shear moduli so: --shear --poisson-ratio 0.5 says it");
+    }
     let mut reader = Reader { file, columns: &columns, options, understood };
     let data = match description.form {
         Form::Terms(parts) => MaterialData::Series(reader.series(&tables, parts, factor)?),
         form => reader.measurements(&tables, form, factor)?,
     };
     Ok((data, reader.understood))
+}
+
+/// True for a column of moduli whose name, as in `Storage modulus`, leaves open of what they are.
+fn may_be_shear(column: &Column) -> bool {
+    let names_its_kind = column.heading.trim_start_matches(['|', ' ']).starts_with(['E', 'e', 'T', 't']);
+    column.dimension == Some(Dimension::Modulus) && !column.is_own && !names_its_kind
 }
 
 /// The tables with the columns of a material, which are those of the first one, and what these describe.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::ShiftFactors;
 use super::table_fields::SHIFT_FIELDS;
-use crate::{ColumnChoice, TableError, TableFile, Understood};
+use crate::{TableError, TableFile, Understood};
 use stribeck_input::printable;
 
 impl ShiftFactors {
@@ -13,16 +13,16 @@ impl ShiftFactors {
     ///
     /// # Errors
     /// [`TableError`] if the file cannot be read, a column is missing, or the values are no shift factors.
-    pub fn read(path: &Path, choices: &[ColumnChoice]) -> Result<(Self, Understood), TableError> {
+    pub fn read(path: &Path) -> Result<(Self, Understood), TableError> {
         let file = TableFile::read("table of shift factors", path)?;
         let refuse = |what: String| TableError::NotATable { path: path.to_owned(), what };
         let table = &file.tables[0];
-        let columns = table.columns(&SHIFT_FIELDS, choices).map_err(refuse)?;
+        let columns = table.columns(&SHIFT_FIELDS, &[]).map_err(refuse)?;
         let factors = columns.find("log_shift_factor").or_else(|| columns.find("shift_factor"));
         let (Some(temperatures), Some(factors)) = (columns.find("temperature"), factors) else {
             return Err(refuse(
-                "it has no shift factors: the columns are temperature (degC) and log_shift_factor, or shift_factor; say \
-                 which they are, as in --columns \"log_shift_factor=#2\""
+                "it has no shift factors: the columns are temperature (degC) and log_shift_factor, or shift_factor; \
+                 name them so"
                     .to_owned(),
             ));
         };

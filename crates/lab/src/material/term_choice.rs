@@ -31,23 +31,17 @@ impl TermChoice {
     /// within a tenth of the least one, or below a thousandth.
     ///
     /// # Errors
-    /// [`RelaxationFitError`] of the last one if none of them gives a material.
+    /// [`RelaxationFitError`] of the fit with the most terms, which tells a liquid best, if that gives no material.
     pub fn new(measurements: &Measurements) -> Result<Self, RelaxationFitError> {
         let (from, to) = measurements.rates();
         let wanted = (PER_DECADE * (to / from).log10()).ceil() as usize + 1;
         let most = wanted.min(RelaxationFit::MOST_TERMS).min(measurements.numbers() - 1);
-        let (mut fits, mut refused) = (Vec::new(), None);
-        for terms in 1..=most {
-            match RelaxationFit::new(measurements, terms) {
-                Ok(fit) => fits.push((terms, fit)),
-                Err(error) => refused = Some(error),
-            }
-        }
+        let finest = RelaxationFit::new(measurements, most)?;
+        let fewer = (1..most).filter_map(|terms| Some((terms, RelaxationFit::new(measurements, terms).ok()?)));
+        let fits: Vec<(usize, RelaxationFit)> = fewer.chain([(most, finest)]).collect();
         let residual = |(_, fit): &(usize, RelaxationFit)| fit.rms_residual;
-        let least = fits.iter().min_by(|a, b| residual(a).total_cmp(&residual(b)));
-        let Some((least_residual, least_at)) = least.map(|least| (residual(least), least.0)) else {
-            return Err(refused.unwrap_or(RelaxationFitError::Elastic));
-        };
+        let least = fits.iter().min_by(|a, b| residual(a).total_cmp(&residual(b))).expect("the finest one is there");
+        let (least_residual, least_at) = (residual(least), least.0);
         let enough = (AS_GOOD * least_residual).max(Self::GOOD_ENOUGH);
         let chosen = fits.into_iter().find(|fit| residual(fit) <= enough).expect("the least one is below");
         let (offered, fit) = chosen;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::{decay, oscillation, rubber};
+use proptest::prelude::*;
 use stribeck_lab::{
     ColumnChoice, MaterialData, MaterialFile, MaterialOptions, Measurement, Measurements, RelaxationFit, ShiftFactors,
 };
@@ -109,13 +110,35 @@ fn temperatures_are_told_from_times_and_kept() {
     }
 }
 
+/// Steps at two temperatures below a header, and an interval whose names stand behind a word.
+#[test]
+fn text_tables_of_rheometers_are_read() {
+    let names = "Angular frequency\tStorage modulus\tLoss modulus\tTan(delta)\tTemperature\nrad/s\tPa\tPa\t\t°C\n";
+    let steps = format!(
+        "Filename\tmade up\n[step]\nFrequency sweep - 1\n{names}0.1\t100\t10\t0.1\t25.0\n1\t120\t15\t0.125\t25.1\n\
+         [step]\nFrequency sweep - 2\n{names}0.1\t90\t9\t0.1\t35.0\n1\t105\t12\t0.114\t35.0\n"
+    );
+    let file = read(&steps, &MaterialOptions::default());
+    assert!(file.understood.contains("taken for Young's moduli"), "{}", file.understood);
+    let MaterialData::Isotherms(isotherms) = file.data else { panic!("{}", file.understood) };
+    assert_eq!(isotherms.all().iter().map(|one| one.measurements.rows().len()).collect::<Vec<_>>(), [2, 2]);
+    let interval = "Project:\tmade up\nInterval and data points:\t1\t2\n\
+                    Interval data:\tPoint No.\tAngular Frequency\tStorage Modulus\tLoss Modulus\n\
+                    \t\t[rad/s]\t[kPa]\t[kPa]\n\t1\t0.1\t1\t0.1\n\t2\t1\t1.2\t0.15\n";
+    let said = MaterialOptions { is_shear: true, poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let file = read(interval, &said);
+    assert!(!file.understood.contains("taken for Young's moduli"), "{}", file.understood);
+    let MaterialData::Moduli(moduli) = file.data else { panic!("{}", file.understood) };
+    assert_eq!(moduli.rows()[1].moduli().map(f64::round), [3600.0, 450.0]);
+}
+
 #[test]
 fn shift_factors_are_read_in_two_forms() {
     let directory = tempdir().expect("a temporary directory");
     let path = directory.path().join("factors.csv");
     let factors = |text: &str| {
         std::fs::write(&path, text).expect("written");
-        ShiftFactors::read(&path, &[]).map(|(factors, _)| factors)
+        ShiftFactors::read(&path).map(|(factors, _)| factors)
     };
     let one = factors("\u{feff}T,log_aT\nC, -\n40,-2\n20,0\n0,3\n").expect("factors");
     let other = factors("temperature (K);a_T\n273,15;1000\n293,15;1\n313,15;0,01\n").expect("factors");
@@ -129,5 +152,66 @@ fn shift_factors_are_read_in_two_forms() {
     ] {
         let error = factors(text).expect_err("no factors").to_string();
         assert!(error.contains(said), "{error}");
+    }
+}
+
+/// What materials are described with, to be strung together at random.
+const PIECES: [&str; 34] = [
+    "omega",
+    "storage",
+    "loss",
+    "frequency",
+    "T",
+    "tau",
+    "fraction",
+    "modulus",
+    "time",
+    "E(t)",
+    "G'",
+    "|E*|",
+    "delta",
+    "*viscoelastic, time=prony",
+    "*elastic",
+    "tb,prony,1,1,2,shear",
+    "tbdata,1",
+    "mp,ex,1",
+    "\n",
+    "\n",
+    "\n",
+    "\t",
+    ",",
+    ",",
+    ",",
+    ";",
+    "1",
+    "2.5",
+    "0,5",
+    "-3",
+    "1e9",
+    "MPa",
+    "nan",
+    "# E0 = 1 MPa\n",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(2022),
+        ..ProptestConfig::with_cases(1000)
+    })]
+
+    /// A file is a material or refused with a reason, whatever is in it.
+    #[test]
+    fn any_file_is_judged(pieces in prop::collection::vec(prop::sample::select(PIECES.to_vec()), 0..40)) {
+        let options = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+        match MaterialFile::of(Path::new("any"), pieces.concat().as_bytes(), &options) {
+            Ok(file) => match file.data {
+                MaterialData::Series(series) => {
+                    prop_assert!(series.terms.iter().all(|term| term.0 > 0.0 && term.1 > 0.0));
+                }
+                MaterialData::Moduli(moduli) => prop_assert!(moduli.rates().0 < moduli.rates().1),
+                MaterialData::Isotherms(isotherms) => prop_assert!(!isotherms.all().is_empty()),
+            },
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+        }
     }
 }
