@@ -40,7 +40,8 @@ fn the_material_of_the_moduli_stands_in_the_sweep_file() {
 #[test]
 fn friction_and_moduli_give_the_viscosity_back() {
     let directory = tempdir().expect("a temporary directory");
-    let fit = ["fit", text(&file("traction.txt")), text(&file("experiment.toml")), "--json"];
+    let (traction, experiment) = (file("traction.txt"), file("experiment.toml"));
+    let fit = ["fit", text(&traction), text(&experiment), "--json"];
     let fitted = say(directory.path(), &[&fit[..], &["--unknown", "viscosity,retardation_time"]].concat());
     assert_eq!(code(&fitted), 0, "{}", err(&fitted));
     let said = err(&fitted);
