@@ -52,9 +52,9 @@ pub struct ViscosityTable {
 
 impl ViscosityTable {
     /// Most values of a table.
-    pub const MOST: usize = 32;
+    pub const MOST: usize = 12;
 
-    /// The table of these temperatures (K) and viscosities; `None` unless there are 2 to 32 of them, the temperatures
+    /// The table of these temperatures (K) and viscosities; `None` unless there are 2 to 12 of them, the temperatures
     /// ascend, and all numbers are finite and above 0.
     pub fn new(values: &[(f64, f64)]) -> Option<Self> {
         let is_positive = |&(temperature, viscosity): &(f64, f64)| {

@@ -122,7 +122,7 @@ impl Solver {
                 Ok(runs.iter().enumerate().map(solve).collect::<Result<Vec<_>, _>>()?.concat())
             }
             ReadyMethod::Refused(why) => {
-                Ok(cases.iter().map(|_| SolvedCase::failed(FailureKind::Setting(why.clone()))).collect())
+                Ok(cases.iter().map(|_| SolvedCase::failed(FailureKind::Setting(Box::new(why.clone())))).collect())
             }
         }
     }

@@ -8,6 +8,7 @@ use stribeck_solver::{Parameters, RetardationMode, Substrate};
 ///
 /// Rows run along β, or along the speed where quantities of the laboratory are given.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a sweep has one grid")]
 pub enum Grid {
     /// Over f, α and β.
     Dimensionless(Axes),

@@ -93,7 +93,7 @@ fn what_a_law_does_not_know_is_refused() {
             "belongs to another law",
         ),
         ("{ law = \"arrhenius\", value = 0.1, activation_energy = \"3 K\", reference = \"20 degC\" }", "an energy"),
-        ("{ table = [{ temperature = \"40 degC\", value = 0.1 }] }", "a table of viscosities has 2 to 32"),
+        ("{ table = [{ temperature = \"40 degC\", value = 0.1 }] }", "a table of viscosities has 2 to 12"),
     ] {
         let error = parse("temperature = \"20 degC\"\n", law, &flat).expect_err(law);
         assert!(error.contains(words), "{error}");

@@ -84,7 +84,7 @@ pub enum FrictionFitError {
         /// Where the point stands.
         place: String,
         /// Why it failed.
-        failure: Failure,
+        failure: Box<Failure>,
     },
     /// The search ended without a minimum.
     #[error("no minimum was found after {evaluations} evaluations: {why}; begin nearer to the expected values")]

@@ -62,7 +62,10 @@ impl<'a> Problem<'a> {
         let friction = match &prediction {
             Ok(prediction) => &prediction.friction,
             Err(NotPredicted::Failed { point, failure }) => {
-                return Err(FrictionFitError::Start { place: measured.place(*point), failure: failure.clone() });
+                return Err(FrictionFitError::Start {
+                    place: measured.place(*point),
+                    failure: Box::new(failure.clone()),
+                });
             }
             Err(NotPredicted::Interrupted) => return Err(FrictionFitError::TimeLimit { evaluations: 0, best: None }),
         };

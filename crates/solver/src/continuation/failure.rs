@@ -129,7 +129,7 @@ pub enum FailureKind {
     OutOfRange(#[from] OutOfRange),
     /// A setting is beyond what the method can be used with: no case is tried.
     #[error(transparent)]
-    Setting(#[from] SettingOutOfRange),
+    Setting(Box<SettingOutOfRange>),
     /// No line leads from a neighbour to the case.
     #[error(transparent)]
     NoLine(#[from] NoLine),
@@ -397,7 +397,9 @@ mod tests {
             OutOfRange::Alpha(1e80).into(),
             OutOfRange::Beta(0.0).into(),
             OutOfRange::Strength(-1.0).into(),
-            crate::collocation::Settings::for_tolerance(2.0).check().expect_err("too large").into(),
+            FailureKind::Setting(Box::new(
+                crate::collocation::Settings::for_tolerance(2.0).check().expect_err("large"),
+            )),
             NoLine::Alpha { from: 0.0, to: 1.0 }.into(),
             NoLine::Substrates { from: Substrate::default(), to: Substrate::default() }.into(),
             FailureKind::TimeLimit(Duration::from_millis(20)),

@@ -89,7 +89,7 @@ impl Settings {
         SettingOutOfRange::check(METHOD, "tolerance", self.tolerance, &Self::TOLERANCE)?;
         let least = if self.estimate { Self::ESTIMATE_POINTS } else { *Self::POINTS.start() };
         SettingOutOfRange::check(METHOD, "points", self.points, &(least..=*Self::POINTS.end()))?;
-        if self.points % 2 == 0 {
+        if self.points.is_multiple_of(2) {
             let (value, allowed) = (self.points.to_string(), "odd".to_owned());
             return Err(SettingOutOfRange { method: METHOD, setting: "points", value, allowed });
         }

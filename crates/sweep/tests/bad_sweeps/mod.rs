@@ -136,7 +136,7 @@ pub fn bad_files() -> Vec<Row> {
         ),
         // Bodies.
         (with_axes("[flat]\n[substrate]\n"), "5:1", "two names of one section", "keep one"),
-        (with_axes("[flat]\nrigid = true\n"), "6:1", "`flat.rigid` goes with [laboratory]", "remove it"),
+        (with_axes("[flat]\nrigid = true\n"), "6:9", "`flat.rigid` goes with [laboratory]", "remove it"),
         (with_axes("[roller]\nmodes = []\n"), "5:1", "at least one retardation mode", "shares add up to 1"),
         (
             with_axes(

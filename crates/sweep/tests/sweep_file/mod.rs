@@ -260,6 +260,7 @@ fn the_shipped_sweeps_are_valid() {
             "hundred-thousand",
             "paper-range",
             "quick",
+            "rolling",
             "rubber",
             "six-decades",
             "surface",
