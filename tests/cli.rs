@@ -93,7 +93,7 @@ fn examples_in_help_texts_are_valid_command_lines() {
                 let output = say(directory.path(), &words);
                 let expected = match words[0] {
                     "study" => "cannot read the study file",
-                    "material" => "cannot read the table of measurements",
+                    "material" => "cannot read the file of a material",
                     "plot" | "report" => "there is no such directory",
                     _ => "cannot read the sweep file",
                 };

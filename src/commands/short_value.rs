@@ -10,7 +10,7 @@ pub fn short(value: f64, error: f64, unit: &str) -> String {
     let known = PREFIXES.into_iter().find(|(known, _)| *known == power).filter(|_| unit != "1");
     let (power, unit) = match known {
         Some((power, prefix)) => (power, format!(" {prefix}{unit}")),
-        None if unit == "1" && (-3..=3).contains(&power) => (0, String::new()),
+        None if unit == "1" && (-3..=0).contains(&power) => (0, String::new()),
         None if unit == "1" => (power, format!("e{power}")),
         None => (power, format!("e{power} {unit}")),
     };
