@@ -3,7 +3,7 @@
 use super::Measured;
 use super::fields::{ERROR, FRICTION, admits, allowed, fields};
 use super::motion::{keep_one_form, sliding};
-use super::repeated::{at_one_place, averaged, mean};
+use super::repeated::{Scatter, at_one_place, averaged, mean};
 use crate::table::Row;
 use crate::{
     Column, ColumnChoice, Columns, Decimal, Heading, LaboratoryQuantity, Table, TableError, TableFile, Understood,
@@ -28,11 +28,8 @@ pub(super) fn points(file: &TableFile, choices: &[ColumnChoice]) -> Result<(Meas
     let steps = tables.iter().map(|table| reader.read(table)).collect::<Result<Vec<_>, _>>()?;
     let Reader { mut understood, .. } = reader;
     let several = steps.len() > 1;
-    let steps: Vec<Measured> = steps
-        .into_iter()
-        .filter(|step| !step.friction.is_empty())
-        .map(|it| if several { step(it, &mut understood) } else { it })
-        .collect();
+    let steps: Vec<Measured> = steps.into_iter().filter(|step| !step.friction.is_empty()).collect();
+    let steps = if several { points_of_steps(steps, &mut understood) } else { steps };
     let count = steps.len();
     let with_errors = steps.iter().filter(|step| step.errors.is_some()).count();
     let readings = Measured::join(
@@ -263,10 +260,17 @@ impl Reader<'_> {
     }
 }
 
-/// The readings of a step: one point, if they were taken at one place.
-fn step(readings: Measured, understood: &mut Understood) -> Measured {
-    let (None, Some(near)) = (&readings.errors, at_one_place(&readings)) else { return readings };
-    let far = (0..readings.friction.len()).filter(|reading| !near.contains(reading));
-    far.for_each(|reading| understood.leave_out(readings.places[reading].1, "not at the speeds of its step"));
-    mean(&readings, &[near])
+/// The readings of steps: one point of each that was taken at one place.
+fn points_of_steps(steps: Vec<Measured>, understood: &mut Understood) -> Vec<Measured> {
+    let near: Vec<Option<Vec<usize>>> =
+        steps.iter().map(|step| if step.errors.is_none() { at_one_place(step) } else { None }).collect();
+    let scatters = steps.iter().zip(&near).filter_map(|(step, near)| Some(Scatter::of(step, near.as_ref()?)));
+    let all: Scatter = scatters.sum();
+    let point = |(step, near): (Measured, Option<Vec<usize>>)| {
+        let Some(near) = near else { return step };
+        let far = (0..step.friction.len()).filter(|reading| !near.contains(reading));
+        far.for_each(|reading| understood.leave_out(step.places[reading].1, "not at the speeds of its step"));
+        mean(&step, &[near], all)
+    };
+    steps.into_iter().zip(near).map(point).collect()
 }

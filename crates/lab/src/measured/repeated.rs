@@ -1,6 +1,7 @@
 //! Readings that were taken at one place, as one point: their mean, and its standard error from their scatter.
 
 use std::collections::HashMap;
+use std::iter::Sum;
 
 use super::Measured;
 
@@ -25,7 +26,10 @@ pub(super) fn averaged(readings: &Measured) -> Option<Measured> {
         return None;
     }
     let groups = groups(readings);
-    let points = groups.iter().all(|group| group.len() >= FEWEST).then(|| mean(readings, &groups))?;
+    let points = groups.iter().all(|group| group.len() >= FEWEST).then(|| {
+        let all = groups.iter().map(|group| Scatter::of(readings, group)).sum();
+        mean(readings, &groups, all)
+    })?;
     points.errors.is_some().then_some(points)
 }
 
@@ -68,23 +72,45 @@ pub(super) fn at_one_place(readings: &Measured) -> Option<Vec<usize>> {
     (near.len() >= FEWEST && near.len() as f64 >= MOST * count as f64).then_some(near)
 }
 
-/// A point for each group of readings. It has no errors if readings do not scatter.
-pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>]) -> Measured {
-    let average = |values: &[f64], group: &[usize]| {
-        let first = values[group[0]];
-        // equal values keep every bit
-        first + group.iter().map(|reading| values[*reading] - first).sum::<f64>() / group.len() as f64
-    };
-    let means = |values: &[f64]| groups.iter().map(|group| average(values, group)).collect::<Vec<f64>>();
-    // Sum of the squares of the deviations over the mean, and how many of them are independent.
-    let scatter = |group: &Vec<usize>| {
+/// How far readings lie from the means of their places, relative to them.
+#[derive(Clone, Copy)]
+pub(super) struct Scatter {
+    squares: f64,
+    /// How many of the deviations are independent.
+    independent: f64,
+}
+
+impl Scatter {
+    /// Of the readings of one place.
+    pub(super) fn of(readings: &Measured, group: &[usize]) -> Self {
         let mean = average(&readings.friction, group);
         let square = |reading: &usize| (readings.friction[*reading] / mean - 1.0).powi(2);
-        (group.iter().map(square).sum::<f64>(), group.len() as f64 - 1.0)
-    };
-    let all = groups.iter().map(scatter).fold((0.0, 0.0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+        Self { squares: group.iter().map(square).sum(), independent: group.len() as f64 - 1.0 }
+    }
+}
+
+impl Sum for Scatter {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        let nothing = Self { squares: 0.0, independent: 0.0 };
+        all.fold(nothing, |sum, of| Self {
+            squares: sum.squares + of.squares,
+            independent: sum.independent + of.independent,
+        })
+    }
+}
+
+/// The mean of some readings; that of equal values is that value to the last bit.
+fn average(values: &[f64], group: &[usize]) -> f64 {
+    let first = values[group[0]];
+    first + group.iter().map(|reading| values[*reading] - first).sum::<f64>() / group.len() as f64
+}
+
+/// A point for each group of readings; `all` is the scatter of all places of the file. It has no errors if readings do
+/// not scatter.
+pub(super) fn mean(readings: &Measured, groups: &[Vec<usize>], all: Scatter) -> Measured {
+    let means = |values: &[f64]| groups.iter().map(|group| average(values, group)).collect::<Vec<f64>>();
     let error = |group: &Vec<usize>| {
-        let (squares, independent) = if group.len() < ENOUGH { all } else { scatter(group) };
+        let Scatter { squares, independent } = if group.len() < ENOUGH { all } else { Scatter::of(readings, group) };
         average(&readings.friction, group).abs() * (squares / independent / group.len() as f64).sqrt()
     };
     let errors: Vec<f64> = groups.iter().map(error).collect();

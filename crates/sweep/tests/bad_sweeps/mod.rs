@@ -137,7 +137,7 @@ pub fn bad_files() -> Vec<Row> {
         // Bodies.
         (with_axes("[flat]\n[substrate]\n"), "5:1", "two names of one section", "keep one"),
         (with_axes("[flat]\nrigid = true\n"), "6:9", "`flat.rigid` goes with [laboratory]", "remove it"),
-        (with_axes("[roller]\nmodes = []\n"), "5:1", "at least one retardation mode", "shares add up to 1"),
+        (with_axes("[roller]\nmodes = []\n"), "5:1", "at least one retardation mode", "that they add up to 1"),
         (
             with_axes(
                 "[flat]\nmodes = [{ share = 0.6, time = 1.0 }]\n[roller]\nmodes = [{ share = 0.5, time = 1.0 }]\n",
