@@ -42,10 +42,11 @@ pub(crate) enum Comma {
 
 /// A number with a point for its decimal comma.
 pub(crate) fn with_point(number: &str) -> Comma {
+    let is_group = |after: &str| after.len() == 3 && after.bytes().all(|byte| byte.is_ascii_digit());
     let thousands = number
         .trim_start_matches(['+', '-'])
         .split_once(',')
-        .is_some_and(|(before, after)| (1..=3).contains(&before.len()) && !before.starts_with('0') && after.len() == 3);
+        .is_some_and(|(before, after)| (1..=3).contains(&before.len()) && !before.starts_with('0') && is_group(after));
     if thousands { Comma::Ambiguous } else { Comma::None(number.replace(',', ".")) }
 }
 
