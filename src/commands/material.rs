@@ -23,7 +23,7 @@ Examples:
   stribeck material rubber.csv                          the fit, and the lines for a sweep file
   stribeck material rubber.csv --terms 12 -o fit.svg    with so many terms, and a picture of it
   stribeck material rheometer.csv --shear --poisson-ratio 0.5
-  stribeck material isotherms.csv --reference-temperature \"20 degC\"
+  stribeck material isotherms.csv --reference-temperature 20degC
   stribeck material rubber.inp --modulus-unit MPa       a Prony series of Abaqus or Ansys: nothing is fitted
 
 The file is a table of moduli over frequency (storage and loss) or over time (relaxation), or a Prony series. Times of
