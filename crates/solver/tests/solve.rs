@@ -67,7 +67,7 @@ fn points_are_solved_in_any_order_with_the_same_numbers() {
     let both = points.iter().position(|point| point.substrate.of_roller() > 0).expect("two bodies");
     let friction = |place: usize| there[place].outcome.as_ref().unwrap().quantities.friction;
     assert!((friction(both).viscoelastic / friction(both - 2).viscoelastic - 1.0).abs() < 1e-5);
-    assert!(friction(both).viscoelastic_roller > 0.1 && friction(both - 2).viscoelastic_roller == 0.0);
+    assert!(friction(both).viscoelastic_roller > 0.0 && friction(both - 2).viscoelastic_roller == 0.0);
     let failed: Vec<usize> = (0..points.len()).filter(|&place| there[place].outcome.is_err()).collect();
     assert_eq!(failed, [points.len() - 2, points.len() - 1], "only the impossible ones fail");
     let from_neighbours =
