@@ -100,6 +100,7 @@ impl AxisWords {
             "poisson_ratio" => ("ν", "Poisson's ratio ν"),
             "viscosity" => ("η", "viscosity η"),
             "retardation_time" => ("τ", "retardation time τ"),
+            "temperature" => ("T", "temperature T"),
             "speed" => ("V", "speed V"),
             "entrainment_speed" => ("U", "entrainment speed U = (u₁ + u₂)/2"),
             "slide_roll_ratio" => ("SRR", "slide-to-roll ratio (u₂ − u₁)/U"),

@@ -9,8 +9,8 @@
 //! | `profile` | intervals of unknowns, while the others follow |
 //!
 //! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard
-//! errors σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose size then follows from the residuals, or for means
-//! of readings their own, as ln(μ/μᵢ) μᵢ/σᵢ.
+//! errors σᵢ. For means of readings they are ln(μ/μᵢ) μᵢ/σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose
+//! size then follows from the residuals.
 
 mod bounds;
 mod prediction;

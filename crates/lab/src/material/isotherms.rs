@@ -24,7 +24,8 @@ impl Isotherms {
     /// Sorts rows with their temperatures, in K, into isotherms: one ends where the temperature steps by more than 1 K.
     ///
     /// # Errors
-    /// [`IsothermsError`] if there is no row, or the rows of an isotherm are at one rate only or drift by more than 3 K.
+    /// [`IsothermsError`] if there is no row, or the rows of an isotherm are at one rate only, or drift by more than
+    /// 3 K.
     pub fn new(mut rows: Vec<(f64, Measurement)>) -> Result<Self, IsothermsError> {
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
         let groups = rows.chunk_by(|a, b| b.0 - a.0 <= STEP);

@@ -25,9 +25,9 @@ impl RelaxationFit {
     /// of the highest frequency to 1/ω of the lowest, or from the shortest time to the longest, a single one in the
     /// middle.
     ///
-    /// E∞ and the E_i are the non-negative numbers that make Σ |E*_fit − E*|²/|E*|² smallest, or Σ (E_fit − E)²/E². No E_i can be negative
-    /// in a material that only dissipates, and without that condition the terms would swing between large numbers of
-    /// both signs. What comes out as zero is dropped.
+    /// E∞ and the E_i are the non-negative numbers that make Σ |E*_fit − E*|²/|E*|² smallest, or Σ (E_fit − E)²/E². No
+    /// E_i can be negative in a material that only dissipates, and without that condition the terms would swing between
+    /// large numbers of both signs. What comes out as zero is dropped.
     ///
     /// # Errors
     /// [`RelaxationFitError`] if the number of terms is not from 1 to [`MOST_TERMS`](Self::MOST_TERMS) or is more

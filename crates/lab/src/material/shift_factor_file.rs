@@ -8,8 +8,8 @@ use crate::{TableError, TableFile, Understood};
 use stribeck_input::printable;
 
 impl ShiftFactors {
-    /// Reads a table with the columns `temperature` and `log_shift_factor` (log₁₀ a_T) or `shift_factor` (a_T), and says
-    /// what was understood of it.
+    /// Reads a table with the columns `temperature` and `log_shift_factor` (log₁₀ a_T) or `shift_factor` (a_T), and
+    /// says what was understood of it.
     ///
     /// # Errors
     /// [`TableError`] if the file cannot be read, a column is missing, or the values are no shift factors.

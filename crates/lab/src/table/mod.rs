@@ -1,7 +1,7 @@
 //! Tables of numbers as laboratories have them: bytes in, tables out, and what was understood of them.
 //!
-//! [`TableFile`] finds the encoding, the separator, the decimal mark and the tables of a file. A [`Field`] is a quantity
-//! that a column may hold, with its names and units. [`Table::columns`] finds the columns of fields, and
+//! [`TableFile`] finds the encoding, the separator, the decimal mark and the tables of a file. A [`Field`] is a
+//! quantity that a column may hold, with its names and units. [`Table::columns`] finds the columns of fields, and
 //! [`Understood`] says what was found.
 //!
 //! | file | what it holds |

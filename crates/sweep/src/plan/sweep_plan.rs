@@ -16,11 +16,11 @@ use stribeck_solver::{Parameters, Substrate};
 /// In a dimensionless sweep all grid points whose substrate is relaxed elastic (f = 0 or α = ∞) share row 0, which is
 /// solved once; the other rows follow in the order f, then α. Everything is index arithmetic: such a plan is as large
 /// as its axes; the slide-to-roll ratio changes no problem. Over quantities of the laboratory different places can have
-/// the same α, β and f, and with a viscoelastic roller the ratio does change problems: each is solved at the first place
-/// that has it, and rows are listed.
+/// the same α, β and f, and with a viscoelastic roller the ratio does change problems. Each problem is solved at the
+/// first place that has it, and rows are listed.
 ///
-/// Grid points are published in the order f, then α, then β, behind the slide-to-roll ratio if it is an axis, or f, then
-/// the quantities in their order, the speed last.
+/// Grid points are published in the order f, then α, then β, behind the slide-to-roll ratio if it is an axis; or f,
+/// then the quantities in their order, the speed last.
 #[derive(Clone, Debug)]
 pub struct Plan {
     grid: Grid,
