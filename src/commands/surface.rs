@@ -19,9 +19,9 @@ use stribeck_sweep::surface::{Progress, SurfaceBuildError, SurfaceOptions, build
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 Examples:
-  stribeck surface sweeps/surface.toml                  results/surface/surface.json
-  stribeck surface sweeps/surface.toml -o /scratch/s --threads 8
-  stribeck evaluate results/surface/surface.json --alpha 1 --beta 200
+  stribeck surface sweeps/surface-of-paper.toml         in results/surface-of-paper
+  stribeck surface sweeps/surface-of-paper.toml -o /scratch/s --threads 8
+  stribeck evaluate results/surface-of-paper/surface.json --alpha 1 --beta 200
 
 The sweep file has one to three axes that are ranges, and may have a section [surface] with the tolerance and
 the quantities (docs/surface.md). Run the same command again after an interruption: solved cases are used again.

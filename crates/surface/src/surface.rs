@@ -124,8 +124,8 @@ impl Surface {
                 return Err(damaged(format!("{} values, and {} quantities", check.values.len(), values.len())));
             }
             for ((quantity, &found), &expected) in self.quantities().zip(values).zip(&check.values) {
-                // A NaN is no agreement either.
-                if !((found - expected).abs() <= CHECK * expected.abs()) {
+                let agrees = (found - expected).abs() <= CHECK * expected.abs();
+                if !agrees {
                     return Err(SurfaceError::CheckPoint { quantity: quantity.to_owned(), number, found, expected });
                 }
             }

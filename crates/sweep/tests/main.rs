@@ -11,6 +11,7 @@ mod plan;
 mod shards;
 mod signals;
 mod store;
+mod surface;
 mod survival;
 mod sweep_file;
 mod synthetic;

@@ -21,10 +21,8 @@ use stribeck_surface::{
 
 /// The first nodes: all whose indices add up to this.
 const FIRST_DEGREE: u16 = 4;
-/// In a round neighbours are added of indices that change the surface by this part of the largest change.
-const ROUND: f64 = 0.2;
 /// The first threshold, in tolerances. Errors of many indices add up.
-const FIRST_THRESHOLD: f64 = 0.3;
+const FIRST_THRESHOLD: f64 = 0.1;
 /// The part of the tolerance that compression may take.
 const COMPRESSION: f64 = 0.1;
 /// The most cases of a surface.
@@ -240,7 +238,7 @@ impl Work<'_> {
             if change <= threshold || now.set.indices().len() >= MOST_CASES {
                 return Ok(());
             }
-            now.set.grow(&weights, threshold.max(ROUND * change));
+            now.set.grow(&weights, threshold);
             *round += 1;
             tell(Progress::Round { number: *round, nodes: now.set.indices().len(), change });
         }

@@ -113,11 +113,17 @@ fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<SurfaceSwe
         return Err(whole("a surface is made by the collocation method", "method = \"relaxation\"", help));
     }
     let axes = axes_of(&sweep.grid, &ranges, &whole)?;
-    sweep.solver.tolerance = sweep.solver.tolerance.min(settings.tolerance / TIGHTER).max(1e-10);
+    sweep.solver.tolerance = sweep.solver.tolerance.min(tighter(settings.tolerance));
     sweep.output.fields = Default::default();
     sweep.output.sensitivities = false;
     sweep.output.limits = settings.quantities.contains(&Column::DryMuV);
     Ok(SurfaceSweep { sweep, axes, settings })
+}
+
+/// The tolerance of nodes: a decimal number as one would write it, so that sweeps share its cases.
+fn tighter(tolerance: f64) -> f64 {
+    let rounded = format!("{:.12e}", tolerance / TIGHTER).parse();
+    rounded.expect("a number that was written is read")
 }
 
 /// True for the sections that axes stand in.

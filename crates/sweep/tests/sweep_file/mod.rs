@@ -264,6 +264,7 @@ fn the_shipped_sweeps_are_valid() {
             "rubber",
             "six-decades",
             "surface",
+            "surface-of-paper",
             "tight-tolerance",
             "two-modes"
         ]
