@@ -11,6 +11,7 @@ use stribeck_sweep::campaign::CampaignError;
 mod exceptions {
     use pyo3::import_exception;
 
+    import_exception!(stribeck._errors, FitError);
     import_exception!(stribeck._errors, InputError);
     import_exception!(stribeck._errors, StorageError);
 }
@@ -18,6 +19,11 @@ mod exceptions {
 /// What the caller gave is wrong.
 pub fn input(what: impl Display) -> PyErr {
     exceptions::InputError::new_err(what.to_string())
+}
+
+/// Nothing was fitted.
+pub fn fit(what: impl Display) -> PyErr {
+    exceptions::FitError::new_err(what.to_string())
 }
 
 /// The disk, or a file of results, is not as it should be.
@@ -28,6 +34,13 @@ pub fn storage(what: impl Display) -> PyErr {
 /// A file or a text is wrong: the line is drawn, with the place and the remedy.
 pub fn fault(fault: &FileFault) -> PyErr {
     input(drawn(fault))
+}
+
+/// A value is wrong: what it is and what to do, in one line without a place, which a value has none of.
+pub fn value(fault: &FileFault) -> PyErr {
+    let text = fault.to_string();
+    let what = text.splitn(4, ':').nth(3).map_or(text.as_str(), str::trim_start);
+    input(fault.help().map_or_else(|| what.to_owned(), |help| format!("{what}: {help}")))
 }
 
 /// A sweep could not be run.
@@ -52,7 +65,7 @@ fn drawn(fault: &dyn Diagnostic) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
     match handler.render_report(&mut text, fault) {
-        Ok(()) => text.trim().to_owned(),
+        Ok(()) => text.trim().trim_start_matches("× ").to_owned(),
         Err(_) => fault.to_string(),
     }
 }

@@ -55,4 +55,6 @@ def dataset(data: Mapping[str, Variable], coordinates: Mapping[str, Variable], a
         return Arrays({**coordinates, **data})
     import xarray  # noqa: PLC0415
 
+    from . import _accessor  # noqa: F401, PLC0415
+
     return xarray.Dataset(dict(data), dict(coordinates), dict(attrs))

@@ -147,7 +147,9 @@ def _dims(given: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
         changing = [name for name in having if shapes[name][back] > 1] or having
         # An input that changes along another dimension, too, is no coordinate of this one.
         alone = [name for name in changing if np.prod(shapes[name]) == shapes[name][back]]
-        names.append(changing[0] if len(changing) == len(alone) == 1 else "point" if len(shape) == 1 else f"axis_{axis}")
+        names.append(
+            changing[0] if len(changing) == len(alone) == 1 else "point" if len(shape) == 1 else f"axis_{axis}"
+        )
     return tuple(names)
 
 
