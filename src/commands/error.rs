@@ -12,10 +12,12 @@ use stribeck_input::InputError;
 use stribeck_input::{printable, shown};
 use stribeck_lab::{MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
+use stribeck_surface::{Outside, SurfaceError};
 use stribeck_sweep::Method;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::ThreadsError;
 use stribeck_sweep::store::StoreError;
+use stribeck_sweep::surface::SurfaceBuildError;
 
 /// Why a command could not do what it was asked to.
 #[derive(Debug, thiserror::Error)]
@@ -74,6 +76,42 @@ pub enum CliError {
         /// Why.
         what: String,
     },
+    /// A file that is no surface.
+    #[error("{}: {source}", shown(file))]
+    Surface {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with it.
+        source: SurfaceError,
+    },
+    /// A point beyond a surface.
+    #[error("{0}; nothing is extrapolated")]
+    Outside(#[from] Outside),
+    /// A coordinate that a surface has no axis for.
+    #[error("the surface has no axis `{}`; its axes are {known}", printable(axis))]
+    NotAnAxis {
+        /// The name that was given.
+        axis: String,
+        /// The axes.
+        known: String,
+    },
+    /// A point without one of its coordinates.
+    #[error("the point needs a value of {axis}; give --at {axis}=VALUE")]
+    NoCoordinate {
+        /// The axis.
+        axis: String,
+    },
+    /// A file of points that cannot be read.
+    #[error("{}: {what}", shown(file))]
+    Points {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with it.
+        what: String,
+    },
+    /// A surface that was not made.
+    #[error(transparent)]
+    SurfaceBuild(#[from] SurfaceBuildError),
     /// More threads than the system gives.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
@@ -305,6 +343,12 @@ impl CliError {
                 | PictureError::Missing { .. },
             )
             | CliError::Threads(_)
+            | CliError::Surface { .. }
+            | CliError::Outside(_)
+            | CliError::NotAnAxis { .. }
+            | CliError::NoCoordinate { .. }
+            | CliError::Points { .. }
+            | CliError::SurfaceBuild(SurfaceBuildError::NoNumber { .. } | SurfaceBuildError::Threads(_))
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
             | CliError::Sensitivities
@@ -320,7 +364,10 @@ impl CliError {
                 | CampaignError::Parts { .. }
                 | CampaignError::Stopped { .. } => 4,
             },
-            CliError::Store(_)
+            CliError::SurfaceBuild(SurfaceBuildError::Failed { .. }) => 3,
+            CliError::SurfaceBuild(SurfaceBuildError::Interrupted) => 130,
+            CliError::SurfaceBuild(_)
+            | CliError::Store(_)
             | CliError::Incomplete { .. }
             | CliError::Foreign { .. }
             | CliError::Slurm { .. }

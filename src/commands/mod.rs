@@ -3,6 +3,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify` | commands: sweeps and cases |
+//! | `surface`, `evaluate` | commands: friction as a function |
 //! | `curve`, `fit`, `material`, `plot`, `report`, `study` | commands: experiments, pictures and methods |
 //! | `destination` | the results directory of a sweep |
 //! | `published` | the published data set, for commands that show it |
@@ -21,6 +22,7 @@ mod console;
 mod curve;
 mod destination;
 mod error;
+mod evaluate;
 mod explain;
 mod fit;
 mod fit_progress;
@@ -48,6 +50,7 @@ mod solution;
 mod solve;
 mod status;
 mod study;
+mod surface;
 mod terminal_plot;
 mod threads;
 mod trace_report;
@@ -120,6 +123,10 @@ enum Command {
     Study(study::Arguments),
     /// Fit a substrate to measured storage and loss moduli
     Material(material::Arguments),
+    /// Make a surface: friction as a function in a file, to a measured error
+    Surface(surface::Arguments),
+    /// Evaluate a surface at points, or check it
+    Evaluate(evaluate::Arguments),
 }
 
 /// How a command ended that did what it was asked to.
@@ -127,6 +134,8 @@ enum Command {
 enum Exit {
     /// All is well.
     Success,
+    /// A surface is not as exact as it says.
+    DoesNotHold,
     /// Done, but some cases failed.
     CasesFailed,
     /// Damage was found.
@@ -139,6 +148,7 @@ impl Exit {
     fn code(self) -> u8 {
         match self {
             Exit::Success => 0,
+            Exit::DoesNotHold => 1,
             Exit::CasesFailed => 3,
             Exit::Damaged => 4,
             Exit::Interrupted => 130,
@@ -163,6 +173,8 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Report(arguments) => report::execute(arguments),
         Command::Study(arguments) => study::execute(arguments, meter),
         Command::Material(arguments) => material::execute(arguments),
+        Command::Surface(arguments) => surface::execute(arguments),
+        Command::Evaluate(arguments) => evaluate::execute(arguments),
     };
     match ending {
         Ok(exit) => exit.code().into(),

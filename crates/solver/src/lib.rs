@@ -79,5 +79,5 @@ pub use model::{
     Parameters, Quantities, RelativeErrors, Retardation, RetardationMode, Sensitivities, SettingOutOfRange, Substrate,
     SubstrateError, gauss, kernel, shear_traction, shortest, stress, viscoelastic_error_scale,
 };
-pub use points::solve_points;
+pub use points::{point_chains, solve_points};
 pub use solve::{Method, Settings, Solver, solve};

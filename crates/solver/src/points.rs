@@ -34,14 +34,11 @@ pub fn solve_points(
     interrupt: &Interrupt,
 ) -> Result<Vec<SolvedCase>, Interrupted> {
     let solver = Solver::new(settings);
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    order.sort_by(|&a, &b| compare(&points[a], &points[b]));
-    // Equal points are one case.
-    let groups: Vec<&[usize]> = order.chunk_by(|&a, &b| compare(&points[a], &points[b]).is_eq()).collect();
-    let cases: Vec<&Parameters> = groups.iter().map(|group| &points[group[0]]).collect();
-    let chains = chains_of_neighbours(&cases, |from, to| solver.can_continue(from, to));
+    let order = in_order(points);
+    let groups = equal_points(&order, points);
+    let chains = chains_of_groups(&groups, points, &solver);
     let solve = |chain: &Vec<usize>| {
-        let chain: Vec<Parameters> = chain.iter().map(|&case| cases[case].clone()).collect();
+        let chain: Vec<Parameters> = chain.iter().map(|&case| points[groups[case][0]].clone()).collect();
         solver.solve_chain(&chain, interrupt)
     };
     #[cfg(feature = "rayon")]
@@ -56,6 +53,32 @@ pub fn solve_points(
         }
     }
     Ok(results.into_iter().map(|result| result.expect("each point is in a chain")).collect())
+}
+
+/// The chains in which [`solve_points`] solves points: their places, each chain in the order in which it is solved. Of
+/// equal points the first one stands for all.
+pub fn point_chains(points: &[Parameters], settings: &Settings) -> Vec<Vec<usize>> {
+    let order = in_order(points);
+    let groups = equal_points(&order, points);
+    let chains = chains_of_groups(&groups, points, &Solver::new(settings));
+    chains.into_iter().map(|chain| chain.into_iter().map(|case| groups[case][0]).collect()).collect()
+}
+
+/// The places of points in their order; of equal points those that come first do so here too.
+fn in_order(points: &[Parameters]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| compare(&points[a], &points[b]));
+    order
+}
+
+/// Equal points are one case.
+fn equal_points<'a>(order: &'a [usize], points: &[Parameters]) -> Vec<&'a [usize]> {
+    order.chunk_by(|&a, &b| compare(&points[a], &points[b]).is_eq()).collect()
+}
+
+fn chains_of_groups(groups: &[&[usize]], points: &[Parameters], solver: &Solver) -> Vec<Vec<usize>> {
+    let cases: Vec<&Parameters> = groups.iter().map(|group| &points[group[0]]).collect();
+    chains_of_neighbours(&cases, |from, to| solver.can_continue(from, to))
 }
 
 /// A total order of cases, by β first.

@@ -36,6 +36,7 @@ mod grid_index;
 mod notes;
 mod plan;
 pub mod store;
+pub mod surface;
 mod sweep_file;
 
 pub use axes::{Axes, Given, LaboratoryAxes, ModelLimits};
@@ -49,4 +50,7 @@ pub use grid::Grid;
 pub use grid_index::{GridIndex, GridShape};
 pub use notes::{Note, NoteCounts};
 pub use plan::{Chain, Fingerprint, MAX_CHAIN, NotAPart, Part, Plan, Recipe, SolverRecipe};
-pub use sweep_file::{Method, SolverSettings, Sweep, read_axes, read_error, read_points, read_substrate, read_title};
+pub use sweep_file::{
+    Method, RangeAxis, SolverSettings, SurfaceSweep, Sweep, read_axes, read_error, read_points, read_substrate,
+    read_title,
+};

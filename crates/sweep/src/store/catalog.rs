@@ -12,7 +12,7 @@ use super::log::read_logs;
 use super::record::{CaseRecord, ShardRecord};
 use super::shard::ShardReader;
 use super::{CaseEntry, Contents, History, Status, StoreError, Warning};
-use crate::CaseId;
+use crate::{CaseId, Values};
 use stribeck_solver::Output;
 
 /// The numbers of cases that a directory holds.
@@ -198,6 +198,22 @@ impl Catalog {
                 let counts = self.index.any(case.case).is_some_and(|slot| slot.shard == number);
                 if let Some(kind) = case.failure_kind().filter(|_| counts) {
                     visit(case.case, kind, &case.reason);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Visits each stored case that has all that the output asks for: its id, its status, its reason and its numbers.
+    ///
+    /// # Errors
+    /// [`StoreError`] if a shard or its record cannot be read.
+    pub fn visit(&self, mut visit: impl FnMut(CaseId, Status, &str, Values)) -> Result<(), StoreError> {
+        for (number, _) in self.index.shards() {
+            let OpenShard { reader, .. } = self.open_shard(number)?;
+            for (row, &id) in reader.ids().iter().enumerate() {
+                if self.index.complete(id).is_some_and(|slot| slot.shard == number) {
+                    visit(id, reader.status(row), reader.reason(row), reader.values(row));
                 }
             }
         }

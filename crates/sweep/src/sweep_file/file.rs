@@ -2,18 +2,20 @@
 
 use std::path::Path;
 
+use toml::de::DeTable;
+
 use super::bodies::{self, ReadBodies};
 use super::named_series::NamedSeries;
 use super::sections::{home, keys, section};
 use super::specification::{Method, Sweep};
-use super::{laboratory, output, solver};
+use super::{laboratory, output, solver, surface};
 use crate::{Axes, Grid};
 use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
 use stribeck_input::{is_printable, printable};
 use stribeck_solver::Output;
 
 /// What the file is called in messages.
-const KIND: stribeck_input::Kind = "sweep file";
+pub(super) const KIND: stribeck_input::Kind = "sweep file";
 
 /// Most grid points of a sweep.
 const MOST_CASES: u128 = 1_000_000_000;
@@ -41,8 +43,20 @@ impl Sweep {
 }
 
 fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<Sweep, Fault> {
-    let document = stribeck_input::document(text)?;
-    let root = Section::new("", 0..0, document.get_ref(), keys(""), home)?;
+    interpret_document(name, text, stribeck_input::document(text)?.get_ref(), folder)
+}
+
+/// Takes the document of a sweep file, whose text it is, but for axes that stand for others.
+pub(super) fn interpret_document(
+    name: &str,
+    text: &str,
+    document: &DeTable<'_>,
+    folder: Option<&Path>,
+) -> Result<Sweep, Fault> {
+    let root = Section::new("", 0..0, document, keys(""), home)?;
+    if let Some(surface) = root.get("surface") {
+        surface::read_settings(&surface)?;
+    }
     let files = NamedSeries::read(&root, folder)?;
     let bodies = bodies::read(&root, &files)?;
     let grid = read_grid(&root, &bodies)?;

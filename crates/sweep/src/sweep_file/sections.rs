@@ -4,8 +4,8 @@ use super::modulus::check_shear_modulus;
 use stribeck_input::{Entry, Fault, Section};
 
 /// The tables of a sweep file and their keys; the first one is the top level.
-const SECTIONS: [(&str, &[&str]); 9] = [
-    ("", &["title", "axes", "laboratory", "substrate", "flat", "roller", "solver", "output"]),
+const SECTIONS: [(&str, &[&str]); 10] = [
+    ("", &["title", "axes", "laboratory", "substrate", "flat", "roller", "solver", "output", "surface"]),
     ("axes", &["slide_roll", "f", "alpha", "beta"]),
     (
         "laboratory",
@@ -37,6 +37,7 @@ const SECTIONS: [(&str, &[&str]); 9] = [
     ("solver", &["method", "tolerance", "time_limit", "relaxation"]),
     ("solver.relaxation", &["domain", "points", "tolerance", "acceleration", "estimate"]),
     ("output", &["fields", "x", "limits", "cavity_shear", "sensitivities"]),
+    ("surface", &["tolerance", "quantities", "points", "seed"]),
 ];
 
 /// The keys of a body.

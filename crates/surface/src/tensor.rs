@@ -1,0 +1,143 @@
+//! A Chebyshev series in Tucker form, and its contraction with the polynomials at a point.
+//!
+//! The coefficient of T_i T_j T_k is Σ U₁[i][a] U₂[j][b] U₃[k][c] G[a][b][c], with a factor U of each axis and the core
+//! G. So the series at a point is the core contracted with w_m = U_mᵀ T(t_m), one axis after the other.
+
+/// A factor: polynomials by ranks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Factor {
+    /// Number of polynomials.
+    pub degrees: usize,
+    /// Rank.
+    pub rank: usize,
+    /// Coefficients, the rank fastest.
+    pub numbers: Vec<f64>,
+}
+
+impl Factor {
+    /// Uᵀ b: what the rank's functions are where the polynomials are b.
+    pub fn weights(&self, basis: &[f64], weights: &mut [f64]) {
+        contract(&self.numbers, [1, self.degrees, self.rank], &basis[..self.degrees], weights);
+    }
+
+    /// U v: coefficients of the polynomials.
+    pub fn coefficients<'a>(&'a self, v: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        self.numbers.chunks_exact(self.rank).map(move |row| row.iter().zip(v).map(|(u, v)| u * v).sum())
+    }
+}
+
+/// A series in Tucker form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tucker {
+    /// The factor of each axis.
+    pub factors: Vec<Factor>,
+    /// The core, the last axis fastest.
+    pub core: Vec<f64>,
+}
+
+/// `out[o][i] = Σ_k weights[k] numbers[o][k][i]` for a shape of outer, contracted and inner length.
+///
+/// Four rows are added at once, which halves the loads and stores of `out`.
+pub fn contract(numbers: &[f64], [outer, length, inner]: [usize; 3], weights: &[f64], out: &mut [f64]) {
+    debug_assert_eq!((numbers.len(), weights.len(), out.len()), (outer * length * inner, length, outer * inner));
+    if inner == 1 {
+        for (sum, row) in out.iter_mut().zip(numbers.chunks_exact(length)) {
+            *sum = row.iter().zip(weights).map(|(number, weight)| number * weight).sum();
+        }
+        return;
+    }
+    for (sums, block) in out.chunks_exact_mut(inner).zip(numbers.chunks_exact(length * inner)) {
+        sums.fill(0.0);
+        let (fours, rest) = (block.chunks_exact(4 * inner), weights.chunks_exact(4));
+        let (last_rows, last_weights) = (fours.remainder(), rest.remainder());
+        for (rows, w) in fours.zip(rest) {
+            let (a, rows) = rows.split_at(inner);
+            let (b, rows) = rows.split_at(inner);
+            let (c, d) = rows.split_at(inner);
+            for ((((sum, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                *sum += (w[0] * a + w[1] * b) + (w[2] * c + w[3] * d);
+            }
+        }
+        for (row, weight) in last_rows.chunks_exact(inner).zip(last_weights) {
+            sums.iter_mut().zip(row).for_each(|(sum, number)| *sum += weight * number);
+        }
+    }
+}
+
+/// T_k(t) of all k.
+pub fn chebyshev(t: f64, values: &mut [f64]) {
+    for k in 0..values.len() {
+        values[k] = match k {
+            0 => 1.0,
+            1 => t,
+            _ => 2.0 * t * values[k - 1] - values[k - 2],
+        };
+    }
+}
+
+/// dT_k/dt = k U_(k−1)(t) of all k.
+pub fn chebyshev_slopes(t: f64, slopes: &mut [f64]) {
+    let (mut before, mut second) = (0.0, 1.0);
+    for (k, slope) in slopes.iter_mut().enumerate() {
+        *slope = k as f64 * before;
+        (before, second) = (second, 2.0 * t * second - before);
+    }
+}
+
+/// Σ c_k T_k(t) and its derivative by Clenshaw's recurrence.
+pub fn clenshaw(coefficients: &[f64], t: f64) -> [f64; 2] {
+    let [mut b1, mut b2, mut d1, mut d2] = [0.0; 4];
+    for &c in coefficients[1..].iter().rev() {
+        (d1, d2) = (2.0 * (b1 + t * d1) - d2, d1);
+        (b1, b2) = (c + 2.0 * t * b1 - b2, b1);
+    }
+    [coefficients[0] + t * b1 - b2, b1 + t * d1 - d2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_are_cosines_and_their_slopes_sines() {
+        let (mut values, mut slopes) = ([0.0; 40], [0.0; 40]);
+        for angle in [0.1_f64, 1.0, 2.0, 3.0] {
+            chebyshev(angle.cos(), &mut values);
+            chebyshev_slopes(angle.cos(), &mut slopes);
+            for k in 0..40 {
+                let order = k as f64;
+                assert!((values[k] - (order * angle).cos()).abs() < 1e-12, "T_{k} at {angle}");
+                let slope = order * (order * angle).sin() / angle.sin();
+                assert!((slopes[k] - slope).abs() < 1e-9, "{k} {angle}: {} {slope}", slopes[k]);
+            }
+        }
+    }
+
+    #[test]
+    fn clenshaw_is_the_sum_of_the_polynomials() {
+        let coefficients: Vec<f64> = (0..25).map(|k| 1.0 / f64::from(1 + k * k)).collect();
+        let (mut values, mut slopes) = ([0.0; 25], [0.0; 25]);
+        for t in [-1.0, -0.3, 0.0, 0.8, 1.0] {
+            chebyshev(t, &mut values);
+            chebyshev_slopes(t, &mut slopes);
+            let sum = |basis: &[f64]| coefficients.iter().zip(basis).map(|(c, b)| c * b).sum::<f64>();
+            let [value, slope] = clenshaw(&coefficients, t);
+            assert!((value - sum(&values)).abs() < 1e-13 && (slope - sum(&slopes)).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn a_contraction_is_the_triple_sum() {
+        let [outer, length, inner] = [3, 7, 5];
+        let numbers: Vec<f64> = (0..outer * length * inner).map(|i| ((i * 37 % 101) as f64).sin()).collect();
+        let weights: Vec<f64> = (0..length).map(|k| (k as f64).cos()).collect();
+        let mut out = vec![f64::NAN; outer * inner];
+        contract(&numbers, [outer, length, inner], &weights, &mut out);
+        for o in 0..outer {
+            for i in 0..inner {
+                let expected: f64 = (0..length).map(|k| weights[k] * numbers[(o * length + k) * inner + i]).sum();
+                assert!((out[o * inner + i] - expected).abs() < 1e-14);
+            }
+        }
+    }
+}

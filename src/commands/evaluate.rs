@@ -1,0 +1,247 @@
+//! `stribeck evaluate`: the numbers of a surface at points, and a check of it.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::Args;
+use serde_json::{Map, Value, json};
+
+use super::plot::at;
+use super::{CliError, Exit, console, threads};
+use stribeck_input::shown;
+use stribeck_solver::{Interrupt, shortest};
+use stribeck_surface::Surface;
+use stribeck_sweep::SurfaceSweep;
+use stribeck_sweep::engine::Signals;
+use stribeck_sweep::surface::{SurfaceBuildError, SurfaceOptions, compare_surface};
+
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  stribeck evaluate surface.json --alpha 1 --beta 100 --f 100
+  stribeck evaluate surface.json --at speed=0.01 --at load=100 --derivatives
+  stribeck evaluate surface.json --points points.csv -o values.csv
+  stribeck evaluate surface.json --check 5000 --seed 7
+
+A file of points is a CSV with a column for each axis; the output has its columns, the quantities, and `status`:
+`inside` or `outside`. Values of the laboratory are in SI units. Nothing is extrapolated.
+Exit codes: 1 the check found an error above the tolerance; 2 bad input; 3 points lie outside.")]
+pub struct Arguments {
+    /// The surface, as `stribeck surface` makes it
+    surface: PathBuf,
+    /// α of the point
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    alpha: Option<f64>,
+    /// β of the point
+    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    beta: Option<f64>,
+    /// f of the point
+    #[arg(long, value_name = "F", allow_negative_numbers = true)]
+    f: Option<f64>,
+    /// A coordinate of the point, in SI units, as in speed=0.01
+    #[arg(long, value_name = "AXIS=V", value_parser = at)]
+    at: Vec<(String, Vec<f64>)>,
+    /// Also the derivatives with respect to the axes
+    #[arg(long)]
+    derivatives: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Evaluate at the points of a CSV file
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["alpha", "beta", "f", "at", "derivatives", "json", "check"])]
+    points: Option<PathBuf>,
+    /// Where the values of the points go [default: standard output]
+    #[arg(short, long, value_name = "FILE", requires = "points")]
+    output: Option<PathBuf>,
+    /// Solve so many fresh random points and compare
+    #[arg(long, value_name = "N", conflicts_with_all = ["alpha", "beta", "f", "at", "derivatives", "json"])]
+    check: Option<NonZeroUsize>,
+    /// Seed of the random points
+    #[arg(long, value_name = "S", default_value_t = 2, requires = "check")]
+    seed: u64,
+    /// Solver threads of the check [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse, requires = "check")]
+    threads: Option<NonZeroUsize>,
+}
+
+pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
+    let file = &arguments.surface;
+    let surface = Surface::read(file).map_err(|source| CliError::Surface { file: file.clone(), source })?;
+    match (arguments.check, &arguments.points) {
+        (Some(points), _) => check(arguments, &surface, points.get()),
+        (None, Some(points)) => evaluate_file(&surface, points, arguments.output.as_deref()),
+        (None, None) => evaluate_point(arguments, &surface),
+    }
+}
+
+/// One point, to the terminal.
+fn evaluate_point(arguments: &Arguments, surface: &Surface) -> Result<Exit, CliError> {
+    let point = point(arguments, surface)?;
+    let mut evaluator = surface.evaluator();
+    let (values, derivatives) = evaluator.derivatives(&point)?;
+    let records = surface.file().quantities.iter().zip(&surface.file().certificate.errors);
+    let rows = records.zip(values.iter().zip(derivatives.chunks(point.len())));
+    let axes = surface.axes();
+    if arguments.json {
+        let mut all = Map::new();
+        for ((record, errors), (value, slopes)) in rows {
+            let mut entry = json!({"value": value, "units": record.units, "largest_error": errors.largest});
+            if let Some(scale) = &record.scale {
+                entry["scale"] = json!(scale);
+            }
+            if arguments.derivatives {
+                let slopes = axes.iter().zip(slopes).map(|(axis, slope)| (axis.name.clone(), json!(slope)));
+                entry["derivatives"] = Value::Object(slopes.collect());
+            }
+            all.insert(record.name.clone(), entry);
+        }
+        console::print(&format!("{}\n", Value::Object(all)))?;
+        return Ok(Exit::Success);
+    }
+    let places = axes.iter().zip(&point).map(|(axis, x)| format!("{} = {}", axis.name, shortest(*x)));
+    let mut text = format!("{}\n{}\n", surface.file().title, places.collect::<Vec<_>>().join(", "));
+    for ((record, errors), (value, slopes)) in rows {
+        let unit = record.scale.as_deref().unwrap_or(&record.units);
+        let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+        text += &format!("{:<12} {value:.6e}{unit}   largest error measured {:.0e}\n", record.name, errors.largest);
+        if arguments.derivatives {
+            for (axis, slope) in axes.iter().zip(slopes) {
+                text += &format!("  d/d{:<9} {slope:.6e}\n", axis.name);
+            }
+        }
+    }
+    console::print(&text)?;
+    Ok(Exit::Success)
+}
+
+/// The point that the options name.
+fn point(arguments: &Arguments, surface: &Surface) -> Result<Vec<f64>, CliError> {
+    let named = [("alpha", arguments.alpha), ("beta", arguments.beta), ("f", arguments.f)];
+    let mut given: Vec<(String, f64)> =
+        named.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect();
+    for (axis, values) in &arguments.at {
+        let [value] = values[..] else { return Err(CliError::SeveralAsked { axis: axis.clone() }) };
+        given.push((axis.clone(), value));
+    }
+    let names: Vec<&str> = surface.axes().iter().map(|axis| axis.name.as_str()).collect();
+    if let Some((other, _)) = given.iter().find(|(name, _)| !names.contains(&name.as_str())) {
+        return Err(CliError::NotAnAxis { axis: other.clone(), known: names.join(", ") });
+    }
+    let value = |name: &&str| {
+        let found = given.iter().find(|(given, _)| given == name);
+        found.map(|(_, value)| *value).ok_or_else(|| CliError::NoCoordinate { axis: (*name).to_owned() })
+    };
+    names.iter().map(value).collect()
+}
+
+/// The points of a file: each row with what it has, the quantities, and where it lies.
+fn evaluate_file(surface: &Surface, points: &Path, output: Option<&Path>) -> Result<Exit, CliError> {
+    let unreadable = |what: String| CliError::Points { file: points.to_owned(), what };
+    let mut reader = csv::Reader::from_path(points).map_err(|error| unreadable(error.to_string()))?;
+    let header = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
+    let columns = surface.axes().iter().map(|axis| {
+        let found = header.iter().position(|name| name.trim() == axis.name);
+        found.ok_or_else(|| unreadable(format!("it has no column `{}`; name one so in the first line", axis.name)))
+    });
+    let columns: Vec<usize> = columns.collect::<Result<_, _>>()?;
+    if let Some(taken) = surface.quantities().chain(["status"]).find(|name| header.iter().any(|it| it == *name)) {
+        return Err(unreadable(format!("it has a column `{taken}` already, which would be there twice; rename it")));
+    }
+    let unwritten = |source: io::Error| CliError::Unwritten {
+        action: "write",
+        path: output.unwrap_or(Path::new("standard output")).to_owned(),
+        source,
+    };
+    let sink: Box<dyn Write> = match output {
+        None => Box::new(io::stdout().lock()),
+        Some(output) if is_same(points, output) => {
+            return Err(unreadable("it would be written over by its own values; choose another -o".to_owned()));
+        }
+        Some(output) => Box::new(File::create(output).map_err(unwritten)?),
+    };
+    let mut writer = csv::Writer::from_writer(BufWriter::new(sink));
+    let write_failed = |error: csv::Error| unwritten(io::Error::other(error));
+    let mut row = header;
+    surface.quantities().for_each(|name| row.push_field(name));
+    row.push_field("status");
+    writer.write_record(&row).map_err(write_failed)?;
+    let mut evaluator = surface.evaluator();
+    let (mut outside, mut all, mut point) = (0_u64, 0_u64, vec![0.0; columns.len()]);
+    while reader.read_record(&mut row).map_err(|error| unreadable(error.to_string()))? {
+        all += 1;
+        for (x, &column) in point.iter_mut().zip(&columns) {
+            let text = row[column].trim();
+            *x = text.parse().map_err(|_| {
+                let line = row.position().map_or(all + 1, csv::Position::line);
+                unreadable(format!(
+                    "line {line}: `{text}` in the column `{}` is no number",
+                    &reader_name(surface, column, &columns)
+                ))
+            })?;
+        }
+        match evaluator.values(&point) {
+            Ok(values) => {
+                values.iter().for_each(|value| row.push_field(&shortest(*value)));
+                row.push_field("inside");
+            }
+            Err(_) => {
+                outside += 1;
+                surface.quantities().for_each(|_| row.push_field(""));
+                row.push_field("outside");
+            }
+        }
+        writer.write_record(&row).map_err(write_failed)?;
+    }
+    writer.flush().map_err(unwritten)?;
+    if outside > 0 {
+        let ranges = surface
+            .axes()
+            .iter()
+            .map(|axis| format!("{} from {} to {}", axis.name, shortest(axis.from), shortest(axis.to)));
+        let ranges = ranges.collect::<Vec<_>>().join(", ");
+        console::tell(&format!("{outside} of {all} points lie outside the surface, which has {ranges}"));
+        return Ok(Exit::CasesFailed);
+    }
+    Ok(Exit::Success)
+}
+
+fn reader_name(surface: &Surface, column: usize, columns: &[usize]) -> String {
+    let place = columns.iter().position(|it| *it == column).expect("it is one of them");
+    surface.axes()[place].name.clone()
+}
+
+/// True if two paths name one file.
+fn is_same(first: &Path, second: &Path) -> bool {
+    matches!((first.canonicalize(), second.canonicalize()), (Ok(first), Ok(second)) if first == second)
+}
+
+/// Compares a surface with fresh solutions.
+fn check(arguments: &Arguments, surface: &Surface, points: usize) -> Result<Exit, CliError> {
+    let sweep = SurfaceSweep::parse("surface", &surface.file().sweep)?;
+    let interrupt = Arc::new(Interrupt::new());
+    let _signals = Signals::watch(&interrupt)
+        .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
+    let options = SurfaceOptions { threads: threads::number(arguments.threads), interrupt };
+    let errors = match compare_surface(&sweep, surface, points, arguments.seed, &options) {
+        Err(SurfaceBuildError::Interrupted) => return Ok(Exit::Interrupted),
+        errors => errors?,
+    };
+    let mut file = surface.file().clone();
+    let tolerance = file.tolerance;
+    file.certificate.points = points;
+    file.certificate.seed = arguments.seed;
+    file.certificate.solver_tolerance = sweep.sweep.solver.tolerance;
+    file.certificate.errors = errors;
+    let mut text = super::surface::certificate(&file);
+    let holds = file.certificate.errors.iter().all(|errors| errors.largest <= tolerance);
+    let shown = shown(&arguments.surface);
+    text += &match holds {
+        true => format!("{shown}: holds, no error is above the tolerance of {tolerance:e}\n"),
+        false => format!("{shown}: DOES NOT HOLD, an error is above the tolerance of {tolerance:e}\n"),
+    };
+    console::print(&text)?;
+    Ok(if holds { Exit::Success } else { Exit::DoesNotHold })
+}
