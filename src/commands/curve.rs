@@ -14,8 +14,8 @@ use crate::format::{Align, count, table_line};
 use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::{Experiment, Measured, Scales};
-use stribeck_solver::{FieldSelection, Output, shortest};
-use stribeck_sweep::campaign::{read_sweep, solve_in_memory};
+use stribeck_solver::{FieldSelection, Interrupt, Output, shortest};
+use stribeck_sweep::campaign::{InMemory, read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status, write_whole};
 use stribeck_sweep::{Column, Extent, Grid, LaboratoryAxes, Note, NoteCounts, Plan, Sweep, Values, range};
 
@@ -137,7 +137,10 @@ impl Solved {
 
 /// Solves every case of a sweep along the speed, in ascending speed.
 fn solve(sweep: &Sweep, threads: NonZeroUsize) -> Result<Vec<Solved>, CliError> {
-    let (plan, entries) = (Plan::new(sweep), solve_in_memory(sweep, threads)?);
+    let plan = Plan::new(sweep);
+    let InMemory::Solved(entries) = solve_in_memory(sweep, threads, &Interrupt::new())? else {
+        unreachable!("nobody interrupts");
+    };
     let solved = sweep.grid.shape().row(0).map(|place| {
         let entry = entries.get(&plan.case_at(place)).expect("every case is in a chain").clone();
         let experiment = sweep.grid.experiment(place).expect("a sweep over quantities of the laboratory");

@@ -12,10 +12,10 @@ use super::fitted_friction::FittedFriction;
 use super::measured::{self, ColumnArguments};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format};
-use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, FrictionTask, Measured, Unknown};
+use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, Measured, Unknown};
 use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::write_whole;
-use stribeck_sweep::{LaboratoryAxes, Method};
+use stribeck_sweep::{friction_task, points_to_fit};
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -87,35 +87,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let refuse = |what: String| CliError::NoFit { files: data.to_vec(), what };
     let parts = data.iter().map(|path| measured::read(path, &arguments.columns));
     let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
-    if let Some(name) = repeated(&arguments.unknown) {
-        return Err(refuse(format!("--unknown has {name} twice")));
-    }
-    if let Some(other) = arguments.bounds.iter().find(|bounds| !arguments.unknown.contains(&bounds.unknown)) {
-        return Err(refuse(format!(
-            "--bounds has {0}, which is not looked for; add it to --unknown",
-            other.unknown.name()
-        )));
-    }
-    let measured = beside(measured, &arguments.unknown);
-    if sweep.solver.method != Method::Collocation {
-        let what = "a fit needs sensitivities, which the collocation method alone has; write method = \
-                    \"collocation\" in [solver]";
-        return Err(refuse(what.to_owned()));
-    }
-    let axes = laboratory(&sweep, sweep_file)?;
-    if !axes.roller.is_rigid() {
-        let what = "a fit needs sensitivities, which are those of a rigid roller; [roller] is soft";
-        return Err(refuse(what.to_owned()));
-    }
-    let task = FrictionTask {
-        measured: &measured,
-        experiment: beginning(axes, &measured, &arguments.unknown).map_err(refuse)?,
-        substrate: &sweep.substrate,
-        cavity_shear: sweep.output.cavity_shear,
-        unknowns: arguments.unknown.clone(),
-        bounds: arguments.bounds.clone(),
-        tolerance: sweep.solver.tolerance,
-    };
+    let measured = points_to_fit(measured, &arguments.unknown);
+    laboratory(&sweep, sweep_file)?;
+    let task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
     note_temperatures(&measured, &task.experiment);
     let (fit, intervals) = watched(&arguments.unknown, arguments.time_limit, |watch| {
         let fit = FrictionFit::watched(&task, watch)?;
@@ -132,16 +106,6 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// The points of a fit: of files that this program wrote, what is looked for is no column.
-fn beside(measured: Measured, unknowns: &[Unknown]) -> Measured {
-    if !measured.is_computed {
-        return measured;
-    }
-    let looks_for = |is: &dyn Fn(&str) -> bool| unknowns.iter().any(|unknown| is(unknown.name()));
-    let is_modulus = |name: &str| name.ends_with("_modulus");
-    measured.without(|column| looks_for(&|name| name == column || (is_modulus(name) && is_modulus(column))))
-}
-
 /// Says that points at several temperatures are taken for points at one, where the sweep file has no temperature.
 fn note_temperatures(measured: &Measured, experiment: &Experiment) {
     const APART: f64 = 5.0;
@@ -154,12 +118,6 @@ fn note_temperatures(measured: &Measured, experiment: &Experiment) {
              times are taken to be the same at all of them"
         ));
     }
-}
-
-/// The name of an unknown that stands there twice.
-fn repeated(unknowns: &[Unknown]) -> Option<&'static str> {
-    let (_, again) = unknowns.iter().enumerate().find(|(place, unknown)| unknowns[..*place].contains(unknown))?;
-    Some(again.name())
 }
 
 /// Writes a table and two pictures.
@@ -175,20 +133,4 @@ fn write(fitted: &FittedFriction<'_>, directory: &Path, format: Format) -> Resul
         write_whole(directory.join(format!("{name}.{}", format.extension())), &bytes)?;
     }
     Ok(())
-}
-
-/// The experiment of the sweep file, where what is neither measured nor looked for has one value.
-fn beginning(axes: &LaboratoryAxes, measured: &Measured, unknowns: &[Unknown]) -> Result<Experiment, String> {
-    let given = axes.given.iter().map(|given| (given.quantity.name(), given.values.len()));
-    for (name, values) in given.chain([("f", axes.f.len())]) {
-        if values > 1 && unknowns.iter().any(|unknown| unknown.name() == name) {
-            return Err(format!(
-                "{name} has {values} values in the sweep file; give it the one that the search begins at"
-            ));
-        }
-        if values > 1 && measured.coordinate(name).is_none() {
-            return Err(format!("{name} has {values} values in the sweep file and is no column here; give it one"));
-        }
-    }
-    Ok(axes.experiment([0, 0, 0].into()))
 }

@@ -62,6 +62,7 @@ use clap::{Parser, Subcommand};
 
 use crate::study::Meter;
 use error::CliError;
+pub use shell::set_command_line;
 
 /// The command line.
 #[derive(Clone, Debug, Parser)]

@@ -1,12 +1,36 @@
 //! Commands that can be pasted into a shell.
 
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
+use std::io;
+use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use stribeck_input::is_printable;
 
-/// The command line of this process, as it was typed, quoted for a shell.
+/// The command line, where it is not that of the process.
+static COMMAND_LINE: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// Says what the command line is where another program, such as Python, runs this one: its first word is a path that
+/// starts the program. The first call counts.
+pub fn set_command_line(words: Vec<OsString>) {
+    COMMAND_LINE.get_or_init(|| words);
+}
+
+/// The command line, as it was typed, quoted for a shell.
 pub fn own_command() -> String {
-    std::env::args_os().map(|word| quoted(&word)).collect::<Vec<_>>().join(" ")
+    let words = COMMAND_LINE.get().cloned().unwrap_or_else(|| std::env::args_os().collect());
+    words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" ")
+}
+
+/// The path of the program.
+///
+/// # Errors
+/// What the system says if it does not tell.
+pub fn own_path() -> io::Result<PathBuf> {
+    match COMMAND_LINE.get().and_then(|words| words.first()) {
+        Some(program) => std::path::absolute(program),
+        None => std::env::current_exe(),
+    }
 }
 
 /// A word as a POSIX shell needs it to read the same word, in one line. Bytes that are no text, or no one should see

@@ -182,8 +182,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     create(&home.join("log"))?;
     // The sweep as it is now: whoever edits the file while jobs wait in the queue does not change half of them.
     write_whole(kept.clone(), sweep.text.as_bytes())?;
-    let program = std::env::current_exe()
-        .map_err(|source| CliError::System { action: "find out where this program is", source })?;
+    let program =
+        shell::own_path().map_err(|source| CliError::System { action: "find out where this program is", source })?;
     let job = Job {
         name: &sweep.name,
         program: &program,

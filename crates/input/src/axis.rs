@@ -52,7 +52,8 @@ enum Scale {
 const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "scale"];
 
 impl Quantity {
-    fn admits(self, value: f64) -> bool {
+    /// True for a value that the quantity may have.
+    pub fn admits(self, value: f64) -> bool {
         match self {
             Quantity::Strength => value.is_finite() && value >= 0.0,
             Quantity::SlideTime => value >= 0.0,
@@ -62,7 +63,8 @@ impl Quantity {
         }
     }
 
-    fn allowed(self) -> &'static str {
+    /// The values that it may have, in words.
+    pub fn allowed(self) -> &'static str {
         match self {
             Quantity::Strength => "finite and at least 0",
             Quantity::SlideTime => "at least 0, or inf",
@@ -72,7 +74,8 @@ impl Quantity {
         }
     }
 
-    fn remedy(self) -> &'static str {
+    /// What to do about a value that it may not have.
+    pub fn remedy(self) -> &'static str {
         match self {
             Quantity::Strength => "f = E0/Einf - 1 is 0 for an elastic substrate and positive for a viscoelastic one",
             Quantity::SlideTime => {

@@ -1,6 +1,7 @@
 //! Lists of points in any order: cut into chains of neighbours, and solved chain by chain.
 
 use std::cmp::Ordering;
+use std::ops::RangeInclusive;
 
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
@@ -9,8 +10,11 @@ use crate::continuation::{Interrupt, Interrupted, SolvedCase, distance};
 use crate::model::Parameters;
 use crate::solve::{Settings, Solver};
 
-/// Most points of a chain: many, so that the first one's cost is shared; few, so that there is work for many threads.
-const LONGEST_CHAIN: usize = 16;
+/// The most points that a chain may have, for few points and for many: many in a chain, so that the first one's cost is
+/// shared; few, so that there is work for many threads.
+const LONGEST_CHAIN: RangeInclusive<usize> = 16..=64;
+/// Chains that there are work enough with for any number of threads.
+const ENOUGH_CHAINS: usize = 128;
 /// A neighbour is of use up to this factor in α, β or 1 + f; from farther away a case is solved as quickly from its own
 /// start.
 const FARTHEST_FACTOR: f64 = 1000.0;
@@ -95,6 +99,7 @@ fn chains_of_neighbours(
     can_continue: impl Fn(&Parameters, &Parameters) -> bool,
 ) -> Vec<Vec<usize>> {
     let mut search = Neighbours { cases, taken: vec![false; cases.len()], can_continue };
+    let longest = (cases.len() / ENOUGH_CHAINS).clamp(*LONGEST_CHAIN.start(), *LONGEST_CHAIN.end());
     let mut chains = Vec::new();
     for first in 0..cases.len() {
         let (mut chain, mut next) = (Vec::new(), (!search.taken[first]).then_some(first));
@@ -103,7 +108,7 @@ fn chains_of_neighbours(
             chain.push(case);
             next = search.successor(case);
         }
-        chains.extend(chain.chunks(LONGEST_CHAIN).map(<[usize]>::to_vec));
+        chains.extend(chain.chunks(longest).map(<[usize]>::to_vec));
     }
     chains
 }
@@ -176,6 +181,18 @@ mod tests {
         let lengths: Vec<usize> = chains(&points).iter().map(Vec::len).collect();
         assert_eq!(lengths, [16, 16, 8]);
         assert!(chains(&points).concat().into_iter().eq(0..40));
+    }
+
+    #[test]
+    fn chains_of_many_points_are_longer() {
+        let curve = |points: i32| -> Vec<Parameters> {
+            (0..points).map(|i| 1.001_f64.powi(i)).map(|inverse| Parameters::new(inverse, inverse, 5.0)).collect()
+        };
+        for (points, longest) in [(100, 16), (4096, 32), (10_000, 64)] {
+            let lengths: Vec<usize> = chains(&curve(points)).iter().map(Vec::len).collect();
+            assert_eq!(lengths.iter().max(), Some(&longest));
+            assert_eq!(lengths.iter().sum::<usize>(), points as usize);
+        }
     }
 
     #[test]

@@ -10,6 +10,11 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct CaseId(pub u64);
 
+impl CaseId {
+    /// What it is, in words.
+    pub const LONG_NAME: &'static str = "id of the case, as in summary.csv";
+}
+
 impl fmt::Display for CaseId {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{:016x}", self.0)

@@ -18,6 +18,11 @@ pub enum Field {
 }
 
 impl Field {
+    /// What x is, over which fields stand, in words.
+    pub const X_LONG_NAME: &'static str = "position along the surface; the inlet is at x > 0";
+    /// The unit of x, in laboratory units too.
+    pub const X_UNITS: &'static str = "a0";
+
     /// Every field in the order in which results have them.
     pub const ALL: [Self; 5] =
         [Self::Pressure, Self::FilmThickness, Self::Displacement, Self::ShearTraction, Self::HysteresisTraction];

@@ -17,6 +17,9 @@ pub enum Note {
 }
 
 impl Note {
+    /// What the notes on a place are, in words.
+    pub const LONG_NAME: &'static str = "where the solution is beyond its model";
+
     /// All, in the order of their masks.
     pub const ALL: [Self; 4] = [Self::ContactWide, Self::FilmRough, Self::CavityMatters, Self::LayerThin];
 

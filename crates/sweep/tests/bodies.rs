@@ -2,7 +2,8 @@
 
 use std::num::NonZeroUsize;
 
-use stribeck_sweep::campaign::solve_in_memory;
+use stribeck_solver::Interrupt;
+use stribeck_sweep::campaign::{InMemory, solve_in_memory};
 use stribeck_sweep::{Column, Grid, Plan, Sweep, Values};
 
 const EXPERIMENT: &str = "[laboratory]\nradius = \"10 mm\"\nload = \"400 N/m\"\nviscosity = \"80 mPa s\"\n";
@@ -20,7 +21,8 @@ fn sweep(speeds: &str, bodies: &str) -> Sweep {
 /// The values in SI units of every place of a sweep.
 fn solved(sweep: &Sweep) -> Vec<Values> {
     let plan = Plan::new(sweep);
-    let entries = solve_in_memory(sweep, NonZeroUsize::MIN).expect("no one stops it");
+    let solved = solve_in_memory(sweep, NonZeroUsize::MIN, &Interrupt::new()).expect("a thread");
+    let InMemory::Solved(entries) = solved else { panic!("no one stops it") };
     let shape = sweep.grid.shape();
     let of_place = |place| {
         let index = shape.index(place);

@@ -118,17 +118,27 @@ pub(super) fn group_wait(part: Part) -> Duration {
     (COMMIT_INTERVAL * part.of()).min(LONGEST_WAIT)
 }
 
-/// Solves every case of a sweep and stores nothing: all results are kept in memory.
+/// What came of a sweep that was solved in memory.
+#[derive(Clone, Debug)]
+pub enum InMemory {
+    /// All cases.
+    Solved(HashMap<CaseId, CaseEntry>),
+    /// The run was asked to stop.
+    Interrupted,
+}
+
+/// Solves every case of a sweep and stores nothing: all results are kept in memory. A request through `interrupt`
+/// ends it soon.
 ///
 /// # Errors
 /// [`CampaignError::Threads`] if the system does not start so many threads.
-pub fn solve_in_memory(sweep: &Sweep, threads: NonZeroUsize) -> Result<HashMap<CaseId, CaseEntry>, CampaignError> {
+pub fn solve_in_memory(sweep: &Sweep, threads: NonZeroUsize, interrupt: &Interrupt) -> Result<InMemory, CampaignError> {
     let (plan, solver, output) = (Plan::new(sweep), Solver::new(&sweep.solver_settings()), &sweep.output);
     let chains: Vec<_> = plan.chains().collect();
     let mut entries = HashMap::new();
-    Engine::new(threads)?.run(
+    let report = Engine::new(threads)?.run(
         &chains,
-        &Interrupt::new(),
+        interrupt,
         |chain, interrupt| solver.solve_chain(&plan.parameters(chain), interrupt),
         |chain, message| panicked(&plan.parameters(chain), output, message),
         |group| -> Result<(), CampaignError> {
@@ -140,5 +150,5 @@ pub fn solve_in_memory(sweep: &Sweep, threads: NonZeroUsize) -> Result<HashMap<C
             Ok(())
         },
     )?;
-    Ok(entries)
+    Ok(if report.interrupted { InMemory::Interrupted } else { InMemory::Solved(entries) })
 }

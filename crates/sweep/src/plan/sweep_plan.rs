@@ -151,6 +151,11 @@ impl Plan {
         self.parameters(chain).iter().map(|parameters| self.id(parameters)).collect()
     }
 
+    /// The same problem with what does not matter set to its default: equal problems get equal parameters.
+    pub fn canonical(parameters: &Parameters) -> Parameters {
+        canonical(parameters)
+    }
+
     /// The id of a case solved with the settings of this sweep.
     pub fn id(&self, parameters: &Parameters) -> CaseId {
         self.fingerprint.id(parameters)

@@ -15,6 +15,11 @@ pub enum Status {
 }
 
 impl Status {
+    /// What it is, in words.
+    pub const LONG_NAME: &'static str = "what became of the case";
+    /// What the reason beside it is, in words.
+    pub const REASON_LONG_NAME: &'static str = "why the case failed; empty if it converged";
+
     /// Both statuses, in the order of their codes.
     pub const ALL: [Self; 2] = [Self::Converged, Self::Failed];
 

@@ -1,22 +1,23 @@
 //! The columns that only some sweeps have: sensitivities, and averages of runs with swapped bodies.
 
-use super::publication::Publication;
+use super::Point;
 use super::sensitivity_columns;
 use crate::{Column, Values};
 use stribeck_solver::Output;
 
 /// A published column of pure numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct FurtherColumn {
-    pub(super) name: String,
-    pub(super) long_name: String,
+pub struct FurtherColumn {
+    /// Its name.
+    pub name: String,
+    /// What it is, in words.
+    pub long_name: String,
 }
 
-/// The further columns of a publication whose first place is given.
-pub(super) fn columns(publication: &Publication<'_>, output: &Output) -> Vec<FurtherColumn> {
-    let first = (publication.row)(0).into_iter().next();
+/// The further columns of results whose first place is given.
+pub fn columns(first: Option<&Point>, output: &Output) -> Vec<FurtherColumn> {
     let mut columns = match output.sensitivities {
-        true => sensitivity_columns::columns(first.and_then(|first| first.experiment).as_ref()),
+        true => sensitivity_columns::columns(first.and_then(|first| first.experiment.as_ref())),
         false => Vec::new(),
     };
     if first.is_some_and(|first| first.swapped.is_some()) {

@@ -7,15 +7,15 @@ use super::claims::{Inspection, LastPublished, fault};
 use super::contents::field_names;
 use super::directory::PUBLISHED;
 use super::files::Staged;
+use super::further_columns;
 use super::open_shards::OpenShards;
+use super::placed::PlacedNumbers;
 use super::publication::{Place, Point, Publication};
 use super::record::{FileRecord, Record};
 use super::results::Results;
 use super::tables::{Summary, Timings};
 use super::{Catalog, Contents, PROGRAM, Status, Store, StoreError, clock};
-use super::{further_columns, sensitivity_columns};
-use crate::{CaseId, Column, Field, Note, Values};
-use stribeck_solver::{Lubricant, shear_traction};
+use crate::{CaseId, Field, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
 const PLACES_AT_ONCE: usize = 4096;
@@ -157,8 +157,9 @@ impl<'a> Files<'a> {
         [results, summary, timings]: &'a [Staged; 3],
     ) -> Result<Self, StoreError> {
         let results_path = results.path();
-        let first = publication.places(0)?[0].experiment;
-        let more = further_columns::columns(publication, &store.output);
+        let first = publication.places(0)?[0];
+        let more = further_columns::columns(Some(&first), &store.output);
+        let first = first.experiment;
         let has_ratios = publication.has_ratios();
         Ok(Self {
             store,
@@ -188,58 +189,28 @@ impl<'a> Files<'a> {
 
     /// Writes what is written place by place: tables and fields. Returns the rest.
     fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
-        let scales = point.experiment.map(|experiment| experiment.scales());
-        let slide_roll = point.slide_roll;
-        let swapped = point.swapped.map(|case| self.values(case, -slide_roll)).transpose()?;
+        let swapped = point.swapped.map(|case| self.values(case, -point.slide_roll)).transpose()?;
         let output = &self.store.output;
         let slot = self.store.index.complete(point.case).expect("the survey found every case");
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let mut values = asked(reader.values(case), output.limits).at_slide_roll(slide_roll);
-        let mut more = match output.sensitivities {
-            true => {
-                let known = reader.sensitivities(case);
-                sensitivity_columns::values(known.as_ref(), &values, slide_roll, point.experiment.as_ref())
-            }
-            false => Vec::new(),
-        };
-        if let Some(swapped) = swapped {
-            let factor = scales.map_or(1.0, |scales| scales.friction);
-            more.extend(further_columns::averages_of(slide_roll, &values, &swapped).map(|mu| factor * mu));
-        }
-        let lubricant = Lubricant {
-            beta: point.numbers[2],
-            c: values[Column::C],
-            outlet: values[Column::XOutlet],
-            cavity_shear: output.cavity_shear,
-        };
-        if let Some(scales) = &scales {
-            for column in Column::ALL {
-                values[column] *= scales.factor(column.units());
+        let sensitivities = if output.sensitivities { reader.sensitivities(case) } else { None };
+        let numbers = point.numbers_of(&reader.values(case), sensitivities.as_ref(), swapped.as_ref(), output);
+        let mut fields = Vec::new();
+        for field in Field::selected(output.fields) {
+            let source = if point.follows_from_film(field) { Field::FilmThickness } else { field };
+            if let Some(stored) = reader.field(source, case)? {
+                fields.push((field, point.field_of(field, &numbers, &output.x, stored)));
             }
         }
-        let notes = Note::of(&values, point.experiment.as_ref(), &point.limits);
-        let notes = notes.fold(0, |notes, note| notes | note.mask());
+        let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status, reason, values, more, notes };
         self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
-        for field in Field::selected(output.fields) {
-            let values = match field {
-                Field::ShearTraction if slide_roll != 1.0 => {
-                    let film = reader.field(Field::FilmThickness, case)?;
-                    film.map(|film| rolling_shear(&lubricant, &output.x, &film, slide_roll))
-                }
-                _ => reader.field(field, case)?,
-            };
-            if let Some(mut values) = values {
-                if let Some(scales) = &scales {
-                    let factor = scales.factor(field.units());
-                    values.iter_mut().for_each(|value| *value *= factor);
-                }
-                let written = self.results.field(field, at, &values);
-                written.map_err(StoreError::hdf5(self.results_path, "write"))?;
-            }
+        for (field, values) in fields {
+            let written = self.results.field(field, at, &values);
+            written.map_err(StoreError::hdf5(self.results_path, "write"))?;
         }
         Ok(place)
     }
@@ -256,17 +227,4 @@ impl<'a> Files<'a> {
         self.summary.finish()?;
         self.timings.finish()
     }
-}
-
-/// The shear on a roller that turns, from the film: what is stored is that on one that slides.
-fn rolling_shear(lubricant: &Lubricant, x: &[f64], film: &[f64], slide_roll: f64) -> Vec<f64> {
-    x.iter().zip(film).map(|(&x, &u)| shear_traction(lubricant, x, u, slide_roll)).collect()
-}
-
-/// The numbers of a case that the sweep asks for; a shard of an earlier run may have the limits as well.
-fn asked(mut values: Values, limits: bool) -> Values {
-    for column in Column::ALL.into_iter().filter(|column| column.is_limit() && !limits) {
-        values[column] = f64::NAN;
-    }
-    values
 }

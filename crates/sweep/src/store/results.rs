@@ -14,7 +14,7 @@ use super::publication::{Place, Publication};
 use super::shard::{CaseText, case_text};
 use super::{PROGRAM, Status};
 use crate::grid_index::indices;
-use crate::{Column, Dimension, Field, Note};
+use crate::{CaseId, Column, Dimension, Field, Note};
 use stribeck_lab::{Experiment, Scales, si_units};
 use stribeck_solver::Output;
 
@@ -71,15 +71,14 @@ impl Results {
         let laboratory = experiment.map(|experiment| layout.laboratory(&mut file, experiment, &names)).transpose()?;
         let units = |units: &'static str| if experiment.is_some() { si_units(units) } else { units };
 
-        let case = layout.variable::<CaseText>(&mut file, "case", None, "id of the case, as in summary.csv")?;
-        let status = layout.variable::<i8>(&mut file, "status", None, "what became of the case")?;
+        let case = layout.variable::<CaseText>(&mut file, "case", None, CaseId::LONG_NAME)?;
+        let status = layout.variable::<i8>(&mut file, "status", None, Status::LONG_NAME)?;
         status.new_attr_builder().with_data(&Status::ALL.map(Status::code)).create("flag_values")?;
         set_text(&status, "flag_meanings", &Status::ALL.map(Status::name).join(" "))?;
-        let notes = layout.variable::<i32>(&mut file, "notes", None, "where the solution is beyond its model")?;
+        let notes = layout.variable::<i32>(&mut file, "notes", None, Note::LONG_NAME)?;
         notes.new_attr_builder().with_data(&Note::ALL.map(Note::mask)).create("flag_masks")?;
         set_text(&notes, "flag_meanings", &Note::ALL.map(Note::name).join(" "))?;
-        let why = "why the case failed; empty if it converged";
-        let reason = layout.variable::<VarLenUnicode>(&mut file, "reason", None, why)?;
+        let reason = layout.variable::<VarLenUnicode>(&mut file, "reason", None, Status::REASON_LONG_NAME)?;
         let mut columns = Vec::with_capacity(Column::ALL.len());
         for column in Column::ALL {
             columns.push(layout.number(&mut file, column.name(), units(column.units()), column.long_name())?);
@@ -193,8 +192,7 @@ impl Layout {
     ) -> Result<[Option<Dataset>; Field::ALL.len()]> {
         let mut fields = [const { None }; Field::ALL.len()];
         if !output.fields.is_empty() {
-            let place = "position along the surface; the inlet is at x > 0";
-            self.grid.push(coordinate(file, "x", "a0", place, &output.x)?);
+            self.grid.push(coordinate(file, "x", Field::X_UNITS, Field::X_LONG_NAME, &output.x)?);
         }
         let shape: Vec<usize> = self.shape.iter().copied().chain([output.x.len()]).collect();
         let chunk: Vec<usize> = self.shape.iter().map(|_| 1).chain([output.x.len()]).collect();

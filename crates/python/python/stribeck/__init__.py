@@ -1,0 +1,29 @@
+"""Friction, film and pressure of a lubricated cylinder on a viscoelastic half space.
+
+`solve` takes α, β and f. `Experiment` and `Material` take quantities of the laboratory, `fit` finds these from measured
+friction. `run` and `open` are for sweeps that are stored.
+"""
+
+from ._errors import Error, FitError, InputError, StorageError
+from ._fit import Fit, fit
+from ._native import __version__
+from ._results import open
+from ._run import run
+from ._solve import solve
+from .experiment import Experiment
+from .material import Material
+
+__all__ = [
+    "Error",
+    "Experiment",
+    "Fit",
+    "FitError",
+    "InputError",
+    "Material",
+    "StorageError",
+    "__version__",
+    "fit",
+    "open",
+    "run",
+    "solve",
+]

@@ -1,0 +1,60 @@
+"""From the arrays of the extension module to data sets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.util import find_spec
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Variable(NamedTuple):
+    """An array with the names of its dimensions and its attributes."""
+
+    dims: tuple[str, ...]
+    values: np.ndarray
+    attrs: dict[str, Any]
+
+
+class Arrays(dict):
+    """A mapping of names to arrays: what stands in for a data set where xarray is not installed.
+
+    Attributes
+    ----------
+    dims : dict of str to tuple of str
+        The names of the dimensions of each array.
+    attrs : dict of str to dict
+        The attributes of each array: ``units``, ``long_name``.
+    """
+
+    def __init__(self, variables: Mapping[str, Variable]):
+        super().__init__({name: variable.values for name, variable in variables.items()})
+        self.dims = {name: variable.dims for name, variable in variables.items()}
+        self.attrs = {name: variable.attrs for name, variable in variables.items()}
+
+    def __reduce__(self):
+        """Pickle the arrays with their descriptions."""
+        parts = {name: Variable(self.dims[name], self[name], self.attrs[name]) for name in self.dims}
+        return type(self), (parts,)
+
+
+def variables(native: Mapping[str, tuple], dims: dict[str, int], places_along_x: int) -> dict[str, Variable]:
+    """Give the flat arrays of the extension module the dimensions of the places, and x to fields."""
+    made = {}
+    for name, (values, attrs, has_x) in native.items():
+        array = np.array(values, dtype=object) if isinstance(values, list) else values
+        sizes = {**dims, "x": places_along_x} if has_x else dims
+        made[name] = Variable(tuple(sizes), array.reshape(tuple(sizes.values())), dict(attrs))
+    return made
+
+
+def dataset(data: Mapping[str, Variable], coordinates: Mapping[str, Variable], attrs: Mapping[str, Any]):
+    """Make an ``xarray.Dataset``, or `Arrays` where xarray is not installed."""
+    if find_spec("xarray") is None:
+        return Arrays({**coordinates, **data})
+    import xarray  # noqa: PLC0415
+
+    from . import _accessor  # noqa: F401, PLC0415
+
+    return xarray.Dataset(dict(data), dict(coordinates), dict(attrs))

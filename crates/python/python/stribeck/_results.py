@@ -1,0 +1,50 @@
+"""`open`: what a sweep has published."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from ._errors import StorageError
+
+
+def open(directory: str | os.PathLike[str]) -> Any:
+    """Open the published data set of a results directory.
+
+    Parameters
+    ----------
+    directory : path
+        The results directory, or its results.h5.
+
+    Returns
+    -------
+    xarray.Dataset
+        Of dimensions f, alpha and beta, or quantities of the laboratory, and x; its variables are read when they are
+        used. ``.stribeck`` has the nearest case, a case by its id, Stribeck curves and pictures.
+
+    Raises
+    ------
+    StorageError
+        If nothing is published there, or the file is damaged.
+    ImportError
+        Without xarray, h5netcdf and h5py.
+    """
+    return open_results(Path(directory))
+
+
+def open_results(directory: Path) -> Any:
+    """Open results.h5 of a directory."""
+    import xarray  # noqa: PLC0415
+
+    from . import _accessor  # noqa: F401, PLC0415
+
+    path = directory if directory.is_file() else directory / "results.h5"
+    if not path.exists():
+        raise StorageError(f"{path}: no such file; `stribeck run` publishes it when all cases are solved")
+    try:
+        data = xarray.open_dataset(path, engine="h5netcdf")
+    except (OSError, KeyError) as error:
+        raise StorageError(f"{path} is not readable ({error}): `stribeck verify {directory}` tells more") from error
+    # The ids are bytes of fixed length there.
+    return data.assign(case=data["case"].astype(str))

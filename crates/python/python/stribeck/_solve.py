@@ -1,0 +1,181 @@
+"""`solve`: points of α, β and f."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from . import _native
+from ._datasets import Variable, dataset, variables
+from ._errors import InputError
+
+_INPUTS = ("slide_roll", "f", "alpha", "beta")
+
+
+def solve(
+    alpha: Any,
+    beta: Any,
+    f: Any,
+    *,
+    modes: Iterable[Sequence[float]] | None = None,
+    slide_roll: Any = 1.0,
+    tolerance: float = 1e-5,
+    fields: bool | str | Sequence[str] = False,
+    x: Any = None,
+    sensitivities: bool = False,
+    threads: int | None = None,
+):
+    """Solve the lubricated sliding of a cylinder on a viscoelastic half space.
+
+    The numbers are broadcast as numpy does it, and every place of the result is solved by the collocation method, in
+    parallel. Places that are near to each other are solved one after the other, each from the solution before it;
+    which these are depends on the set of places alone, so the same call gives the same bytes with any number of
+    threads.
+
+    Parameters
+    ----------
+    alpha : array_like or xarray.DataArray
+        Slide time over retardation time a0/(V tau), at least 0, or inf. Dimensionless.
+    beta : array_like or xarray.DataArray
+        Inverse Hersey number, finite and above 0. Dimensionless.
+    f : array_like or xarray.DataArray
+        Strength of retardation E0/Einf - 1, finite and at least 0.
+    modes : sequence of (share, time), optional
+        Retardation spectrum: parts of f, which add up to 1, and times over the one in alpha. One time by default.
+    slide_roll : array_like or xarray.DataArray, default 1.0
+        Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, from -1 to 1: 1 is a roller that does not turn.
+    tolerance : float, default 1e-5
+        Relative error wanted in mu_v, mu_h and c, from 1e-10 to 0.1.
+    fields : bool, str or sequence of str, default False
+        Fields along x: True for all, or some of ``pressure``, ``film_thickness``, ``displacement``,
+        ``shear_traction``, ``hysteresis_traction``.
+    x : array_like, shape (n,), optional
+        Where the fields are wanted, ascending, in units of a0. By default 601 places from -3 to 3.
+    sensitivities : bool, default False
+        Also d ln(mu)/d ln(alpha) and the like, as ``dln_mu_tot_dln_alpha``.
+    threads : int, optional
+        Solver threads, from 1 to 1024. One for each core by default.
+
+    Returns
+    -------
+    xarray.Dataset
+        The columns of results.h5 with their units and long names, of the broadcast shape; fields have x as their last
+        dimension. Friction coefficients are over a0/R, film thicknesses over a0^2/R, pressures over 2N/(pi a0). A
+        place that failed has NaN, the status 1 and a reason. A dimension along which one input alone changes has its
+        name; others are called ``point``, or ``axis_0``, ``axis_1``, …. Without xarray it is a mapping of arrays.
+
+    Raises
+    ------
+    InputError
+        If a number or an option may not be.
+    KeyboardInterrupt
+        Soon after Ctrl-C.
+
+    Notes
+    -----
+    The threads are started for each call and end with it, so a process may fork between calls.
+
+    Examples
+    --------
+    >>> import numpy as np, stribeck
+    >>> curve = stribeck.solve(1.0, np.geomspace(10, 1000, 5), 10.0)
+    >>> curve.mu_tot.dims
+    ('beta',)
+    """
+    given = dict(zip(_INPUTS, (slide_roll, f, alpha, beta), strict=True))
+    named_dims, arrays = _broadcast(given)
+    shape = arrays["alpha"].shape
+    request = {name: np.ascontiguousarray(array, dtype=float).ravel() for name, array in arrays.items()}
+    answer = _native.solve(
+        {
+            **request,
+            "modes": None if modes is None else _modes(modes),
+            "tolerance": float(tolerance),
+            "fields": _fields(fields),
+            "x": None if x is None else [float(place) for place in np.atleast_1d(x)],
+            "sensitivities": bool(sensitivities),
+            "threads": threads,
+        }
+    )
+    described = {name: dict(attrs) for name, _, attrs in answer["inputs"]}
+    dims = named_dims or _dims(given, shape)
+    _, places, attrs = answer["x"]
+    data = variables(answer["variables"], dict(zip(dims, shape, strict=True)), len(places))
+    coordinates = {name: _coordinate(name, arrays[name], dims, described[name]) for name in _INPUTS}
+    if any("x" in variable.dims for variable in data.values()):
+        coordinates["x"] = Variable(("x",), places, dict(attrs))
+    return dataset(data, coordinates, {"Conventions": "CF-1.10", "source": f"stribeck.solve, tolerance {tolerance:g}"})
+
+
+def _broadcast(given: dict[str, Any]) -> tuple[tuple[str, ...] | None, dict[str, np.ndarray]]:
+    """Give all inputs one shape; the dimensions have names if xarray's arrays are among them."""
+    xarray = sys.modules.get("xarray")
+    if xarray is not None and any(isinstance(values, xarray.DataArray) for values in given.values()):
+        plain = [name for name, it in given.items() if not isinstance(it, xarray.DataArray) and np.ndim(it) > 0]
+        if plain:
+            raise InputError(f"{plain[0]} is an array without named dimensions beside one with: give it as a DataArray")
+        same = xarray.broadcast(*(xarray.DataArray(values) for values in given.values()))
+        dims = tuple(str(dim) for dim in same[0].dims)
+        return dims, {name: np.asarray(array.values, dtype=float) for name, array in zip(given, same, strict=True)}
+    arrays = {name: _numbers(name, values) for name, values in given.items()}
+    try:
+        same = np.broadcast_arrays(*arrays.values())
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
+        raise InputError(f"shapes do not go together: {shapes}; numpy.broadcast_shapes tells how they may") from None
+    return None, dict(zip(arrays, same, strict=True))
+
+
+def _numbers(name: str, values: Any) -> np.ndarray:
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} must be a number or an array of numbers, found {values!r:.60}") from None
+
+
+def _dims(given: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """Name each dimension after the input that alone changes along it."""
+    names = []
+    for axis in range(len(shape)):
+        # Counted from the last one, as numpy broadcasts.
+        back = axis - len(shape)
+        shapes = {name: np.shape(values) for name, values in given.items()}
+        having = [name for name, own in shapes.items() if len(own) >= -back]
+        changing = [name for name in having if shapes[name][back] > 1] or having
+        # An input that changes along another dimension, too, is no coordinate of this one.
+        alone = [name for name in changing if np.prod(shapes[name]) == shapes[name][back]]
+        names.append(
+            changing[0] if len(changing) == len(alone) == 1 else "point" if len(shape) == 1 else f"axis_{axis}"
+        )
+    return tuple(names)
+
+
+def _coordinate(name: str, array: np.ndarray, dims: tuple[str, ...], attrs: dict[str, Any]) -> Variable:
+    """Make an input a coordinate: along its own dimension, or as one number, or at each place."""
+    if name in dims:
+        axis = dims.index(name)
+        index = tuple(slice(None) if i == axis else 0 for i in range(array.ndim))
+        # Without places there is nothing to pick.
+        values = array[index] if array.size else np.empty(array.shape[axis])
+        return Variable((name,), np.array(values), attrs)
+    if array.size and np.all(array == array.flat[0]):
+        return Variable((), np.array(array.flat[0]), attrs)
+    return Variable(dims, np.array(array), attrs)
+
+
+def _modes(modes: Iterable[Sequence[float]]) -> list[tuple[float, float]]:
+    try:
+        return [(float(share), float(time)) for share, time in modes]
+    except (TypeError, ValueError):
+        raise InputError("modes are pairs of a share of f and a time, as in [(0.7, 1.0), (0.3, 100.0)]") from None
+
+
+def _fields(fields: bool | str | Sequence[str]) -> list[str]:
+    if isinstance(fields, str):
+        return [fields]
+    if isinstance(fields, (bool, np.bool_)):
+        return list(_native.FIELDS) if fields else []
+    return [str(field) for field in fields]

@@ -1,0 +1,86 @@
+"""Values and sections as the text of a sweep file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from . import _native
+from ._errors import InputError
+
+_UNITS = {**dict(_native.QUANTITIES), "roughness": "m", "thickness": "m", "modulus": "Pa", "time": "s"}
+
+
+def section(name: str, values: Mapping[str, Any]) -> str:
+    """Write a section of a sweep file."""
+    lines = [f"{key} = {value(key, it)}" for key, it in values.items() if it is not None]
+    return "\n".join([f"[{name}]", *lines, ""])
+
+
+def value(key: str, it: Any) -> str:
+    """Write a value: a number in SI units, a text with a unit, a quantity of pint, a list or a table of these."""
+    if hasattr(it, "magnitude") and hasattr(it, "to"):
+        return value(key, _magnitude(key, it))
+    if isinstance(it, Mapping):
+        return "{ " + ", ".join(f"{inner} = {value(_inner(key, inner), its)}" for inner, its in it.items()) + " }"
+    if isinstance(it, str):
+        # A text of JSON is one of TOML.
+        return json.dumps(it, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(it, (list, tuple)) or np.ndim(it) > 0:
+        return "[" + ", ".join(value(key, each) for each in it) + "]"
+    if isinstance(it, (bool, np.bool_)):
+        return "true" if it else "false"
+    try:
+        return str(int(it)) if key == "points" else repr(float(it))
+    except (TypeError, ValueError):
+        raise InputError(
+            f'{key} must be a number in SI units, a text with a unit as in "2 mm", or a quantity of pint, '
+            f"found {it!r:.60}"
+        ) from None
+
+
+def _inner(key: str, inner: str) -> str:
+    """The name by which the unit of a value of a table is known: ends of a range have that of the range."""
+    return key if inner in ("from", "to") else inner
+
+
+def _magnitude(key: str, quantity: Any) -> Any:
+    """Take the number of a quantity of pint in SI units."""
+    if key not in _UNITS:
+        raise InputError(f"{key} has no unit here, found {quantity}")
+    units = _UNITS[key]
+    try:
+        return quantity.to("" if units == "1" else units).magnitude
+    except Exception as error:  # pint's own kinds, which need not be installed
+        raise InputError(f"{key} must be in {units} or a unit of that kind, found {quantity}: {error}") from error
+
+
+def si(kind: str, it: Any) -> np.ndarray:
+    """Read a number, or an array of numbers or texts, in SI units.
+
+    Parameters
+    ----------
+    kind : str
+        A quantity of the laboratory, or ``modulus``, ``time``.
+    it : float, str, pint quantity, or an array of these
+        What was given.
+    """
+    if hasattr(it, "magnitude") and hasattr(it, "to"):
+        it = _magnitude(kind, it)
+    # Numbers beside texts would become texts.
+    array = np.asarray(it, dtype=object if isinstance(it, (list, tuple)) else None)
+    if array.dtype == object and all(isinstance(each, (int, float)) for each in array.flat):
+        array = array.astype(float)
+    if array.dtype.kind in "fiu":
+        # One by one the same is asked of numbers and of texts; of many numbers the least and the largest tell.
+        array = array.astype(float)
+        if array.size:
+            ends = array if np.isnan(array).any() else (array.min(), array.max())
+            for end in np.ravel(ends):
+                _native.si(kind, repr(float(end)))
+        return array
+    flat = [_native.si(kind, value(kind, each)) for each in array.ravel().tolist()]
+    return np.array(flat, dtype=float).reshape(array.shape)

@@ -1,0 +1,102 @@
+"""Threads, forks, Ctrl-C, pools of processes, and memory."""
+
+import concurrent.futures
+import multiprocessing
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import psutil
+import pytest
+
+import stribeck
+
+
+def friction(beta):
+    """Solve a case."""
+    return stribeck.solve(1.0, beta, 10.0).mu_tot.item()
+
+
+def test_a_pool_of_processes_solves_after_a_fork_and_in_new_interpreters():
+    points = ([1.0, 1.0, 2.0], [10.0, 20.0, 30.0], [10.0, 10.0, 10.0])
+    expected = list(map(stribeck.solve, *points))
+    for start in ("fork", "spawn"):
+        context = multiprocessing.get_context(start)
+        with concurrent.futures.ProcessPoolExecutor(2, context) as pool:
+            for case, again in zip(expected, pool.map(stribeck.solve, *points, timeout=30), strict=True):
+                assert again.identical(case), start
+
+
+def test_threads_of_python_solve_at_the_same_time():
+    expected = friction(20.0)
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(friction, [20.0] * 8)) == [expected] * 8
+
+
+def interrupted(work, ready):
+    """Send Ctrl-C to some work as soon as it is ready; tell how long the work went on after it."""
+    sent = []
+
+    def send():
+        while not ready():
+            time.sleep(0.01)
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    sender = threading.Thread(target=send)
+    with pytest.raises(KeyboardInterrupt):
+        sender.start()
+        work()
+        # Ctrl-C that comes too late ends the wait, not the tests.
+        time.sleep(10.0)
+    sender.join()
+    return time.monotonic() - sent[0]
+
+
+def test_ctrl_c_ends_a_long_call_soon():
+    alpha, beta = np.geomspace(0.01, 100, 100)[:, None], np.geomspace(1, 1e4, 1000)
+    begin = time.monotonic()
+    after = interrupted(
+        lambda: stribeck.solve(alpha, beta, 100.0, tolerance=1e-9), ready=lambda: time.monotonic() > begin + 0.5
+    )
+    assert after < 3.0
+    assert friction(20.0) > 0.0
+
+
+def test_ctrl_c_stops_a_run_which_the_same_call_resumes(tmp_path, program):
+    sweep = tmp_path / "long.toml"
+    sweep.write_text(
+        '[axes]\nf = [10.0, 100.0]\nalpha = { from = 0.1, to = 10.0, points = 10, scale = "log" }\n'
+        'beta = { from = 10.0, to = 1000.0, points = 256, scale = "log" }\n[output]\nfields = []\n'
+    )
+    stopped, whole = tmp_path / "stopped", tmp_path / "whole"
+    interrupted(lambda: stribeck.run(sweep, stopped, progress=False), lambda: any((stopped / "shards").glob("*.h5")))
+    assert not (stopped / "summary.csv").exists()
+    stribeck.run(sweep, stopped, progress=False)
+    run = program("run", sweep, "-o", whole, "--quiet")
+    assert run.returncode == 0, run.stderr
+    for name in ("summary.csv", "results.h5"):
+        assert (stopped / name).read_bytes() == (whole / name).read_bytes(), name
+
+
+def test_many_calls_leak_no_memory():
+    def call():
+        for _ in range(50_000):
+            with pytest.raises(stribeck.InputError):
+                stribeck._native.si("radius", "-1.0")
+            stribeck._native.si("radius", '"2 mm"')
+
+    process = psutil.Process()
+    call()
+    before = process.memory_info().rss
+    call()
+    # A kilobyte for each hundred calls would be seen.
+    assert process.memory_info().rss - before < 1 << 20
+    solved, points = process.memory_info().rss, np.geomspace(10, 100, 20)
+    for call_number in range(60):
+        stribeck.solve(1.0, points, 1.0, fields=True)
+        if call_number == 19:
+            solved = process.memory_info().rss
+    assert process.memory_info().rss - solved < 8 << 20
