@@ -10,8 +10,6 @@ pub enum Spread {
     Linear,
     /// z = ln x.
     Log,
-    /// z = ln(1 + x): reaches x = 0.
-    Log1p,
     /// z = s/(1 + s), s = (x/center)^(1/4): reaches x = 0 and x = ∞, where what is smooth in x or in 1/x is smooth in z.
     Compact {
         /// The x at which z = 1/2.
@@ -25,7 +23,6 @@ impl Spread {
         match self {
             Self::Linear => x,
             Self::Log => x.ln(),
-            Self::Log1p => x.ln_1p(),
             Self::Compact { .. } if x == f64::INFINITY => 1.0,
             Self::Compact { center } => {
                 let s = (x / center).sqrt().sqrt();
@@ -39,7 +36,6 @@ impl Spread {
         match self {
             Self::Linear => 1.0,
             Self::Log => 1.0 / x,
-            Self::Log1p => 1.0 / (1.0 + x),
             Self::Compact { .. } if x == f64::INFINITY => 0.0,
             Self::Compact { center } => {
                 let s = (x / center).sqrt().sqrt();

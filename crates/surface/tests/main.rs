@@ -43,7 +43,7 @@ fn file() -> SurfaceFile {
         axes: vec![
             axis("alpha", Spread::Compact { center: 0.01 }, 0.0, f64::INFINITY),
             axis("beta", Spread::Log, 1.0, 1e8),
-            axis("f", Spread::Log1p, 0.0, 1e4),
+            axis("f", Spread::Compact { center: 1.0 }, 0.0, 1e4),
         ],
         quantities: vec![
             quantity("drag", Transform::Exp, [9, 6, 4], number),

@@ -233,12 +233,11 @@ impl Work<'_> {
                 .map(|node| now.surpluses.iter().map(|surpluses| surpluses[node].abs()).fold(0.0, f64::max))
                 .map(|change| change / self.surface.settings.tolerance)
                 .collect();
-            let weights = now.set.weights(&changes);
-            let change = now.set.open_weight(&weights);
+            let change = now.set.open_weight(&changes);
             if change <= threshold || now.set.indices().len() >= MOST_CASES {
                 return Ok(());
             }
-            now.set.grow(&weights, threshold);
+            now.set.grow(&changes, threshold);
             *round += 1;
             tell(Progress::Round { number: *round, nodes: now.set.indices().len(), change });
         }

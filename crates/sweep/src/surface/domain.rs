@@ -179,7 +179,6 @@ fn backward(axis: &RangeAxis, t: f64) -> f64 {
     let forward = |x: f64| match axis.spread {
         Spread::Linear => x,
         Spread::Log => pxfm::f_log(x),
-        Spread::Log1p => pxfm::f_log1p(x),
         Spread::Compact { .. } => axis.spread.forward(x),
     };
     let (from, to) = (forward(axis.from), forward(axis.to));
@@ -187,7 +186,6 @@ fn backward(axis: &RangeAxis, t: f64) -> f64 {
     let x = match axis.spread {
         Spread::Linear => z,
         Spread::Log => pxfm::f_exp(z),
-        Spread::Log1p => pxfm::f_expm1(z),
         Spread::Compact { center } => {
             let s = z / (1.0 - z);
             center * (s * s) * (s * s)

@@ -206,7 +206,8 @@ fn axes_of(grid: &Grid, ranges: &[Range], whole: &impl Fn(&str, &str, &str) -> F
         let spread = match name.as_str() {
             // The film and the solid relax where α is between 1/(1 + f) and 1.
             "alpha" if from == 0.0 || to.is_infinite() => Spread::Compact { center: (1.0 + strongest).powf(-0.5) },
-            "f" if from == 0.0 && range.logarithmic => Spread::Log1p,
+            // Friction is linear in f up to about 1e-3, below which hysteresis does not count beside the rest.
+            "f" if from == 0.0 && range.logarithmic => Spread::Compact { center: 1.0 },
             _ if range.logarithmic && from > 0.0 => Spread::Log,
             _ if range.logarithmic => {
                 let what = format!("`{name}` cannot begin at {from} on a scale of logarithms");
@@ -280,7 +281,7 @@ mod tests {
         let names: Vec<_> = surface.axes.iter().map(|axis| (axis.name.as_str(), axis.from, axis.to)).collect();
         assert_eq!(names, [("alpha", 0.0, f64::INFINITY), ("beta", 1.0, 1e8), ("f", 0.0, 99.0)]);
         let spreads: Vec<_> = surface.axes.iter().map(|axis| axis.spread).collect();
-        assert_eq!(spreads, [Spread::Compact { center: 0.1 }, Spread::Log, Spread::Log1p]);
+        assert_eq!(spreads, [Spread::Compact { center: 0.1 }, Spread::Log, Spread::Compact { center: 1.0 }]);
         assert_eq!(surface.settings.quantities, [Column::C]);
         assert_eq!(surface.sweep.solver.tolerance, 1e-5);
         assert_eq!(surface.sweep.text, text);
