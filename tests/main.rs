@@ -24,6 +24,7 @@ mod resume;
 mod scripts;
 mod slurm;
 mod study;
+mod surface;
 #[path = "../crates/sweep/tests/synthetic/mod.rs"]
 mod synthetic;
 mod torture;

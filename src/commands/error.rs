@@ -95,6 +95,14 @@ pub enum CliError {
         /// The axes.
         known: String,
     },
+    /// A coordinate that a surface has one value of, and another one was given.
+    #[error("the surface was made for {axis} = {made_for}, which is no axis of it; leave {axis} out")]
+    OtherValue {
+        /// The coordinate.
+        axis: String,
+        /// Its value.
+        made_for: f64,
+    },
     /// A point without one of its coordinates.
     #[error("the point needs a value of {axis}; give --at {axis}=VALUE")]
     NoCoordinate {
@@ -346,6 +354,7 @@ impl CliError {
             | CliError::Surface { .. }
             | CliError::Outside(_)
             | CliError::NotAnAxis { .. }
+            | CliError::OtherValue { .. }
             | CliError::NoCoordinate { .. }
             | CliError::Points { .. }
             | CliError::SurfaceBuild(SurfaceBuildError::NoNumber { .. } | SurfaceBuildError::Threads(_))

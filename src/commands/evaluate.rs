@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::plot::at;
 use super::{CliError, Exit, console, threads};
-use stribeck_input::shown;
+use stribeck_input::{printable, shown};
 use stribeck_solver::{Interrupt, shortest};
 use stribeck_surface::Surface;
 use stribeck_sweep::SurfaceSweep;
@@ -127,14 +127,28 @@ fn point(arguments: &Arguments, surface: &Surface) -> Result<Vec<f64>, CliError>
         given.push((axis.clone(), value));
     }
     let names: Vec<&str> = surface.axes().iter().map(|axis| axis.name.as_str()).collect();
-    if let Some((other, _)) = given.iter().find(|(name, _)| !names.contains(&name.as_str())) {
-        return Err(CliError::NotAnAxis { axis: other.clone(), known: names.join(", ") });
+    for (name, value) in given.iter().filter(|(name, _)| !names.contains(&name.as_str())) {
+        check_fixed(surface, name, *value)?;
     }
     let value = |name: &&str| {
         let found = given.iter().find(|(given, _)| given == name);
         found.map(|(_, value)| *value).ok_or_else(|| CliError::NoCoordinate { axis: (*name).to_owned() })
     };
     names.iter().map(value).collect()
+}
+
+/// Checks that a coordinate that is no axis has the one value that the surface was made for.
+fn check_fixed(surface: &Surface, name: &str, value: f64) -> Result<(), CliError> {
+    let sweep = SurfaceSweep::parse("surface", &surface.file().sweep)?;
+    let fixed = sweep.sweep.grid.dimensions().into_iter().find(|it| it.name == name && it.values.len() == 1);
+    let Some(fixed) = fixed else {
+        let names: Vec<&str> = surface.axes().iter().map(|axis| axis.name.as_str()).collect();
+        return Err(CliError::NotAnAxis { axis: name.to_owned(), known: names.join(", ") });
+    };
+    match fixed.values[0] == value {
+        true => Ok(()),
+        false => Err(CliError::OtherValue { axis: name.to_owned(), made_for: fixed.values[0] }),
+    }
 }
 
 /// The points of a file: each row with what it has, the quantities, and where it lies.
@@ -172,14 +186,11 @@ fn evaluate_file(surface: &Surface, points: &Path, output: Option<&Path>) -> Res
     let (mut outside, mut all, mut point) = (0_u64, 0_u64, vec![0.0; columns.len()]);
     while reader.read_record(&mut row).map_err(|error| unreadable(error.to_string()))? {
         all += 1;
-        for (x, &column) in point.iter_mut().zip(&columns) {
+        for ((x, &column), axis) in point.iter_mut().zip(&columns).zip(surface.axes()) {
             let text = row[column].trim();
             *x = text.parse().map_err(|_| {
                 let line = row.position().map_or(all + 1, csv::Position::line);
-                unreadable(format!(
-                    "line {line}: `{text}` in the column `{}` is no number",
-                    &reader_name(surface, column, &columns)
-                ))
+                unreadable(format!("line {line}: `{}` in the column `{}` is no number", printable(text), axis.name))
             })?;
         }
         match evaluator.values(&point) {
@@ -206,11 +217,6 @@ fn evaluate_file(surface: &Surface, points: &Path, output: Option<&Path>) -> Res
         return Ok(Exit::CasesFailed);
     }
     Ok(Exit::Success)
-}
-
-fn reader_name(surface: &Surface, column: usize, columns: &[usize]) -> String {
-    let place = columns.iter().position(|it| *it == column).expect("it is one of them");
-    surface.axes()[place].name.clone()
 }
 
 /// True if two paths name one file.

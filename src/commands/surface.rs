@@ -101,7 +101,8 @@ fn line(progress: &Progress) -> String {
 pub fn certificate(file: &SurfaceFile) -> String {
     let certificate = &file.certificate;
     let mut text = format!(
-        "errors at {} random points (seed {}), solved at a tolerance of {:e}; measured, not proved:\n{:<16}{:>10}{:>10}{:>10}\n",
+        "errors at {} random points (seed {}), solved at a tolerance of {:e}; measured, not proved:\n\
+         {:<16}{:>10}{:>10}{:>10}\n",
         certificate.points, certificate.seed, certificate.solver_tolerance, "quantity", "largest", "99 %", "median"
     );
     for (quantity, errors) in file.quantities.iter().zip(&certificate.errors) {

@@ -1,19 +1,13 @@
 //! What is wrong with a file or a point.
 
 use std::io;
-use std::path::PathBuf;
 
 /// A file that is no surface.
 #[derive(Debug, thiserror::Error)]
 pub enum SurfaceError {
     /// The file cannot be read.
-    #[error("cannot read the surface {}: {source}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        source: io::Error,
-    },
+    #[error("cannot read the surface: {0}; is it the right path?")]
+    Unreadable(io::Error),
     /// The text is no JSON of this form.
     #[error("not a surface: {0}; `stribeck surface` makes the file")]
     NotASurface(#[from] serde_json::Error),

@@ -48,10 +48,7 @@ impl Surface {
     /// # Errors
     /// [`SurfaceError`] if the file cannot be read, is no surface, or is damaged.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SurfaceError> {
-        let path = path.as_ref();
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| SurfaceError::Unreadable { path: path.to_owned(), source })?;
-        Self::parse(&text)
+        Self::parse(&std::fs::read_to_string(path).map_err(SurfaceError::Unreadable)?)
     }
 
     /// Takes the text of a surface, and compares it with its check points.

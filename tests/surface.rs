@@ -1,0 +1,107 @@
+//! `stribeck surface` and `stribeck evaluate` from outside.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+use tempfile::{TempDir, tempdir};
+
+use crate::program::{code, err, out, say};
+
+/// A directory with a surface over β, f = 10, in `s/surface.json`.
+fn with_surface() -> TempDir {
+    let directory = tempdir().expect("a temporary directory");
+    let text = "[axes]\nalpha = [1.0]\nf = [10.0]\nbeta = { from = 10.0, to = 100.0, scale = \"log\" }\n\
+                [surface]\ntolerance = 1e-3\n";
+    fs::write(directory.path().join("s.toml"), text).expect("written");
+    let made = say(directory.path(), &["surface", "s.toml", "-o", "s", "--quiet"]);
+    assert_eq!((code(&made), err(&made)), (0, String::new()));
+    assert!(out(&made).contains("errors at 1000 random points (seed 1)"), "{}", out(&made));
+    directory
+}
+
+/// `stribeck evaluate` of the surface.
+fn evaluate(directory: &Path, more: &[&str]) -> std::process::Output {
+    say(directory, &[&["evaluate", "s/surface.json"], more].concat())
+}
+
+#[test]
+fn a_point_has_the_friction_of_solve_and_its_slope() {
+    let directory = with_surface();
+    let point = ["--beta", "40", "--json", "--derivatives"];
+    let surface: Value = serde_json::from_slice(&evaluate(directory.path(), &point).stdout).expect("JSON");
+    let drag = |beta: &str| {
+        let solved = say(
+            directory.path(),
+            &["solve", "--alpha", "1", "--beta", beta, "--f", "10", "--tolerance", "1e-9", "--json"],
+        );
+        let case: Value = serde_json::from_slice(&solved.stdout).expect("JSON");
+        case["mu_drag"].as_f64().expect("a number")
+    };
+    let (value, expected) = (surface["mu_drag"]["value"].as_f64().expect("a number"), drag("40"));
+    assert!((value / expected - 1.0).abs() < 1e-3, "{value} {expected}");
+    let slope = surface["mu_drag"]["derivatives"]["beta"].as_f64().expect("a number");
+    let difference = (drag("40.4") - drag("39.6")) / 0.8;
+    assert!((slope / difference - 1.0).abs() < 2e-2, "{slope} {difference}");
+}
+
+#[test]
+fn rows_keep_their_order_and_those_outside_are_marked() {
+    let directory = with_surface();
+    let points = "name,beta\n\"b, c\",100\nfar,100.1\nlow,1e1\n";
+    fs::write(directory.path().join("p.csv"), points).expect("written");
+    let said = evaluate(directory.path(), &["--points", "p.csv", "-o", "o.csv"]);
+    assert_eq!(code(&said), 3);
+    assert_eq!(err(&said), "1 of 3 points lie outside the surface, which has beta from 10 to 100\n");
+    let mut reader = csv::Reader::from_path(directory.path().join("o.csv")).expect("a table");
+    assert_eq!(reader.headers().expect("a header"), vec!["name", "beta", "mu_drag", "mu_v", "mu_h", "c", "status"]);
+    let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
+    assert_eq!(rows.iter().map(|row| &row[0]).collect::<Vec<_>>(), ["b, c", "far", "low"]);
+    assert_eq!(rows.iter().map(|row| &row[6]).collect::<Vec<_>>(), ["inside", "outside", "inside"]);
+    assert_eq!(&rows[1][2], "");
+    let one = evaluate(directory.path(), &["--beta", "10", "--json"]);
+    let one: Value = serde_json::from_slice(&one.stdout).expect("JSON");
+    assert_eq!(rows[2][2].parse::<f64>().ok(), one["mu_drag"]["value"].as_f64());
+    // The file of the points is not written over.
+    let said = evaluate(directory.path(), &["--points", "p.csv", "-o", "p.csv"]);
+    assert_eq!(
+        (code(&said), fs::read_to_string(directory.path().join("p.csv")).expect("read")),
+        (2, points.to_owned())
+    );
+}
+
+#[test]
+fn a_check_tells_whether_the_certificate_holds() {
+    let directory = with_surface();
+    let said = evaluate(directory.path(), &["--check", "50", "--seed", "9"]);
+    assert_eq!(code(&said), 0, "{}", out(&said));
+    let file = directory.path().join("s/surface.json");
+    let text = fs::read_to_string(&file).expect("read");
+    let stricter = text.replacen("\"tolerance\": 0.001", "\"tolerance\": 1e-9", 1);
+    assert_ne!(stricter, text);
+    fs::write(&file, stricter).expect("written");
+    let said = evaluate(directory.path(), &["--check", "50", "--seed", "9"]);
+    assert_eq!(code(&said), 1);
+    assert!(out(&said).contains("DOES NOT HOLD"), "{}", out(&said));
+}
+
+#[test]
+fn what_cannot_be_evaluated_is_told() {
+    let directory = with_surface();
+    let said = |more: &[&str]| {
+        let said = evaluate(directory.path(), more);
+        assert_eq!(code(&said), 2, "{more:?}");
+        err(&said)
+    };
+    assert!(said(&["--beta", "101"]).contains("beta = 101 is outside the surface, which has beta from 10 to 100"));
+    assert!(said(&["--f", "10"]).contains("the point needs a value of beta"));
+    assert!(said(&["--beta", "20", "--f", "11"]).contains("was made for f = 10"));
+    assert!(said(&["--beta", "20", "--at", "speed=1"]).contains("no axis `speed`; its axes are beta"));
+    assert_eq!(code(&evaluate(directory.path(), &["--beta", "20", "--f", "10"])), 0);
+    fs::write(directory.path().join("p.csv"), "beta\n20\nx\n").expect("written");
+    assert!(said(&["--points", "p.csv"]).contains("p.csv: line 3: `x` in the column `beta` is no number"));
+    fs::write(directory.path().join("p.csv"), "bet\n20\n").expect("written");
+    assert!(said(&["--points", "p.csv"]).contains("no column `beta`"));
+    let none = say(directory.path(), &["evaluate", "none.json", "--beta", "20"]);
+    assert!(code(&none) == 2 && err(&none).contains("none.json: cannot read the surface"), "{}", err(&none));
+}
