@@ -105,3 +105,27 @@ fn what_cannot_be_evaluated_is_told() {
     let none = say(directory.path(), &["evaluate", "none.json", "--beta", "20"]);
     assert!(code(&none) == 2 && err(&none).contains("none.json: cannot read the surface"), "{}", err(&none));
 }
+
+#[test]
+fn what_is_not_ours_is_not_replaced_and_damage_is_told_and_healed() {
+    let directory = with_surface();
+    let again = || say(directory.path(), &["surface", "s.toml", "-o", "s", "--quiet"]);
+    let file = directory.path().join("s/surface.json");
+    let made = fs::read(&file).expect("read");
+    let shard =
+        fs::read_dir(directory.path().join("s/shards")).expect("listed").next().expect("a shard").expect("listed");
+    let mut bytes = fs::read(shard.path()).expect("read");
+    bytes[100] ^= 1;
+    fs::write(shard.path(), bytes).expect("written");
+    let healed = again();
+    assert_eq!(code(&healed), 0);
+    assert!(err(&healed).starts_with("warning: "), "{}", err(&healed));
+    assert_eq!(fs::read(&file).expect("read"), made);
+    assert_eq!(err(&again()), "");
+
+    fs::write(&file, "{\"mine\": 1}").expect("written");
+    let refused = again();
+    assert_eq!(code(&refused), 4);
+    assert!(err(&refused).contains("`stribeck surface` has not written"), "{}", err(&refused));
+    assert_eq!(fs::read_to_string(&file).expect("read"), "{\"mine\": 1}");
+}

@@ -7,11 +7,11 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::{CliError, Exit, console, threads};
+use super::{CliError, Exit, console, replaceable, threads};
 use crate::format::count;
 use stribeck_input::shown;
 use stribeck_solver::Interrupt;
-use stribeck_surface::SurfaceFile;
+use stribeck_surface::{FORMAT, SurfaceFile};
 use stribeck_sweep::SurfaceSweep;
 use stribeck_sweep::engine::Signals;
 use stribeck_sweep::surface::{Progress, SurfaceBuildError, SurfaceOptions, build};
@@ -47,13 +47,16 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         Some(directory) => directory.clone(),
         None => Path::new("results").join(&sweep.sweep.name),
     };
+    let file = directory.join("surface.json");
+    let is_ours = || Ok(std::fs::read_to_string(&file)?.contains(FORMAT));
+    replaceable::check(&file, "surface", "choose another directory", is_ours)?;
     let interrupt = Arc::new(Interrupt::new());
     let _signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;
     let options = SurfaceOptions { threads: threads::number(arguments.threads), interrupt };
     let quiet = arguments.quiet;
     let made = build(&sweep, &directory, &options, &mut |progress| {
-        if !quiet {
+        if !quiet || matches!(progress, Progress::Damaged { .. }) {
             console::tell(&line(&progress));
         }
     });
@@ -88,6 +91,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 
 fn line(progress: &Progress) -> String {
     match progress {
+        Progress::Damaged { what } => format!("warning: {what}"),
         Progress::Round { number, nodes, change } => {
             format!("round {number}: {nodes} nodes, largest open change {change:.2e} tolerances")
         }

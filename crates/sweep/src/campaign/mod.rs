@@ -63,6 +63,7 @@ pub use explain::{CaseName, CasePlace, CaseReport, CaseStorage, Comparison, Solv
 pub use failures::{Decade, FailedCase, FailureGroup, FailureRegion};
 pub use merge::{IncompletePart, MergeOutcome, MergeReport, Missing, merge};
 pub use merged_catalog::MergedCatalog;
+pub(crate) use open_store::open_store;
 pub use parts::{PartActivity, PartState};
 pub use pending::{Pending, StaleCases};
 pub use plan::{DirectoryState, PlanOptions, PlanReport, plan};

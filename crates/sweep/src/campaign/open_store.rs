@@ -7,7 +7,7 @@ use crate::store::{Store, StoreError};
 use crate::{Plan, Sweep};
 
 /// Opens the results directory of a plan for writing, and tells what in it is damaged.
-pub(super) fn open_store(
+pub(crate) fn open_store(
     directory: &Path,
     sweep: &Sweep,
     plan: &Plan,

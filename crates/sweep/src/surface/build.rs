@@ -10,10 +10,10 @@ use super::domain::{Domain, Numbers};
 use super::leja::Leja;
 use super::lower_set::{LowerSet, MOST_ALONG};
 use super::nodes::Nodes;
-use crate::campaign::{CampaignError, available_threads, check_available};
-use crate::engine::{Engine, ThreadsError};
-use crate::store::{Store, StoreError, write_whole};
-use crate::{Plan, SurfaceSweep};
+use crate::SurfaceSweep;
+use crate::campaign::{CampaignError, available_threads};
+use crate::engine::ThreadsError;
+use crate::store::{StoreError, write_whole};
 use stribeck_solver::{Interrupt, Parameters, collocation};
 use stribeck_surface::{
     Certificate, CheckPoint, ErrorRecord, FORMAT, NumberKind, QuantityRecord, Surface, SurfaceFile, encode,
@@ -48,6 +48,11 @@ impl Default for SurfaceOptions {
 /// What is told while a surface is made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Progress {
+    /// A stored file, or a line of a log, is damaged and not used. Its cases are solved again.
+    Damaged {
+        /// What is damaged.
+        what: String,
+    },
     /// A round of new nodes begins.
     Round {
         /// Its number, from 1.
@@ -140,13 +145,7 @@ pub fn build(
     options: &SurfaceOptions,
     tell: &mut dyn FnMut(Progress),
 ) -> Result<SurfaceReport, SurfaceBuildError> {
-    check_available(directory)?;
-    let plan = Plan::new(&surface.sweep);
-    let recipe = serde_json::to_value(plan.recipe()).expect("a recipe is made of words and finite numbers");
-    let store = Store::open(directory, &surface.sweep.text, &surface.sweep.output)?.solving_with(recipe);
-    let engine = Engine::new(options.threads)?.with_queue(8 * options.threads.get());
-    let threads = options.threads.get() as u64;
-    let nodes = Nodes::new(surface, plan, engine, Some(store), Arc::clone(&options.interrupt), threads)?;
+    let nodes = Nodes::new(surface, Some(directory), options, tell)?;
     let mut work = Work { surface, domain: Domain::new(surface), nodes, leja: Leja::new(MOST_ALONG) };
     let (made, holds) = work.refine(tell)?;
     let file = directory.join("surface.json");
@@ -166,9 +165,7 @@ pub fn compare_surface(
     seed: u64,
     options: &SurfaceOptions,
 ) -> Result<Vec<ErrorRecord>, SurfaceBuildError> {
-    let engine = Engine::new(options.threads)?;
-    let threads = options.threads.get() as u64;
-    let nodes = Nodes::new(sweep, Plan::new(&sweep.sweep), engine, None, Arc::clone(&options.interrupt), threads)?;
+    let nodes = Nodes::new(sweep, None, options, &mut |_| {})?;
     let mut work = Work { surface: sweep, domain: Domain::new(sweep), nodes, leja: Leja::new(1) };
     let points = random_points(&work.domain, points, seed);
     let numbers = work.numbers(&points)?;

@@ -1,24 +1,26 @@
 //! Solving the cases of a surface, and storing them: ordinary cases in an ordinary results directory.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::Arc;
+use std::path::Path;
 
-use super::build::SurfaceBuildError;
-use crate::campaign::case_entry;
+use super::build::{Progress, SurfaceBuildError, SurfaceOptions};
+use crate::campaign::{Event, case_entry, check_available, open_store};
 use crate::engine::{Engine, Finished};
 use crate::store::{CaseEntry, Ending, Status, Store};
 use crate::{CaseId, Plan, SurfaceSweep, Values};
 use stribeck_solver::continuation::{FailureKind, SolvedCase};
-use stribeck_solver::{Interrupt, Parameters, Solver, point_chains};
+use stribeck_solver::{Parameters, Solver, point_chains};
+
+/// Finished chains that may wait to be written, for each thread.
+const WAITING_CHAINS: usize = 8;
 
 /// The cases of a surface: those that are solved, and the means to solve more.
 pub struct Nodes<'a> {
     surface: &'a SurfaceSweep,
+    options: SurfaceOptions,
     plan: Plan,
     engine: Engine,
     store: Option<Store>,
-    interrupt: Arc<Interrupt>,
-    threads: u64,
     /// All that is stored.
     stored: HashMap<CaseId, Result<Values, String>>,
     /// What was asked for so far. The chains of later cases depend on it, and on nothing that happened by chance.
@@ -27,26 +29,35 @@ pub struct Nodes<'a> {
 }
 
 impl<'a> Nodes<'a> {
-    /// The cases of a surface, with what a store has of them. Without a store they are kept in memory.
+    /// The cases of a surface, with what a results directory has of them. Without one they are kept in memory.
     ///
     /// # Errors
-    /// [`SurfaceBuildError::Store`] if what is stored cannot be read.
+    /// [`SurfaceBuildError`] if the directory cannot be used or read, or the system gives too few threads.
     pub fn new(
         surface: &'a SurfaceSweep,
-        plan: Plan,
-        engine: Engine,
-        store: Option<Store>,
-        interrupt: Arc<Interrupt>,
-        threads: u64,
+        directory: Option<&Path>,
+        options: &SurfaceOptions,
+        tell: &mut dyn FnMut(Progress),
     ) -> Result<Self, SurfaceBuildError> {
-        let mut stored = HashMap::new();
-        if let Some(store) = &store {
-            store.visit(|id, status, reason, values| {
-                let outcome = if status == Status::Converged { Ok(values) } else { Err(reason.to_owned()) };
-                stored.insert(id, outcome);
-            })?;
-        }
-        Ok(Self { surface, plan, engine, store, interrupt, threads, stored, asked: HashSet::new(), solved: 0 })
+        let engine = Engine::new(options.threads)?.with_queue(WAITING_CHAINS * options.threads.get());
+        let (plan, mut stored) = (Plan::new(&surface.sweep), HashMap::new());
+        let store = match directory {
+            None => None,
+            Some(directory) => {
+                check_available(directory)?;
+                let store = open_store(directory, &surface.sweep, &plan, &mut |event| {
+                    if let Event::Damaged(warning) = event {
+                        tell(Progress::Damaged { what: warning.to_string() });
+                    }
+                })?;
+                store.visit(|id, status, reason, values| {
+                    stored.insert(id, if status == Status::Converged { Ok(values) } else { Err(reason.to_owned()) });
+                })?;
+                Some(store)
+            }
+        };
+        let (options, asked) = (options.clone(), HashSet::new());
+        Ok(Self { surface, options, plan, engine, store, stored, asked, solved: 0 })
     }
 
     /// The number of different cases that were asked for.
@@ -93,12 +104,12 @@ impl<'a> Nodes<'a> {
         let chain_of = |chain: &Vec<usize>| chain.iter().map(|&point| points[point].clone()).collect::<Vec<_>>();
         let cases: usize = chains.iter().map(Vec::len).sum();
         if let Some(store) = &mut self.store {
-            store.begin(&self.surface.sweep.name, cases as u64, self.threads)?;
+            store.begin(&self.surface.sweep.name, cases as u64, self.options.threads.get() as u64)?;
         }
         let store = &mut self.store;
         let report = self.engine.run(
             chains,
-            &self.interrupt,
+            &self.options.interrupt,
             |chain, interrupt| solver.solve_chain(&chain_of(chain), interrupt),
             |chain, message| {
                 let panic = || SolvedCase::failed(FailureKind::ChainPanic { message: message.to_owned() });
