@@ -6,6 +6,8 @@ use clap::Parser;
 use stribeck::commands::{Cli, execute};
 
 fn main() -> ExitCode {
+    // Before there is a second thread.
+    stribeck_sweep::store::initialise_hdf5();
     execute(&Cli::parse(), &peak_bytes)
 }
 

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::measured::MeasuredArguments;
+use super::output_file::OutputFiles;
 use super::plot::at;
 use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
@@ -16,7 +17,7 @@ use stribeck_input::shown;
 use stribeck_lab::{Experiment, Measured, Scales};
 use stribeck_solver::{FieldSelection, Interrupt, Output, shortest};
 use stribeck_sweep::campaign::{InMemory, read_sweep, solve_in_memory};
-use stribeck_sweep::store::{CaseEntry, Status, write_whole};
+use stribeck_sweep::store::{CaseEntry, Status};
 use stribeck_sweep::{Column, Extent, Grid, LaboratoryAxes, Note, NoteCounts, Plan, Sweep, Values, range};
 
 #[derive(Clone, Debug, Args)]
@@ -47,15 +48,22 @@ pub struct Arguments {
     threads: Option<NonZeroUsize>,
 }
 
+/// The first columns of the table.
+const FIRST_COLUMNS: [&str; 5] = ["status", "reason", "f", "alpha", "beta"];
+
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut sweep = read_sweep(&arguments.sweep)?;
     let measured = arguments.measured.read()?;
     let axes = laboratory(&sweep, &arguments.sweep)?;
     sweep.grid = Grid::Laboratory(one_curve(axes, &arguments.at)?);
     sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };
+    let inputs = arguments.measured.files().chain([arguments.sweep.as_path()]);
+    let is_ours = |beginning: &[u8]| beginning.starts_with(FIRST_COLUMNS.join(",").as_bytes());
+    let files = OutputFiles::new("curve", inputs);
+    let csv = arguments.csv.as_deref().map(|file| files.check(file, is_ours)).transpose()?;
     let cases = solve(&sweep, threads::number(arguments.threads))?;
-    if let Some(file) = &arguments.csv {
-        write_whole(file.clone(), &table(&cases).csv())?;
+    if let Some(csv) = csv {
+        csv.write(&table(&cases).csv())?;
     }
     let mut text = format!("{}\n{}\n", sweep.title, describe(&cases[0].experiment));
     if let Grid::Laboratory(axes) = &sweep.grid {
@@ -247,7 +255,7 @@ fn table(cases: &[Solved]) -> Table {
     let columns: Vec<_> = Column::summary().map(Column::name).collect();
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
     let scales = Scales::VARIABLES.map(|(name, ..)| name);
-    let header = [&["status", "reason", "f", "alpha", "beta"], &names[..], &columns[..], &scales[..]].concat();
+    let header = [&FIRST_COLUMNS[..], &names[..], &columns[..], &scales[..]].concat();
     let mut table = Table::new(&header);
     for case in cases {
         let given = quantities.iter().map(|quantity| case.experiment.value(*quantity));

@@ -8,7 +8,7 @@ use miette::MietteHandlerOpts;
 use super::solve::ESTIMATE_POINTS;
 use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
-use stribeck_input::InputError;
+use stribeck_input::{InputError, is_of_disk};
 use stribeck_input::{printable, shown};
 use stribeck_lab::{MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
@@ -191,14 +191,20 @@ pub enum CliError {
         path: PathBuf,
     },
     /// A command would replace a file that it has not written.
-    #[error("{} is there, which `stribeck {command}` has not written; move it away, or {remedy} with -o", shown(file))]
+    #[error("{} is there, which `stribeck {command}` has not written; move it away, or choose another place", shown(file))]
     Foreign {
         /// The file.
         file: PathBuf,
         /// The command.
         command: &'static str,
-        /// What else to do.
-        remedy: &'static str,
+    },
+    /// A command would replace a file that it reads.
+    #[error("{} would be written over {}, which this command reads; choose another name", shown(file), shown(input))]
+    IsInput {
+        /// The file to be written.
+        file: PathBuf,
+        /// The file that is read.
+        input: PathBuf,
     },
     /// Slurm did not do what it was asked to.
     #[error("`{program}` did not work: {said}; the scripts are written, submit them by hand where Slurm runs")]
@@ -229,11 +235,8 @@ pub enum CliError {
         /// What the system said.
         source: io::Error,
     },
-    /// A file of a study cannot be written.
-    #[error(
-        "cannot {action} {}: {source}; make room or choose another directory with -o, then run the study again",
-        shown(path)
-    )]
+    /// A file cannot be written.
+    #[error("cannot {action} {}: {source}; make room or choose another place, then try again", shown(path))]
     Unwritten {
         /// What was tried, as a verb.
         action: &'static str,
@@ -327,6 +330,9 @@ impl CliError {
     /// The exit code: 2 for bad input, 4 for the disk and the system.
     pub fn code(&self) -> u8 {
         match self {
+            CliError::Input(error) | CliError::Campaign(CampaignError::Input(error)) if error.is_of_disk() => 4,
+            CliError::Table(error) if error.is_of_disk() => 4,
+            CliError::Surface { source: SurfaceError::Unreadable(error), .. } if is_of_disk(error) => 4,
             CliError::Input(_)
             | CliError::Table(_)
             | CliError::NotLaboratory { .. }
@@ -342,6 +348,7 @@ impl CliError {
             | CliError::SeveralTemperatures { .. }
             | CliError::NoTemperatures { .. }
             | CliError::NoTarget
+            | CliError::IsInput { .. }
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }
             | CliError::Picture(

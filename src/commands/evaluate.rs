@@ -9,6 +9,7 @@ use std::sync::Arc;
 use clap::Args;
 use serde_json::{Map, Value, json};
 
+use super::output_file::{OutputFiles, unwritten};
 use super::plot::at;
 use super::{CliError, Exit, console, threads};
 use stribeck_input::{printable, shown};
@@ -72,7 +73,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let surface = Surface::read(file).map_err(|source| CliError::Surface { file: file.clone(), source })?;
     match (arguments.check, &arguments.points) {
         (Some(points), _) => check(arguments, &surface, points.get()),
-        (None, Some(points)) => evaluate_file(&surface, points, arguments.output.as_deref()),
+        (None, Some(points)) => evaluate_file(arguments, &surface, points),
         (None, None) => evaluate_point(arguments, &surface),
     }
 }
@@ -152,7 +153,8 @@ fn check_fixed(surface: &Surface, name: &str, value: f64) -> Result<(), CliError
 }
 
 /// The points of a file: each row with what it has, the quantities, and where it lies.
-fn evaluate_file(surface: &Surface, points: &Path, output: Option<&Path>) -> Result<Exit, CliError> {
+fn evaluate_file(arguments: &Arguments, surface: &Surface, points: &Path) -> Result<Exit, CliError> {
+    let (file, output) = (&arguments.surface, arguments.output.as_deref());
     let unreadable = |what: String| CliError::Points { file: points.to_owned(), what };
     let mut reader = csv::Reader::from_path(points).map_err(|error| unreadable(error.to_string()))?;
     let header = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
@@ -164,32 +166,50 @@ fn evaluate_file(surface: &Surface, points: &Path, output: Option<&Path>) -> Res
     if let Some(taken) = surface.quantities().chain(["status"]).find(|name| header.iter().any(|it| it == *name)) {
         return Err(unreadable(format!("it has a column `{taken}` already, which would be there twice; rename it")));
     }
-    let unwritten = |source: io::Error| CliError::Unwritten {
-        action: "write",
-        path: output.unwrap_or(Path::new("standard output")).to_owned(),
-        source,
+    let mut rows = |sink: &mut dyn Write, name: &Path| {
+        write_rows(surface, &mut reader, &columns, &unreadable, (sink, name))
     };
-    let sink: Box<dyn Write> = match output {
-        None => Box::new(io::stdout().lock()),
-        Some(output) if is_same(points, output) => {
-            return Err(unreadable("it would be written over by its own values; choose another -o".to_owned()));
-        }
-        Some(output) => Box::new(File::create(output).map_err(unwritten)?),
+    let Some(output) = output else {
+        return outside_told(surface, rows(&mut io::stdout().lock(), Path::new("standard output"))?);
     };
+    let header = format!("{},status\n", surface.quantities().collect::<Vec<_>>().join(","));
+    let is_ours = |beginning: &[u8]| {
+        let line = beginning.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
+        line.ends_with(header.as_bytes())
+    };
+    let file = OutputFiles::new("evaluate", [file, points]).check(output, is_ours)?;
+    outside_told(surface, file.fill(|writer| rows(writer, output))?)
+}
+
+/// How many points there are, and how many of them lie outside.
+struct Points {
+    all: u64,
+    outside: u64,
+}
+
+/// Writes the rows of the points with their values.
+fn write_rows(
+    surface: &Surface,
+    reader: &mut csv::Reader<File>,
+    columns: &[usize],
+    unreadable: &dyn Fn(String) -> CliError,
+    (sink, name): (&mut dyn Write, &Path),
+) -> Result<Points, CliError> {
     let mut writer = csv::Writer::from_writer(BufWriter::new(sink));
-    let write_failed = |error: csv::Error| unwritten(io::Error::other(error));
-    let mut row = header;
+    let failed = unwritten(name);
+    let write_failed = |error: csv::Error| failed(io::Error::other(error));
+    let mut row = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
     surface.quantities().for_each(|name| row.push_field(name));
     row.push_field("status");
     writer.write_record(&row).map_err(write_failed)?;
     let mut evaluator = surface.evaluator();
-    let (mut outside, mut all, mut point) = (0_u64, 0_u64, vec![0.0; columns.len()]);
+    let (mut counts, mut point) = (Points { all: 0, outside: 0 }, vec![0.0; columns.len()]);
     while reader.read_record(&mut row).map_err(|error| unreadable(error.to_string()))? {
-        all += 1;
-        for ((x, &column), axis) in point.iter_mut().zip(&columns).zip(surface.axes()) {
+        counts.all += 1;
+        for ((x, &column), axis) in point.iter_mut().zip(columns).zip(surface.axes()) {
             let text = row[column].trim();
             *x = text.parse().map_err(|_| {
-                let line = row.position().map_or(all + 1, csv::Position::line);
+                let line = row.position().map_or(counts.all + 1, csv::Position::line);
                 unreadable(format!("line {line}: `{}` in the column `{}` is no number", printable(text), axis.name))
             })?;
         }
@@ -199,29 +219,28 @@ fn evaluate_file(surface: &Surface, points: &Path, output: Option<&Path>) -> Res
                 row.push_field("inside");
             }
             Err(_) => {
-                outside += 1;
+                counts.outside += 1;
                 surface.quantities().for_each(|_| row.push_field(""));
                 row.push_field("outside");
             }
         }
         writer.write_record(&row).map_err(write_failed)?;
     }
-    writer.flush().map_err(unwritten)?;
-    if outside > 0 {
-        let ranges = surface
-            .axes()
-            .iter()
-            .map(|axis| format!("{} from {} to {}", axis.name, shortest(axis.from), shortest(axis.to)));
-        let ranges = ranges.collect::<Vec<_>>().join(", ");
-        console::tell(&format!("{outside} of {all} points lie outside the surface, which has {ranges}"));
-        return Ok(Exit::CasesFailed);
-    }
-    Ok(Exit::Success)
+    writer.flush().map_err(failed)?;
+    Ok(counts)
 }
 
-/// True if two paths name one file.
-fn is_same(first: &Path, second: &Path) -> bool {
-    matches!((first.canonicalize(), second.canonicalize()), (Ok(first), Ok(second)) if first == second)
+/// Tells of points that lie outside.
+fn outside_told(surface: &Surface, Points { all, outside }: Points) -> Result<Exit, CliError> {
+    if outside == 0 {
+        return Ok(Exit::Success);
+    }
+    let range = |axis: &stribeck_surface::Axis| {
+        format!("{} from {} to {}", axis.name, shortest(axis.from), shortest(axis.to))
+    };
+    let ranges = surface.axes().iter().map(range).collect::<Vec<_>>().join(", ");
+    console::tell(&format!("{outside} of {all} points lie outside the surface, which has {ranges}"));
+    Ok(Exit::CasesFailed)
 }
 
 /// Compares a surface with fresh solutions.

@@ -1,6 +1,5 @@
 //! `stribeck fit`: quantities of the laboratory from measured friction.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -8,13 +7,14 @@ use clap::Args;
 
 use super::curve::laboratory;
 use super::fit_progress::{time_limit, watched};
-use super::fitted_friction::FittedFriction;
+use super::fitted_friction::{FittedFriction, LAST_COLUMNS};
 use super::measured::{self, ColumnArguments};
+use super::output_file::{OutputFile, OutputFiles};
 use super::{CliError, Exit, console};
-use crate::pictures::{Chart, Format};
+use crate::pictures::{Chart, Format, is_picture};
 use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, Measured, Unknown};
 use stribeck_sweep::campaign::read_sweep;
-use stribeck_sweep::store::write_whole;
+use stribeck_sweep::store::create_directory;
 use stribeck_sweep::{friction_task, points_to_fit};
 
 #[derive(Clone, Debug, Args)]
@@ -91,6 +91,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     laboratory(&sweep, sweep_file)?;
     let task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
     note_temperatures(&measured, &task.experiment);
+    let directory = arguments.output.as_deref();
+    let outputs = directory.map(|directory| outputs(arguments, directory)).transpose()?;
     let (fit, intervals) = watched(&arguments.unknown, arguments.time_limit, |watch| {
         let fit = FrictionFit::watched(&task, watch)?;
         let intervals = arguments.profile.then(|| fit.intervals(&task, watch)).transpose()?;
@@ -98,9 +100,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     })
     .map_err(|error: FrictionFitError| refuse(error.to_string()))?;
     let fitted = FittedFriction { fit: &fit, measured: &measured, intervals: intervals.as_deref() };
-    let directory = arguments.output.as_deref();
-    if let Some(directory) = directory {
-        write(&fitted, directory, arguments.format)?;
+    if let Some(outputs) = outputs {
+        write(&fitted, outputs, arguments.format)?;
     }
     console::print(&if arguments.json { fitted.json() } else { fitted.text(directory) })?;
     Ok(Exit::Success)
@@ -120,17 +121,25 @@ fn note_temperatures(measured: &Measured, experiment: &Experiment) {
     }
 }
 
+/// The files of the table and of the two pictures, before the work begins.
+fn outputs(arguments: &Arguments, directory: &Path) -> Result<[OutputFile; 3], CliError> {
+    create_directory(directory)?;
+    let files = OutputFiles::new("fit", arguments.files.iter().map(PathBuf::as_path));
+    let picture = |name: &str| {
+        let name = format!("{name}.{}", arguments.format.extension());
+        files.check(&directory.join(name), is_picture)
+    };
+    let is_table = |beginning: &[u8]| {
+        let header = beginning.split(|byte| *byte == b'\n').next().unwrap_or_default();
+        header.ends_with(LAST_COLUMNS.join(",").as_bytes())
+    };
+    Ok([files.check(&directory.join("fit.csv"), is_table)?, picture("friction")?, picture("residuals")?])
+}
+
 /// Writes a table and two pictures.
-fn write(fitted: &FittedFriction<'_>, directory: &Path, format: Format) -> Result<(), CliError> {
-    fs::create_dir_all(directory).map_err(|source| CliError::Directory {
-        action: "make",
-        path: directory.to_owned(),
-        source,
-    })?;
-    write_whole(directory.join("fit.csv"), &fitted.table().csv())?;
-    for (name, chart) in [("friction", fitted.friction_chart()), ("residuals", fitted.residual_chart())] {
-        let bytes = Chart::Lines(chart).paint(format)?;
-        write_whole(directory.join(format!("{name}.{}", format.extension())), &bytes)?;
-    }
-    Ok(())
+fn write(fitted: &FittedFriction<'_>, outputs: [OutputFile; 3], format: Format) -> Result<(), CliError> {
+    let [table, friction, residuals] = outputs;
+    table.write(&fitted.table().csv())?;
+    friction.write(&Chart::Lines(fitted.friction_chart()).paint(format)?)?;
+    residuals.write(&Chart::Lines(fitted.residual_chart()).paint(format)?)
 }

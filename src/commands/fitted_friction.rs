@@ -12,6 +12,9 @@ use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::shown;
 use stribeck_lab::{Estimate, FrictionFit, Measured, Unknown};
 
+/// The last columns of the table.
+pub const LAST_COLUMNS: [&str; 4] = ["measured", "error", "fitted", "residual"];
+
 /// A fit and the points that it was made from.
 pub struct FittedFriction<'a> {
     pub fit: &'a FrictionFit,
@@ -164,8 +167,7 @@ impl FittedFriction<'_> {
         let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
         let several = self.measured.files.len() > 1;
         let place = if several { &["file", "line"][..] } else { &["line"] };
-        let numbers = ["f", "alpha", "beta", "measured", "error", "fitted", "residual"];
-        let mut table = Table::new(&[place, &names[..], &numbers].concat());
+        let mut table = Table::new(&[place, &names[..], &["f", "alpha", "beta"], &LAST_COLUMNS].concat());
         for point in &fit.points {
             let given = quantities.iter().map(|quantity| point.experiment.value(*quantity));
             let (alpha, beta) = (point.experiment.alpha(), point.experiment.beta());

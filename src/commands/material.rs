@@ -7,15 +7,15 @@ use clap::Args;
 
 use super::fitted_material::FittedMaterial;
 use super::measured::ColumnArguments;
+use super::output_file::OutputFiles;
 use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console};
-use crate::pictures::{Chart, Format};
+use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::shown;
 use stribeck_lab::{
     Dimension, Isotherms, MasterCurve, MaterialData, MaterialFile, MaterialOptions, Measurements, RelaxationFit,
     ShiftFactors, TermChoice, parse_temperature,
 };
-use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -188,7 +188,8 @@ fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Me
 fn finish(arguments: &Arguments, table: &str, json: &str, chart: &Chart) -> Result<Exit, CliError> {
     let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
     if let Some((file, format)) = &arguments.output {
-        write_whole(file.clone(), &chart.paint(*format)?)?;
+        let inputs = arguments.shift_factors.iter().chain([&arguments.data]).map(PathBuf::as_path);
+        OutputFiles::new("material", inputs).check(file, is_picture)?.write(&chart.paint(*format)?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

@@ -41,6 +41,11 @@ impl ColumnArguments {
 }
 
 impl MeasuredArguments {
+    /// The file of the points, if there is one.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        self.measured.iter().map(PathBuf::as_path)
+    }
+
     /// Reads the points, if there are some, and tells what was understood.
     pub fn read(&self) -> Result<Option<Measured>, CliError> {
         self.measured.as_deref().map(|path| read(path, &self.columns)).transpose()

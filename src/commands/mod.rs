@@ -16,7 +16,8 @@
 //! | `material_text`, `shifted` | a material and a master curve as lines of text and as JSON |
 //! | `error`, `console` | errors with their exit codes; output |
 //! | `shell`, `threads` | quoted commands; number of threads |
-//! | `replaceable` | files that a command replaces only if it wrote them |
+//! | `output_file` | files that a command writes for its user |
+//! | `sbatch_option` | options of sbatch that a user adds |
 
 mod console;
 mod curve;
@@ -32,14 +33,15 @@ mod material;
 mod material_text;
 mod measured;
 mod merge;
+mod output_file;
 mod plan;
 mod plot;
 mod prony_material;
 mod published;
-mod replaceable;
 mod report;
 mod run;
 mod run_report;
+mod sbatch_option;
 mod sensitivities;
 mod shell;
 mod shifted;

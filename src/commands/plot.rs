@@ -1,17 +1,19 @@
 //! `stribeck plot`: pictures of a published data set.
 
-use std::fs;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::measured::MeasuredArguments;
+use super::output_file::{OutputFile, OutputFiles};
 use super::{CliError, Exit, console, published};
 use crate::format::count;
-use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, pictures};
+use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, pictures};
 use stribeck_input::{printable, shown};
 use stribeck_sweep::Sweep;
-use stribeck_sweep::store::write_whole;
+use stribeck_sweep::store::create_directory;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -126,11 +128,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     let pictures = pictures(&sweep, &request)?;
     let directory = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("figures"));
-    fs::create_dir_all(&directory).map_err(|source| CliError::Directory {
-        action: "make",
-        path: directory.clone(),
-        source,
-    })?;
+    create_directory(&directory)?;
     if let Some(measured) = sweep.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
         console::tell(&format!(
             "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",
@@ -138,9 +136,14 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             measured.column
         ));
     }
+    let files = OutputFiles::new("plot", arguments.measured.files());
+    let outputs = pictures.iter().map(|picture| outputs(&files, &directory, &picture.name, arguments.format));
+    let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
     let mut text = String::new();
-    for picture in &pictures {
-        let file = write(&directory, picture, arguments.format)?;
+    for (picture, [file, table]) in pictures.iter().zip(outputs) {
+        table.write(&picture.table.csv())?;
+        file.write(&picture.chart.paint(arguments.format)?)?;
+        let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
         text += &format!("{}\n", shown(&file));
     }
     text += &format!("{}, each with its numbers as .csv\n", count(pictures.len() as u64, "picture"));
@@ -148,11 +151,22 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// Writes the picture and its numbers; returns the file of the picture.
-fn write(directory: &Path, picture: &Picture, format: Format) -> Result<PathBuf, CliError> {
-    let bytes = picture.chart.paint(format)?;
-    write_whole(directory.join(format!("{}.csv", picture.name)), &picture.table.csv())?;
-    let file = directory.join(format!("{}.{}", picture.name, format.extension()));
-    write_whole(file.clone(), &bytes)?;
-    Ok(file)
+/// The files of a picture and of its numbers. A table is ours if a picture of ours stands beside it.
+fn outputs(
+    files: &OutputFiles<'_>,
+    directory: &Path,
+    name: &str,
+    format: Format,
+) -> Result<[OutputFile; 2], CliError> {
+    let path = |extension: &str| directory.join(format!("{name}.{extension}"));
+    let has_picture = Format::value_variants().iter().any(|format| is_drawn(&path(format.extension())));
+    Ok([files.check(&path(format.extension()), is_picture)?, files.check(&path("csv"), |_| has_picture)?])
+}
+
+/// True if a file is there that is a picture of ours.
+fn is_drawn(file: &Path) -> bool {
+    let mut beginning = Vec::new();
+    file.is_file()
+        && File::open(file).and_then(|file| file.take(64).read_to_end(&mut beginning)).is_ok()
+        && is_picture(&beginning)
 }

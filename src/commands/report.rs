@@ -1,17 +1,15 @@
 //! `stribeck report`: one page of HTML that shows a published data set.
 
-use std::fs::File;
-use std::io::{self, ErrorKind, Read};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use super::measured::MeasuredArguments;
-use super::{CliError, Exit, console, published, replaceable};
+use super::output_file::OutputFiles;
+use super::{CliError, Exit, console, published};
 use crate::format::bytes;
 use crate::report::{BEGINNING, page};
 use stribeck_input::shown;
-use stribeck_sweep::store::write_whole;
 
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
@@ -37,24 +35,17 @@ pub struct Arguments {
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let data = published::open(&arguments.directory)?;
     let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
-    replaceable::check(&file, "report", "name another file", || is_report(&file))?;
+    let results = arguments.directory.join("results.h5");
+    let inputs = arguments.measured.files().chain([results.as_path()]);
+    let is_report = |beginning: &[u8]| beginning.starts_with(BEGINNING.as_bytes());
+    let output = OutputFiles::new("report", inputs).check(&file, is_report)?;
     let measured = arguments.measured.read()?;
     let page = page(&data, measured.as_ref())?;
-    write_whole(file.clone(), page.html.as_bytes())?;
+    output.write(page.html.as_bytes())?;
     let mut text = format!("{}: {}\n", shown(&file), bytes(page.html.len() as u64));
     for note in &page.notes {
         text += &format!("note: {note}\n");
     }
     console::print(&text)?;
     Ok(Exit::Success)
-}
-
-/// True if a report wrote the file.
-fn is_report(path: &Path) -> io::Result<bool> {
-    if path.file_name().is_none() {
-        return Err(ErrorKind::IsADirectory.into());
-    }
-    let mut beginning = vec![0; BEGINNING.len()];
-    File::open(path)?.read_exact(&mut beginning)?;
-    Ok(beginning == BEGINNING.as_bytes())
 }

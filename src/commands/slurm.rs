@@ -1,6 +1,5 @@
 //! `stribeck slurm`: a sweep as a job array of Slurm, and a job that merges it.
 
-use std::fs;
 use std::io;
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
@@ -9,12 +8,14 @@ use std::process::Command;
 use clap::Args;
 
 use super::destination::destination;
+use super::sbatch_option::sbatch_option;
 use super::slurm_script::{Job, MARK, merge_script, part_script};
-use super::{CliError, Exit, console, replaceable, shell};
+use super::output_file::{OutputFile, OutputFiles};
+use super::{CliError, Exit, console, shell};
 use crate::format::count;
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{check_available, read_sweep};
-use stribeck_sweep::store::write_whole;
+use stribeck_sweep::store::create_directory;
 use stribeck_sweep::{Part, Plan};
 
 /// Slurm's own default of MaxArraySize.
@@ -50,16 +51,16 @@ pub struct Arguments {
     #[arg(long, value_name = "T", value_parser = time)]
     time: Option<TimeLimit>,
     /// Seconds before the limit at which a part is told to store what is finished
-    #[arg(long, value_name = "S", default_value = "180")]
+    #[arg(long, value_name = "S", default_value = "180", value_parser = clap::value_parser!(u64).range(0..=65_535))]
     signal_seconds: u64,
     /// Partition
-    #[arg(long, value_name = "P", value_parser = one_line)]
+    #[arg(long, value_name = "P", value_parser = one_word)]
     partition: Option<String>,
     /// Account
-    #[arg(long, value_name = "A", value_parser = one_line)]
+    #[arg(long, value_name = "A", value_parser = one_word)]
     account: Option<String>,
     /// Memory of a task, as in 2G
-    #[arg(long, value_name = "M", value_parser = one_line)]
+    #[arg(long, value_name = "M", value_parser = one_word)]
     mem: Option<String>,
     /// One more option of sbatch for both jobs, as in --sbatch=--constraint=avx2; may be repeated
     #[arg(long, value_name = "OPTION", value_parser = sbatch_option, allow_hyphen_values = true)]
@@ -114,42 +115,10 @@ fn one_line(text: &str) -> Result<String, String> {
     }
 }
 
-/// Options of sbatch without which the parts would not be what they are said to be.
-const OWN_OPTIONS: [&str; 17] = [
-    "--array",
-    "-a",
-    "--cpus-per-task",
-    "-c",
-    "--dependency",
-    "-d",
-    "--no-requeue",
-    "--nodes",
-    "-N",
-    "--ntasks",
-    "-n",
-    "--open-mode",
-    "--output",
-    "-o",
-    "--signal",
-    "--time",
-    "-t",
-];
-
-fn sbatch_option(text: &str) -> Result<String, String> {
-    let option = match one_line(text) {
-        Ok(option) if option.starts_with('-') => option,
-        _ => return Err("give an option of sbatch, as in --constraint=avx2".to_owned()),
-    };
-    let is = |own: &str| match own.starts_with("--") {
-        true => option.split(['=', ' ']).next() == Some(own),
-        // The value of a short option may follow without a blank.
-        false => option.starts_with(own) && !option.starts_with("--"),
-    };
-    match OWN_OPTIONS.into_iter().find(|own| is(own)) {
-        Some(own) => {
-            Err(format!("{own} is set by `stribeck slurm` itself: its own options choose the value, if there is one"))
-        }
-        None => Ok(option),
+fn one_word(text: &str) -> Result<String, String> {
+    match one_line(text)? {
+        line if line.contains(char::is_whitespace) => Err("give one word".to_owned()),
+        word => Ok(word),
     }
 }
 
@@ -178,10 +147,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let home = directory.join("slurm");
     let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
     let kept = home.join(format!("{}.toml", sweep.name));
-    check_replaceable(&part, &merge, &kept)?;
-    create(&home.join("log"))?;
+    create_directory(&home.join("log"))?;
+    let [kept_file, part_file, merge_file] = outputs(&arguments.sweep, &kept, &part, &merge)?;
     // The sweep as it is now: whoever edits the file while jobs wait in the queue does not change half of them.
-    write_whole(kept.clone(), sweep.text.as_bytes())?;
+    kept_file.write(sweep.text.as_bytes())?;
     let program =
         shell::own_path().map_err(|source| CliError::System { action: "find out where this program is", source })?;
     let job = Job {
@@ -196,8 +165,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         options: options(arguments),
         setup: &arguments.setup,
     };
-    write_whole(part.clone(), part_script(&job).as_bytes())?;
-    write_whole(merge.clone(), merge_script(&job).as_bytes())?;
+    part_file.write(part_script(&job).as_bytes())?;
+    merge_file.write(merge_script(&job).as_bytes())?;
     console::print(&format!("wrote {} and {}\n", shown(&part), shown(&merge)))?;
     if arguments.submit {
         submit(&part, &merge, arguments.tasks)?;
@@ -207,16 +176,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     Ok(Exit::Success)
 }
 
-/// Checks that the files are free, or written by an earlier `stribeck slurm`; a sweep file beside its scripts is so
-/// too.
-fn check_replaceable(part: &Path, merge: &Path, kept: &Path) -> Result<(), CliError> {
-    let check = |file: &Path, is_ours: &dyn Fn() -> io::Result<bool>| {
-        replaceable::check(file, "slurm", "choose another directory", is_ours)
-    };
-    for script in [part, merge] {
-        check(script, &|| Ok(fs::read(script)?.split(|byte| *byte == b'\n').nth(1) == Some(MARK.as_bytes())))?;
-    }
-    check(kept, &|| fs::metadata(kept).map(|_| part.exists()))
+/// The files of the sweep and of the two scripts. A sweep file beside scripts of ours is ours too.
+fn outputs(sweep: &Path, kept: &Path, part: &Path, merge: &Path) -> Result<[OutputFile; 3], CliError> {
+    let files = OutputFiles::new("slurm", [sweep]);
+    let is_script = |beginning: &[u8]| beginning.split(|byte| *byte == b'\n').nth(1) == Some(MARK.as_bytes());
+    let [part_file, merge_file] = [files.check(part, is_script)?, files.check(merge, is_script)?];
+    Ok([files.check(kept, |_| part.exists())?, part_file, merge_file])
 }
 
 /// The options of sbatch for both jobs.
@@ -228,10 +193,6 @@ fn options(arguments: &Arguments) -> Vec<String> {
 
 fn absolute(path: &Path) -> Result<PathBuf, CliError> {
     std::path::absolute(path).map_err(|source| CliError::Directory { action: "find", path: path.to_owned(), source })
-}
-
-fn create(path: &Path) -> Result<(), CliError> {
-    fs::create_dir_all(path).map_err(|source| CliError::Directory { action: "make", path: path.to_owned(), source })
 }
 
 /// The arrays that have so many tasks: how many each has, and how many there are in those before it. Slurm numbers

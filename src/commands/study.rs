@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::{CliError, Exit, console, replaceable, shell, threads};
+use super::{CliError, Exit, console, shell, threads};
 use crate::format::{count, duration};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 use stribeck_input::shown;
@@ -16,7 +16,7 @@ use stribeck_solver::continuation::Interrupt;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
 use stribeck_sweep::store::holds_text;
-use stribeck_sweep::store::{StoreError, write_whole};
+use stribeck_sweep::store::{StoreError, create_directory, write_whole};
 
 /// The file of a study in its directory; a directory that holds one is a study's own.
 const COPY: &str = "study.toml";
@@ -61,8 +61,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     let signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the study", source })?;
     // before the work, so that a disk that takes nothing is known before hours are spent
-    let action = "create";
-    fs::create_dir_all(&directory).map_err(|source| CliError::Directory { action, path: directory.clone(), source })?;
+    create_directory(&directory)?;
     let copy = directory.join(COPY);
     if !copy.exists() {
         write(copy, study.text.as_bytes())?;
@@ -109,7 +108,7 @@ fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError>
             ["sweep.toml"].into_iter().chain(TABLES).any(|table| name == table) || is_picture(file)
         };
         if let Some(file) = files(&path)?.into_iter().find(ours) {
-            replaceable::check(&file, "study", "choose another directory", || Ok(false))?;
+            return Err(CliError::Foreign { file, command: "study" });
         }
     }
     Ok(path)

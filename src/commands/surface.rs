@@ -7,7 +7,8 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::{CliError, Exit, console, replaceable, threads};
+use super::output_file::OutputFiles;
+use super::{CliError, Exit, console, threads};
 use crate::format::count;
 use stribeck_input::shown;
 use stribeck_solver::Interrupt;
@@ -48,8 +49,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         None => Path::new("results").join(&sweep.sweep.name),
     };
     let file = directory.join("surface.json");
-    let is_ours = || Ok(std::fs::read_to_string(&file)?.contains(FORMAT));
-    replaceable::check(&file, "surface", "choose another directory", is_ours)?;
+    let is_ours = |beginning: &[u8]| String::from_utf8_lossy(beginning).contains(FORMAT);
+    OutputFiles::new("surface", [arguments.sweep.as_path()]).check(&file, is_ours)?;
     let interrupt = Arc::new(Interrupt::new());
     let _signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the run", source })?;

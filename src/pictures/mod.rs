@@ -35,7 +35,7 @@ mod table;
 
 pub use axis::{Axis, AxisWords};
 pub use error::PictureError;
-pub use picture::{Chart, Format, Picture};
+pub use picture::{Chart, Format, Picture, is_picture};
 pub use quantity::Quantity;
 pub use request::{AxisScale, Kind, Request, nearest};
 pub use sweep_data::SweepData;

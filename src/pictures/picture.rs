@@ -1,7 +1,7 @@
 //! A picture: a chart and the numbers behind it.
 
 use super::table::Table;
-use stribeck_charts::{ChartError, CrossSection, Curve, Lines, Map, Stroke, Surface3d, WorkPrecision};
+use stribeck_charts::{ChartError, CrossSection, Curve, Lines, Map, Stroke, Surface3d, WIDTH, WorkPrecision};
 
 /// A chart with its name and its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +55,16 @@ impl Format {
             Format::Png => "png",
         }
     }
+}
+
+/// True if a file that begins so is a picture of this program.
+pub fn is_picture(beginning: &[u8]) -> bool {
+    let svg = format!("<svg width=\"{WIDTH}\" ");
+    // The header of a PNG: its signature, then the width, and the depth and kind of the pixels behind the height.
+    let png = beginning.starts_with(b"\x89PNG\r\n\x1a\n")
+        && beginning.get(16..20) == Some(&WIDTH.to_be_bytes()[..])
+        && beginning.get(24..26) == Some(&[8, 3][..]);
+    png || beginning.starts_with(svg.as_bytes())
 }
 
 impl Chart {

@@ -92,7 +92,18 @@ impl fmt::Display for Invalid {
 
 impl std::error::Error for Invalid {}
 
+/// True for an error of the disk or the system; false for one of the path that was given.
+pub fn is_of_disk(error: &io::Error) -> bool {
+    use io::ErrorKind::{InvalidFilename, IsADirectory, NotADirectory, NotFound, PermissionDenied};
+    !matches!(error.kind(), NotFound | PermissionDenied | IsADirectory | NotADirectory | InvalidFilename)
+}
+
 impl InputError {
+    /// True if the disk or the system did not give the file; false if the path or the file is wrong.
+    pub fn is_of_disk(&self) -> bool {
+        matches!(self, InputError::Unreadable { cause, .. } if is_of_disk(cause))
+    }
+
     /// The remedy, in words.
     pub fn remedy(&self) -> &str {
         match self {

@@ -36,6 +36,6 @@ mod sanitize;
 
 pub use axis::{Quantity, Values, Varying, read as read_axis, read_varying};
 pub use entry::{Entry, Section};
-pub use error::{Fault, InputError, Invalid};
+pub use error::{Fault, InputError, Invalid, is_of_disk};
 pub use file::{Kind, document, parse, read};
 pub use sanitize::{is_printable, printable, shown};

@@ -64,6 +64,13 @@ pub enum TableError {
     },
 }
 
+impl TableError {
+    /// True if the disk or the system did not give the file; false if the path or the file is wrong.
+    pub fn is_of_disk(&self) -> bool {
+        matches!(self, Self::Unreadable { source, .. } if stribeck_input::is_of_disk(source))
+    }
+}
+
 impl TableFile {
     /// Reads a file of tables; `kind` says what it holds, for messages.
     ///

@@ -1,7 +1,8 @@
 //! The context of solving one case: its cost so far, when to abort it, and the record of what happened.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use super::work_time::work_time;
 use super::{Effort, Failure, FailureKind, Interrupt, Trace};
 use crate::model::Parameters;
 
@@ -32,7 +33,8 @@ pub struct SolveContext<'a> {
     pub effort: Effort,
     /// Set when the user asks to stop.
     pub interrupt: &'a Interrupt,
-    deadline: Option<Instant>,
+    /// Of the [`work_time`] of the thread.
+    deadline: Option<Duration>,
     trace: Option<Trace>,
 }
 
@@ -42,11 +44,12 @@ impl<'a> SolveContext<'a> {
         Self { effort: Effort::default(), interrupt, deadline: None, trace: None }
     }
 
-    /// The same context with a time limit that starts now.
+    /// The same context with a limit of the time that this thread works from now on. The time in which it is stopped,
+    /// or waits for a processor, does not count.
     #[must_use]
     pub fn with_time_limit(self, limit: Duration) -> Self {
         // A deadline that the clock cannot represent is no deadline.
-        Self { deadline: Instant::now().checked_add(limit), ..self }
+        Self { deadline: work_time().checked_add(limit), ..self }
     }
 
     /// The same context with a record of what happens.
@@ -64,7 +67,7 @@ impl<'a> SolveContext<'a> {
             return Err(SolveError::Interrupted);
         }
         match self.deadline {
-            Some(deadline) if Instant::now() >= deadline => Err(SolveError::OutOfTime),
+            Some(deadline) if work_time() >= deadline => Err(SolveError::OutOfTime),
             _ => Ok(()),
         }
     }

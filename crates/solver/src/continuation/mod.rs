@@ -23,6 +23,7 @@ mod seed;
 mod step;
 mod trace;
 mod walk;
+mod work_time;
 
 pub use chain::{Chain, panic_message, solve_chain};
 pub use context::{SolveContext, SolveError};

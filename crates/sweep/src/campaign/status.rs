@@ -103,7 +103,7 @@ fn planned(sweep: Sweep, found: &SweepDirectory) -> Result<PlannedStatus, StoreE
         places: plan.cases(),
         problems: plan.problems(),
         pending: Pending::survey(&sweep, &plan, None, &stored),
-        published: found.whole.as_ref().map_or(Ok(false), Catalog::is_published)?,
+        published: found.whole.as_ref().is_some_and(Catalog::is_published),
         notes: NoteCounts::default(),
         parts: part_states(&plan, found, &stored)?,
         failures: failure_regions(&plan, &stored)?,

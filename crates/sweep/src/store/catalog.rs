@@ -9,7 +9,7 @@ use super::damage::{Damage, inspect};
 use super::directory::Directory;
 use super::index::{Index, Shard, Slot};
 use super::log::read_logs;
-use super::record::{CaseRecord, ShardRecord};
+use super::record::{CaseRecord, FileRecord, ShardRecord};
 use super::shard::ShardReader;
 use super::{CaseEntry, Contents, History, Status, StoreError, Warning};
 use crate::{CaseId, Values};
@@ -119,6 +119,10 @@ impl Catalog {
         &self.warnings
     }
 
+    pub(super) fn warn(&mut self, warning: Warning) {
+        self.warnings.push(warning);
+    }
+
     /// The status of a case; `None` if the case is not stored with everything that the output asks for.
     pub fn holds(&self, id: CaseId) -> Option<Status> {
         self.index.complete(id).map(|slot| slot.status)
@@ -165,17 +169,9 @@ impl Catalog {
 
     /// True if the published files are there and no case was committed after them. They are looked at as closely as the
     /// shards were.
-    ///
-    /// # Errors
-    /// [`StoreError::File`] if they cannot be looked at.
-    pub fn is_published(&self) -> Result<bool, StoreError> {
-        let Some(last) = self.published.as_ref().filter(|_| !self.history.unpublished) else { return Ok(false) };
-        for file in &last.files {
-            if fault(&self.directory.published(&file.file), file, self.inspection)?.is_some() {
-                return Ok(false);
-            }
-        }
-        Ok(true)
+    pub fn is_published(&self) -> bool {
+        let sound = |file: &FileRecord| fault(&self.directory.published(&file.file), file, self.inspection).is_none();
+        self.published.as_ref().is_some_and(|last| !self.history.unpublished && last.files.iter().all(sound))
     }
 
     /// How many cases are here, whatever fields they have.

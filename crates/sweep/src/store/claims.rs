@@ -41,7 +41,7 @@ pub(super) struct Claim {
 /// others.
 pub(super) fn open_checked(path: &Path, record: &ShardRecord) -> Result<ShardReader, StoreError> {
     let damaged = |what: &str| StoreError::Damaged { path: path.to_owned(), what: what.to_owned() };
-    if let Some(what) = fault(path, &record.file, Inspection::Bytes)? {
+    if let Some(what) = fault(path, &record.file, Inspection::Bytes) {
         return Err(damaged(&what));
     }
     let contents = record.contents().ok_or_else(|| damaged("its record names an unknown field"))?;
@@ -118,21 +118,25 @@ fn claim(record: ShardRecord, place: LogPlace) -> Result<Claim, (String, usize)>
     }
 }
 
-/// What is wrong with a file, measured by its record; `None` if nothing is.
-pub(super) fn fault(path: &Path, record: &FileRecord, inspection: Inspection) -> Result<Option<String>, StoreError> {
+/// What is wrong with a file, measured by its record; `None` if nothing is. A file that cannot be read is as good as
+/// damaged.
+pub(super) fn fault(path: &Path, record: &FileRecord, inspection: Inspection) -> Option<String> {
     let bytes = match path.metadata() {
-        Ok(metadata) if !metadata.is_file() => return Ok(Some("it is no file".to_owned())),
+        Ok(metadata) if !metadata.is_file() => return Some("it is no file".to_owned()),
         Ok(metadata) => metadata.len(),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-            return Ok(Some("the file is missing".to_owned()));
-        }
-        Err(error) => return Err(StoreError::file(path, "read")(error)),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Some("the file is missing".to_owned()),
+        Err(error) => return Some(format!("it cannot be read: {error}")),
     };
     if bytes != record.bytes {
-        return Ok(Some(format!("it has {bytes} bytes, its record says {}", record.bytes)));
+        return Some(format!("it has {bytes} bytes, its record says {}", record.bytes));
     }
-    if inspection == Inspection::Bytes && hash_file(path)?.1.to_hex().as_str() != record.blake3 {
-        return Ok(Some("its checksum is not the one of its record".to_owned()));
+    if inspection == Inspection::Size {
+        return None;
     }
-    Ok(None)
+    match hash_file(path) {
+        Ok((_, hash)) if hash.to_hex().as_str() == record.blake3 => None,
+        Ok(_) => Some("its checksum is not the one of its record".to_owned()),
+        Err(StoreError::File { source, .. }) => Some(format!("it cannot be read: {source}")),
+        Err(error) => Some(error.to_string()),
+    }
 }

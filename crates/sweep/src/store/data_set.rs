@@ -83,7 +83,7 @@ impl DataSet {
             let LogContent { published, history, .. } = read_claims(&directory)?;
             outdated = history.unpublished;
             for record in published.iter().flat_map(|last| &last.files).filter(|record| record.file == PUBLISHED[0]) {
-                if let Some(what) = fault(&results, record, Inspection::Bytes)? {
+                if let Some(what) = fault(&results, record, Inspection::Bytes) {
                     return Err(StoreError::Altered { path: results, what, sweep: directory.sweep() });
                 }
             }

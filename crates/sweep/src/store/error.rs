@@ -19,6 +19,18 @@ pub enum StoreError {
         /// What the system said.
         source: io::Error,
     },
+    /// Published files of two states.
+    #[error(
+        "{source}\nsome published files in {} are new and some of before: do not use them until the same command has \
+         run again, which replaces them all",
+        shown(directory)
+    )]
+    Mixed {
+        /// The results directory.
+        directory: PathBuf,
+        /// What the system said.
+        source: Box<StoreError>,
+    },
     /// The HDF5 library refused.
     #[error("cannot {action} {}: {}", shown(path), hdf5_reason(source, *disk_full))]
     Hdf5 {
@@ -95,6 +107,15 @@ pub enum StoreError {
         path: PathBuf,
         /// A file in it that has the name of one of ours.
         file: &'static str,
+    },
+    /// A lock that is no file of ours.
+    #[error(
+        "{} is no lock that `stribeck run` wrote; move it away, or choose another directory with -o",
+        shown(path)
+    )]
+    ForeignLock {
+        /// The file.
+        path: PathBuf,
     },
     /// A file whose content is not what its record says.
     #[error("{} is damaged: {what}; delete it and run the sweep again, its cases are then solved anew", shown(path))]

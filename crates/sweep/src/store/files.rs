@@ -1,7 +1,7 @@
 //! Files that are written whole or not at all.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::Read;
+use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 use super::StoreError;
@@ -15,9 +15,17 @@ pub fn holds_text(path: &Path, text: &str) -> bool {
     alike && fs::read(path).is_ok_and(|found| found == text.as_bytes())
 }
 
-/// True for a file that a run is writing, or left half written.
-pub(super) fn is_temporary(path: &Path) -> bool {
-    path.file_name().is_some_and(|name| name.to_string_lossy().ends_with(TEMPORARY))
+/// The name that a file of the store is being written for, or was when a run was killed; `None` for any other name.
+pub(super) fn temporary_for(path: &Path) -> Option<&str> {
+    path.file_name()?.to_str()?.strip_prefix('.')?.strip_suffix(TEMPORARY)
+}
+
+/// Opens a file for reading. A pipe or a device, which might never end, is an error.
+pub(super) fn open_file(path: &Path) -> io::Result<File> {
+    match path.metadata()?.is_file() {
+        true => File::open(path),
+        false => Err(io::Error::new(ErrorKind::InvalidInput, "it is no file")),
+    }
 }
 
 /// The files in a directory, sorted by name.
@@ -60,6 +68,18 @@ impl Staged {
         hash_file(&self.temporary)
     }
 
+    /// Its final name.
+    pub(super) fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// The same file with another final name.
+    pub(super) fn named(self, name: &str) -> Self {
+        let mut file = std::mem::ManuallyDrop::new(self);
+        let target = file.target.with_file_name(name);
+        Self { temporary: std::mem::take(&mut file.temporary), target }
+    }
+
     /// Gives the file its name, in one step. It is for the caller to wait until the directory is on the disk.
     pub(super) fn rename(self) -> Result<(), StoreError> {
         fs::rename(&self.temporary, &self.target).map_err(StoreError::file(&self.target, "replace"))
@@ -67,11 +87,7 @@ impl Staged {
 
     /// Gives the file its name and waits until the directory is on the disk.
     pub(super) fn put_in_place(self) -> Result<(), StoreError> {
-        let directory = match self.target.parent().expect("a file has a directory") {
-            // A name alone is one in the working directory.
-            parent if parent.as_os_str().is_empty() => Path::new(".").to_owned(),
-            parent => parent.to_owned(),
-        };
+        let directory = directory_of(&self.target).to_owned();
         self.rename()?;
         synchronise_directory(&directory)
     }
@@ -95,6 +111,37 @@ pub fn write_whole(target: PathBuf, content: &[u8]) -> Result<(), StoreError> {
     staged.put_in_place()
 }
 
+/// The directory that a path is in.
+fn directory_of(path: &Path) -> &Path {
+    match path.parent() {
+        // A name alone is one in the working directory.
+        Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+        Some(parent) => parent,
+        None => path,
+    }
+}
+
+/// Makes a directory with those above it that are missing, and waits until the names of all that it made are on the
+/// disk.
+///
+/// # Errors
+/// [`StoreError::File`] if the disk does not take it.
+pub fn create_directory(path: &Path) -> Result<(), StoreError> {
+    if path.is_dir() {
+        return Ok(());
+    }
+    let above = directory_of(path);
+    if above != path {
+        create_directory(above)?;
+    }
+    match fs::create_dir(path) {
+        // Another run may have made it just now.
+        Err(error) if error.kind() == ErrorKind::AlreadyExists && path.is_dir() => {}
+        made => made.map_err(StoreError::file(path, "create"))?,
+    }
+    synchronise_directory(above)
+}
+
 /// Waits until the names in a directory are on the disk.
 pub(super) fn synchronise_directory(path: &Path) -> Result<(), StoreError> {
     // Only Unix can open a directory to synchronise it; elsewhere a rename is as durable as the system makes it.
@@ -108,7 +155,7 @@ pub(super) fn synchronise_directory(path: &Path) -> Result<(), StoreError> {
 /// Size and hash of a file; memory does not depend on its size.
 pub(super) fn hash_file(path: &Path) -> Result<(u64, blake3::Hash), StoreError> {
     let mut hasher = blake3::Hasher::new();
-    let mut file = File::open(path).map_err(StoreError::file(path, "open"))?;
+    let mut file = open_file(path).map_err(StoreError::file(path, "open"))?;
     let mut buffer = vec![0; 1 << 16];
     loop {
         let read = file.read(&mut buffer).map_err(StoreError::file(path, "read"))?;

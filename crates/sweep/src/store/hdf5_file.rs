@@ -10,6 +10,8 @@ use hdf5::types::VarLenUnicode;
 use hdf5::{Dataset, DatasetBuilder, File, H5Type, Location, Result};
 use ndarray::{ArrayView, Dimension};
 
+use super::hdf5_environment;
+
 /// Strength of the compression of fields: more costs much time and gains little on doubles.
 pub(super) const DEFLATE: u8 = 4;
 
@@ -32,6 +34,7 @@ impl NewFile {
     /// A new file. No object of it holds a clock time; the format is that of HDF5 1.8, which every reader knows; the
     /// order of creation is kept, as netCDF-4 wants it.
     pub(super) fn create(path: &Path) -> Result<Self> {
+        hdf5_environment::initialise();
         let options = File::with_options()
             .with_fcpl(|file| {
                 file.obj_track_times(false)
@@ -72,17 +75,44 @@ impl NewFile {
         set_text(&self.file, name, value)
     }
 
-    /// Writes everything to the file and closes it. Errors of a full disk show here at the latest.
+    /// Writes everything to the file, closes it, opens it again and compares it with what was written. Errors of the
+    /// disk show here at the latest.
+    ///
+    /// Only the last handle closes a file, and one that closes it unseen hides its errors. So nobody else may hold a
+    /// data set of it any more.
     pub(super) fn finish(self) -> Result<()> {
         self.file.flush()?;
         let Self { file, datasets } = self;
-        drop(ManuallyDrop::into_inner(datasets));
-        ManuallyDrop::into_inner(file).close()
+        let (file, datasets) = (ManuallyDrop::into_inner(file), ManuallyDrop::into_inner(datasets));
+        let path = file.filename();
+        let written: Vec<_> = datasets.iter().map(outline).collect();
+        let shared = datasets.iter().filter(|dataset| dataset.refcount() > 1).count();
+        drop(datasets);
+        file.close()?;
+        if shared > 0 {
+            return Err(format!("{shared} data sets are open when the file is closed").into());
+        }
+        let file = open(Path::new(&path))?;
+        for outline_written in written {
+            if outline(&file.dataset(&outline_written.0)?) != outline_written {
+                return Err(format!("{} is not in the file as it was written", outline_written.0).into());
+            }
+        }
+        file.close()
     }
+}
+
+/// Name, shape and bytes of a data set.
+fn outline(dataset: &Dataset) -> (String, Vec<usize>, u64) {
+    (dataset.name(), dataset.shape(), dataset.storage_size())
 }
 
 /// An existing file, for reading.
 pub(super) fn open(path: &Path) -> Result<File> {
+    hdf5_environment::initialise();
+    if !path.is_file() {
+        return Err("it is no file".into());
+    }
     File::with_options().with_fapl(|access| access.file_locking(LOCKING)).open(path)
 }
 

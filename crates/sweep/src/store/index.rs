@@ -30,7 +30,7 @@ pub(super) struct Slot {
 /// Shards, and the case that counts for each id.
 ///
 /// If several shards hold a case, the one counts that covers what is asked for, then one where it converged, then the
-/// one that gave it most time, then the one whose name sorts first: a choice that does not depend on the order in which
+/// one that gave it most time, then the one whose hash sorts first: a choice that does not depend on the order in which
 /// shards were committed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Index {
@@ -69,11 +69,11 @@ impl Index {
         }
     }
 
-    fn rank(&self, slot: &Slot) -> (bool, bool, u64, Reverse<&str>) {
+    fn rank(&self, slot: &Slot) -> (bool, bool, u64, Reverse<&[u8; 32]>) {
         let shard = self.shard(slot.shard);
         // Numbers above 0 are in the order of their bits; one that ended by itself had all the time it wanted.
         let time = self.time_limit(slot).unwrap_or(f64::INFINITY).to_bits();
-        (shard.covers, slot.status == Status::Converged, time, Reverse(&*shard.name))
+        (shard.covers, slot.status == Status::Converged, time, Reverse(shard.hash.as_bytes()))
     }
 
     /// The time limit at which a case was given up, if it was.
@@ -93,11 +93,6 @@ impl Index {
 
     pub(super) fn shard(&self, number: u32) -> &Shard {
         &self.shards[number as usize]
-    }
-
-    /// The shard of a name.
-    pub(super) fn shard_named(&self, name: &str) -> Option<&Shard> {
-        self.by_name.get(name).map(|&number| self.shard(number))
     }
 
     pub(super) fn shards(&self) -> impl Iterator<Item = (u32, &Shard)> {
@@ -133,7 +128,7 @@ mod tests {
     fn the_case_that_counts_does_not_depend_on_the_order() {
         let shard = |name: &str, covers| Shard {
             name: name.into(),
-            hash: blake3::hash(name.as_bytes()),
+            hash: blake3::Hash::from_bytes([name.as_bytes()[0]; 32]),
             contents: Contents::default(),
             covers,
             record: LogPlace { log: 1, offset: 0 },

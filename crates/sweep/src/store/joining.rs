@@ -1,9 +1,10 @@
 //! Takes over what other results directories of the same sweep hold.
 //!
-//! Shards are immutable and named by their cases, so joining is linking: a shard gets a second name here (or is copied,
+//! Shards are immutable and named by their bytes, so joining is linking: a shard gets a second name here (or is copied,
 //! where the other directory is on another file system), and its record is written once more. Goes through the other
 //! directory shard by shard; memory grows with the cases here alone.
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -12,6 +13,7 @@ use super::files::{Staged, synchronise_directory};
 use super::index::{Shard, Slot};
 use super::open_shards::OpenShards;
 use super::record::{Record, ShardRecord};
+use super::shard::shard_name;
 use super::{Catalog, Contents, Status, Store, StoreError};
 use crate::Values;
 
@@ -35,27 +37,21 @@ pub type Agreement<'a> = dyn Fn(&Values, &Values) -> bool + 'a;
 impl Store {
     /// Takes over all shards of another directory that are as they were written.
     ///
-    /// A case that is here already is fine if both agree. Of two shards with the same cases and other bytes the one
-    /// whose checksum sorts first stays; of a case in several shards one counts as always ([`Catalog::holds`]),
-    /// whatever the order of joining.
+    /// A case that is here already is fine if both agree. Of a case in several shards one counts as always
+    /// ([`Catalog::holds`]), whatever the order of joining.
     ///
     /// # Errors
     /// [`StoreError::Disagreement`] if a case is here with other numbers, others if a file cannot be read, linked or
     /// written. What was taken over before stays.
     pub fn join(&mut self, other: &Catalog, agree: &Agreement<'_>) -> Result<Joined, StoreError> {
         let (mut joined, mut waiting) = (Joined::default(), Vec::new());
-        for (_, shard) in other.index.shards() {
-            let record = shard_record(&other.directory, shard.record)?;
+        let here: HashSet<blake3::Hash> = self.index.shards().map(|(_, shard)| shard.hash).collect();
+        for (_, shard) in other.index.shards().filter(|(_, shard)| !here.contains(&shard.hash)) {
+            let mut record = shard_record(&other.directory, shard.record)?;
             let source = other.directory.shards().join(&*shard.name);
-            match self.index.shard_named(&shard.name).map(|here| here.hash) {
-                Some(here) if here == shard.hash => continue,
-                here => {
-                    joined.twice += self.compare(&source, &record, agree)?;
-                    if here.is_some_and(|here| here.as_bytes() < shard.hash.as_bytes()) {
-                        continue;
-                    }
-                }
-            }
+            // Versions before this one named shards otherwise.
+            record.file.file = shard_name(&shard.hash);
+            joined.twice += self.compare(&source, &record, agree)?;
             joined.shards += 1;
             joined.cases += record.cases.len() as u64;
             waiting.push((source, record));

@@ -4,7 +4,7 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::files::{files_in, synchronise_directory};
+use super::files::{files_in, open_file, synchronise_directory};
 use super::record::Record;
 use super::{StoreError, Warning};
 
@@ -43,7 +43,7 @@ impl Log {
 
     /// Appends records, waits once until they are on the disk, and tells where each stands.
     ///
-    /// After an error the file may end in half a line: do not append to it again.
+    /// After an error nothing of them counts. The file may end in half a line: do not append to it again.
     pub(super) fn append(&mut self, records: &[Record]) -> Result<Vec<LogPlace>, StoreError> {
         let (mut lines, mut places) = (String::new(), Vec::with_capacity(records.len()));
         for record in records {
@@ -56,7 +56,12 @@ impl Log {
             lines += &line;
         }
         let written = self.file.write_all(lines.as_bytes()).and_then(|()| self.file.sync_data());
-        written.map_err(StoreError::file(&self.path, "write"))?;
+        // What did not reach the disk is not committed: the next start is not to find it in the memory of the system.
+        // If it cannot be taken back, that start brings it to the disk (`synchronise_logs`).
+        written.map_err(|error| {
+            let _ = self.file.set_len(self.length);
+            StoreError::file(&self.path, "write")(error)
+        })?;
         self.length += lines.len() as u64;
         Ok(places)
     }
@@ -78,7 +83,21 @@ pub(super) fn log_numbers(logs: &Path) -> Result<Vec<u32>, StoreError> {
     Ok(numbers)
 }
 
-/// Visits every valid record of every log, oldest first; lines that are none become warnings.
+/// Waits until all logs are on the disk: a start that was killed may have written records that it did not wait for.
+///
+/// A log that cannot be opened is left to [`read_logs`], which tells of it.
+pub(super) fn synchronise_logs(logs: &Path) -> Result<(), StoreError> {
+    for number in log_numbers(logs)? {
+        let path = log_path(logs, number);
+        if let Ok(file) = open_file(&path) {
+            file.sync_data().map_err(StoreError::file(&path, "write"))?;
+        }
+    }
+    Ok(())
+}
+
+/// Visits every valid record of every log, oldest first; lines that are none become warnings, and so does the rest of
+/// a log that cannot be read.
 pub(super) fn read_logs(
     logs: &Path,
     warnings: &mut Vec<Warning>,
@@ -86,14 +105,31 @@ pub(super) fn read_logs(
 ) -> Result<(), StoreError> {
     for number in log_numbers(logs)? {
         let path = log_path(logs, number);
-        let mut reader = BufReader::new(File::open(&path).map_err(StoreError::file(&path, "open"))?);
+        let unreadable = |line: u64, error: &io::Error| {
+            let what = format!("from here on it cannot be read: {error}");
+            Warning::Record { file: path.clone(), line, more: 0, what }
+        };
+        let mut reader = match open_file(&path) {
+            Ok(file) => BufReader::new(file),
+            Err(error) => {
+                warnings.push(unreadable(1, &error));
+                continue;
+            }
+        };
         let (mut buffer, mut line, mut offset) = (Vec::new(), 0, 0);
         // The damaged lines before this one: told together, as there can be millions.
         let mut damage: Option<Warning> = None;
-        while let Some((bytes, record)) =
-            next_line(&mut reader, &mut buffer).map_err(StoreError::file(&path, "read"))?
-        {
+        loop {
             line += 1;
+            let (bytes, record) = match next_line(&mut reader, &mut buffer) {
+                Ok(Some(read)) => read,
+                Ok(None) => break,
+                Err(error) => {
+                    warnings.extend(damage.take());
+                    warnings.push(unreadable(line, &error));
+                    break;
+                }
+            };
             match (record, &mut damage) {
                 (Ok(record), _) => {
                     warnings.extend(damage.take());
@@ -130,7 +166,7 @@ fn next_line(reader: &mut impl BufRead, buffer: &mut Vec<u8>) -> io::Result<Opti
 /// The record at a place.
 pub(super) fn read_record(logs: &Path, place: LogPlace) -> Result<Record, StoreError> {
     let path = log_path(logs, place.log);
-    let mut file = File::open(&path).map_err(StoreError::file(&path, "open"))?;
+    let mut file = open_file(&path).map_err(StoreError::file(&path, "open"))?;
     file.seek(SeekFrom::Start(place.offset)).map_err(StoreError::file(&path, "read"))?;
     let line = next_line(&mut BufReader::new(file), &mut Vec::new()).map_err(StoreError::file(&path, "read"))?;
     let record = line.map_or_else(|| Err("there is nothing".to_owned()), |(_, record)| record);

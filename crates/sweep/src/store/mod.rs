@@ -11,7 +11,7 @@
 //! ```
 //!
 //! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. Chains
-//! are committed in this order: their shard is written under a temporary name, brought to the disk, renamed, the
+//! are committed in this order: their shard is written under a temporary name, brought to the disk, named by its bytes, the
 //! directory brought to the disk, and only then a record is appended to the log and brought to the disk. Whatever the
 //! moment at which a run is killed, all chains with a record are whole, and all others are solved again.
 //!
@@ -29,6 +29,7 @@ mod entry;
 mod error;
 mod files;
 mod further_columns;
+mod hdf5_environment;
 mod hdf5_file;
 mod history;
 mod index;
@@ -39,6 +40,7 @@ mod placed;
 mod publication;
 mod publish;
 mod record;
+mod replacement;
 mod results;
 mod sensitivity_columns;
 mod shard;
@@ -53,8 +55,9 @@ pub use contents::Contents;
 pub use data_set::{Cost, DataSet};
 pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
-pub use files::{holds_text, write_whole};
+pub use files::{create_directory, holds_text, write_whole};
 pub use further_columns::{FurtherColumn, columns as further_columns};
+pub use hdf5_environment::initialise as initialise_hdf5;
 pub use history::{Beginning, History, Start};
 pub use joining::{Agreement, Joined};
 pub use placed::PlacedNumbers;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::claims::{Inspection, LastPublished, fault};
 use super::contents::field_names;
 use super::directory::PUBLISHED;
+use super::replacement::put_in_place;
 use super::files::Staged;
 use super::further_columns;
 use super::open_shards::OpenShards;
@@ -46,7 +47,7 @@ impl Store {
     pub fn publish(&mut self, publication: &Publication<'_>) -> Result<Published, StoreError> {
         let Survey { key, converged, failed } = survey(self, publication)?;
         let files = PUBLISHED.map(|name| self.directory.published(name));
-        if is_in_place(self, &key)? {
+        if is_in_place(self, &key) {
             if self.history.unpublished {
                 // Shards were lost and came back as they were. The record stands behind theirs again.
                 let files = self.published.as_ref().map_or_else(Vec::new, |last| last.files.clone());
@@ -61,9 +62,7 @@ impl Store {
             let (bytes, hash) = file.synchronise()?;
             records.push(FileRecord { file: (*name).to_owned(), bytes, blake3: hash.to_hex().to_string() });
         }
-        for file in staged {
-            file.put_in_place()?;
-        }
+        put_in_place(staged.into())?;
         self.append(&Record::Published { key: key.clone(), files: records.clone(), time: clock() })?;
         self.catalog_mut().published = Some(LastPublished { key, files: records });
         Ok(Published { files, rewritten: true, converged, failed })
@@ -71,14 +70,9 @@ impl Store {
 }
 
 /// True if the files of a publication with this key are there, byte for byte.
-fn is_in_place(store: &Catalog, key: &str) -> Result<bool, StoreError> {
-    let Some(last) = store.published.as_ref().filter(|last| last.key == key) else { return Ok(false) };
-    for file in &last.files {
-        if fault(&store.directory.published(&file.file), file, Inspection::Bytes)?.is_some() {
-            return Ok(false);
-        }
-    }
-    Ok(true)
+fn is_in_place(store: &Catalog, key: &str) -> bool {
+    let sound = |file: &FileRecord| fault(&store.directory.published(&file.file), file, Inspection::Bytes).is_none();
+    store.published.as_ref().is_some_and(|last| last.key == key && last.files.iter().all(sound))
 }
 
 struct Survey {

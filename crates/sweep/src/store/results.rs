@@ -25,6 +25,12 @@ pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
 /// `results.h5` while it is written.
 pub(super) struct Results {
     shape: Vec<usize>,
+    variables: Variables,
+    file: NewFile,
+}
+
+/// Its variables.
+struct Variables {
     /// In the order of [`Column::ALL`].
     columns: Vec<Dataset>,
     more: Vec<Dataset>,
@@ -35,7 +41,6 @@ pub(super) struct Results {
     reason: Dataset,
     /// In the order of [`Field::ALL`].
     fields: [Option<Dataset>; Field::ALL.len()],
-    file: NewFile,
 }
 
 /// What follows from the quantities of the laboratory at each place.
@@ -89,20 +94,22 @@ impl Results {
             .collect::<Result<Vec<_>>>()?;
 
         let fields = layout.fields(&mut file, output, units)?;
-        Ok(Self { shape: layout.shape, columns, more, notes, laboratory, case, status, reason, fields, file })
+        let variables = Variables { columns, more, notes, laboratory, case, status, reason, fields };
+        Ok(Self { shape: layout.shape, variables, file })
     }
 
     /// Writes all but the fields of neighbouring rows: those of a range of the last dimension but one, in a block of
     /// the dimensions before it.
     pub(super) fn rows(&mut self, block: usize, range: Range<usize>, places: &[Place]) -> Result<()> {
         let write = Write { shape: &self.shape, block, range };
-        for (column, variable) in Column::ALL.into_iter().zip(&self.columns) {
+        let Variables { columns, more, laboratory, case, status, notes, reason, fields: _ } = &self.variables;
+        for (column, variable) in Column::ALL.into_iter().zip(columns) {
             write.to(variable, places.iter().map(|place| place.values[column]))?;
         }
-        for (i, variable) in self.more.iter().enumerate() {
+        for (i, variable) in more.iter().enumerate() {
             write.to(variable, places.iter().map(|place| place.more[i]))?;
         }
-        if let Some(LaboratoryVariables { alpha, beta, scales }) = &self.laboratory {
+        if let Some(LaboratoryVariables { alpha, beta, scales }) = laboratory {
             write.to(alpha, places.iter().map(|place| place.point.numbers[1]))?;
             write.to(beta, places.iter().map(|place| place.point.numbers[2]))?;
             let values = |place: &Place| place.point.experiment.map_or([f64::NAN; 4], |it| it.scales().values());
@@ -110,16 +117,16 @@ impl Results {
                 write.to(variable, places.iter().map(|place| values(place)[i]))?;
             }
         }
-        write.to(&self.case, places.iter().map(|place| case_text(place.point.case)))?;
-        write.to(&self.notes, places.iter().map(|place| place.notes))?;
-        write.to(&self.status, places.iter().map(|place| place.status.code()))?;
+        write.to(case, places.iter().map(|place| case_text(place.point.case)))?;
+        write.to(notes, places.iter().map(|place| place.notes))?;
+        write.to(status, places.iter().map(|place| place.status.code()))?;
         let reasons = places.iter().map(|place| text(&place.reason)).collect::<Result<Vec<_>>>()?;
-        write.to(&self.reason, reasons.into_iter())
+        write.to(reason, reasons.into_iter())
     }
 
     /// Writes a field of one place, counted with the last dimension fastest. Where this is not called the field is NaN.
     pub(super) fn field(&mut self, field: Field, place: usize, values: &[f64]) -> Result<()> {
-        let Some(variable) = &self.fields[field as usize] else {
+        let Some(variable) = &self.variables.fields[field as usize] else {
             return Err(format!("{} is not part of this publication", field.name()).into());
         };
         let indices = indices(self.shape.iter().copied(), place);
@@ -128,8 +135,9 @@ impl Results {
         variable.write_slice(aview1(values), Hyperslab::from(selection))
     }
 
-    /// Brings everything to the file.
+    /// Brings everything to the file and closes it.
     pub(super) fn finish(self) -> Result<()> {
+        drop(self.variables);
         self.file.finish()
     }
 }

@@ -6,7 +6,7 @@ use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::{Dataset, Result};
 use ndarray::{Array2, ArrayView2, s};
 
-use super::contents::{column_names, field_names, x_key};
+use super::contents::{column_names, x_key};
 use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
 use super::{CaseEntry, Contents, Status, StoreError};
 use crate::{CaseId, Column, Field, Values};
@@ -26,20 +26,9 @@ pub(super) fn case_text(id: CaseId) -> CaseText {
 /// Hexadecimal digits in the name of a shard.
 pub(super) const SHARD_DIGITS: usize = 32;
 
-/// Name of the file of these cases: the same whenever the same cases are committed together for the same output.
-pub(super) fn shard_name(ids: impl Iterator<Item = CaseId>, contents: &Contents) -> String {
-    let mut hasher = blake3::Hasher::new();
-    hasher.update(b"stribeck shard 1");
-    hasher.update(field_names(contents.fields).as_bytes());
-    hasher.update(&contents.x.to_le_bytes());
-    hasher.update(&[u8::from(contents.limits)]);
-    if contents.sensitivities {
-        hasher.update(b"sensitivities");
-    }
-    for id in ids {
-        hasher.update(&id.0.to_le_bytes());
-    }
-    let mut name = hasher.finalize().to_hex().to_string();
+/// The name of a shard: it follows from its bytes, so that no shard ever takes the place of another one.
+pub(super) fn shard_name(hash: &blake3::Hash) -> String {
+    let mut name = hash.to_hex().to_string();
     name.truncate(SHARD_DIGITS);
     name + ".h5"
 }
@@ -87,6 +76,19 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
         }
     }
     file.finish()
+}
+
+/// Checks that a shard that was just written has the numbers of these cases.
+pub(super) fn check_shard(path: &Path, contents: &Contents, cases: &[CaseEntry]) -> Result<(), StoreError> {
+    let shard = ShardReader::open(path, contents)?;
+    let same = |(row, entry): (usize, &CaseEntry)| {
+        let bits = |values: Values| values.0.map(f64::to_bits);
+        shard.ids[row] == entry.id && bits(shard.values(row)) == bits(entry.values) && shard.reason(row) == entry.reason
+    };
+    if shard.ids.len() == cases.len() && cases.iter().enumerate().all(same) {
+        return Ok(());
+    }
+    Err(StoreError::Damaged { path: path.to_owned(), what: "it is not what was just written to it".to_owned() })
 }
 
 /// A shard opened for reading: all but its fields are in memory.

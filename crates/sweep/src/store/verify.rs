@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::claims::{Claim, Inspection, LogContent, fault, open_checked, read_claims, shard_record};
 use super::damage::{Damage, inspect};
 use super::directory::Directory;
-use super::files::{files_in, is_temporary};
+use super::files::{files_in, temporary_for};
 use super::{StoreError, Warning};
 use stribeck_input::{printable, shown};
 
@@ -80,13 +80,13 @@ pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
     for path in files_in(&directory.shards())? {
         if replaced.contains(&path) {
             report.replaced.push(path);
-        } else if !named.contains(&path) && !is_temporary(&path) {
+        } else if !named.contains(&path) && temporary_for(&path).is_none() {
             report.unreferenced.push(path);
         }
     }
     for file in published.iter().flat_map(|last| &last.files) {
         let path = directory.published(&file.file);
-        match fault(&path, file, Inspection::Bytes)? {
+        match fault(&path, file, Inspection::Bytes) {
             None => report.published += 1,
             Some(what) => report.problems.push(Problem { file: path, what, remedy: PUBLISH_AGAIN }),
         }
@@ -94,11 +94,11 @@ pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
     Ok(report)
 }
 
-fn shard_fault(directory: &Directory, path: &Path, claim: &Claim) -> Result<Option<String>, StoreError> {
-    match open_checked(path, &shard_record(directory, claim.place)?) {
-        Ok(_) => Ok(None),
-        Err(StoreError::Damaged { what, .. }) => Ok(Some(what)),
-        Err(StoreError::Hdf5 { source, .. }) => Ok(Some(printable(&source.to_string()).into_owned())),
-        Err(error) => Err(error),
+fn shard_fault(directory: &Directory, path: &Path, claim: &Claim) -> Option<String> {
+    match shard_record(directory, claim.place).and_then(|record| open_checked(path, &record)) {
+        Ok(_) => None,
+        Err(StoreError::Damaged { what, .. }) => Some(what),
+        Err(StoreError::Hdf5 { source, .. }) => Some(printable(&source.to_string()).into_owned()),
+        Err(error) => Some(error.to_string()),
     }
 }

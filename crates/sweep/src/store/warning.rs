@@ -1,9 +1,9 @@
-//! What the store found damaged and left out.
+//! What the store warns of: what it found damaged and left out, and a directory that it cannot lock.
 
 use std::path::PathBuf;
 use stribeck_input::shown;
 
-/// Something of a results directory that is not used. The cases concerned count as not done.
+/// Something to know of a results directory. Cases in damaged files count as not done.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Warning {
     /// A line of a log that is no record, or several in a row.
@@ -31,6 +31,16 @@ pub enum Warning {
         what: String,
         /// How many cases it held.
         cases: usize,
+    },
+    /// A file system that has no locks.
+    #[error(
+        "{}: this file system keeps no locks (flock), so nothing stops a second run from starting there; start only one \
+         at a time, and ask for a mount with locks",
+        shown(directory)
+    )]
+    NoLock {
+        /// The results directory.
+        directory: PathBuf,
     },
 }
 

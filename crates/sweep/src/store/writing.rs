@@ -1,20 +1,19 @@
 //! The store of a running sweep: the one process that adds to a results directory.
 
 use std::collections::HashSet;
-use std::fs::File;
 use std::ops::Deref;
 use std::path::Path;
 
 use serde_json::Value;
 
 use super::claims::Inspection;
-use super::directory::Directory;
+use super::directory::{Directory, Lock};
 use super::files::{Staged, holds_text, write_whole};
 use super::index::{Shard, Slot};
-use super::log::{Log, LogPlace};
+use super::log::{Log, LogPlace, synchronise_logs};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
-use super::shard::{shard_name, write_shard};
-use super::{CaseEntry, Catalog, Contents, Ending, PROGRAM, Status, StoreError, clock};
+use super::shard::{check_shard, shard_name, write_shard};
+use super::{CaseEntry, Catalog, Contents, Ending, PROGRAM, Status, StoreError, Warning, clock};
 use crate::Field;
 use stribeck_solver::Output;
 
@@ -27,7 +26,7 @@ pub struct Store {
     /// What the cases that are committed are solved with.
     recipe: Value,
     /// Held until the store is dropped.
-    _lock: File,
+    _lock: Lock,
 }
 
 impl Deref for Store {
@@ -57,7 +56,11 @@ impl Store {
         if !holds_text(&directory.sweep(), sweep_text) {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }
-        let catalog = Catalog::load(directory, output, Inspection::Bytes)?;
+        synchronise_logs(&directory.logs())?;
+        let mut catalog = Catalog::load(directory, output, Inspection::Bytes)?;
+        if !lock.is_kept {
+            catalog.warn(Warning::NoLock { directory: path.to_owned() });
+        }
         Ok(Self { catalog, log: None, recipe: Value::Null, _lock: lock })
     }
 
@@ -107,12 +110,13 @@ impl Store {
         }
         let contents = Contents::of(&self.output);
         check(cases, &contents, &self.output.x)?;
-        let name = shard_name(cases.iter().map(|entry| entry.id), &contents);
-        let staged = Staged::new(self.directory.shards().join(&name));
+        let staged = Staged::new(self.directory.new_shard());
         write_shard(staged.path(), &contents, &self.output.x, cases)
             .map_err(StoreError::hdf5(staged.path(), "write"))?;
+        check_shard(staged.path(), &contents, cases)?;
         let (bytes, hash) = staged.synchronise()?;
-        staged.put_in_place()?;
+        let name = shard_name(&hash);
+        staged.named(&name).put_in_place()?;
 
         let file = FileRecord { file: name.clone(), bytes, blake3: hash.to_hex().to_string() };
         let records = cases.iter().map(CaseRecord::of).collect();

@@ -90,7 +90,7 @@ fn judge(store: &Store, lines: &[Vec<u8>]) {
             }
         }
     }
-    held.is_published().expect("told");
+    held.is_published();
     held.visit_failures(|_, _, _| ()).expect("told");
     verify(store.directory.path()).expect("any log is verified");
 }
