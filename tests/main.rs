@@ -8,6 +8,7 @@ mod cli;
 mod dependencies;
 mod explain;
 mod extension;
+mod faults;
 mod fit;
 #[path = "../crates/sweep/tests/grids/mod.rs"]
 mod grids;

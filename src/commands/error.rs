@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use miette::MietteHandlerOpts;
 
+use super::console;
 use super::solve::ESTIMATE_POINTS;
 use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
@@ -191,7 +192,10 @@ pub enum CliError {
         path: PathBuf,
     },
     /// A command would replace a file that it has not written.
-    #[error("{} is there, which `stribeck {command}` has not written; move it away, or choose another place", shown(file))]
+    #[error(
+        "{} is there, which `stribeck {command}` has not written; move it away, or choose another place",
+        shown(file)
+    )]
     Foreign {
         /// The file.
         file: PathBuf,
@@ -407,7 +411,7 @@ impl CliError {
                 }));
                 format!("{:?}", miette::Report::new(error))
             }
-            error => format!("error: {error}"),
+            error => console::harmless(&format!("error: {error}")),
         }
     }
 }

@@ -166,9 +166,8 @@ fn evaluate_file(arguments: &Arguments, surface: &Surface, points: &Path) -> Res
     if let Some(taken) = surface.quantities().chain(["status"]).find(|name| header.iter().any(|it| it == *name)) {
         return Err(unreadable(format!("it has a column `{taken}` already, which would be there twice; rename it")));
     }
-    let mut rows = |sink: &mut dyn Write, name: &Path| {
-        write_rows(surface, &mut reader, &columns, &unreadable, (sink, name))
-    };
+    let mut rows =
+        |sink: &mut dyn Write, name: &Path| write_rows(surface, &mut reader, &columns, &unreadable, (sink, name));
     let Some(output) = output else {
         return outside_told(surface, rows(&mut io::stdout().lock(), Path::new("standard output"))?);
     };
@@ -235,9 +234,8 @@ fn outside_told(surface: &Surface, Points { all, outside }: Points) -> Result<Ex
     if outside == 0 {
         return Ok(Exit::Success);
     }
-    let range = |axis: &stribeck_surface::Axis| {
-        format!("{} from {} to {}", axis.name, shortest(axis.from), shortest(axis.to))
-    };
+    let range =
+        |axis: &stribeck_surface::Axis| format!("{} from {} to {}", axis.name, shortest(axis.from), shortest(axis.to));
     let ranges = surface.axes().iter().map(range).collect::<Vec<_>>().join(", ");
     console::tell(&format!("{outside} of {all} points lie outside the surface, which has {ranges}"));
     Ok(Exit::CasesFailed)

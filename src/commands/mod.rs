@@ -182,7 +182,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Ok(exit) => exit.code().into(),
         Err(error) => {
             let code = error.code();
-            console::tell(&error.report());
+            console::tell_coloured(&error.report());
             code.into()
         }
     }

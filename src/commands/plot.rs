@@ -152,12 +152,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 }
 
 /// The files of a picture and of its numbers. A table is ours if a picture of ours stands beside it.
-fn outputs(
-    files: &OutputFiles<'_>,
-    directory: &Path,
-    name: &str,
-    format: Format,
-) -> Result<[OutputFile; 2], CliError> {
+fn outputs(files: &OutputFiles<'_>, directory: &Path, name: &str, format: Format) -> Result<[OutputFile; 2], CliError> {
     let path = |extension: &str| directory.join(format!("{name}.{extension}"));
     let has_picture = Format::value_variants().iter().any(|format| is_drawn(&path(format.extension())));
     Ok([files.check(&path(format.extension()), is_picture)?, files.check(&path("csv"), |_| has_picture)?])

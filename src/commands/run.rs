@@ -60,7 +60,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     drop(display);
     let report = report.map_err(|error| match error {
         CampaignError::Stopped { source, directory, left } => {
-            CliError::Stopped { source, progress: how_to_resume(&left, &directory) }
+            let progress = how_to_resume(&left, &directory, Some(&source));
+            CliError::Stopped { source, progress }
         }
         error => error.into(),
     })?;
@@ -68,7 +69,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let failed = match &report.outcome {
         RunOutcome::Interrupted { left } => {
             let signal = signals.received().map_or_else(String::new, |signal| format!(" by {signal}"));
-            console::tell(&format!("interrupted{signal}: {}", how_to_resume(left, &report.directory)));
+            console::tell(&format!("interrupted{signal}: {}", how_to_resume(left, &report.directory, None)));
             return Ok(Exit::Interrupted);
         }
         RunOutcome::Published(published) => {

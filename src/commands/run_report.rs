@@ -7,7 +7,7 @@ use crate::format::{count, duration};
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{FailedCase, Pending, RunReport};
 use stribeck_sweep::engine::rate;
-use stribeck_sweep::store::Published;
+use stribeck_sweep::store::{Published, StoreError};
 use stribeck_sweep::{Note, NoteCounts, Part};
 
 /// What becomes of the cases of a directory that was last run with another sweep file.
@@ -24,9 +24,11 @@ pub fn about_other_sweep(directory: &Path, pending: &Pending) -> String {
 }
 
 /// What is saved, what is left, and the command that resumes.
-pub fn how_to_resume(left: &Pending, directory: &Path) -> String {
+pub fn how_to_resume(left: &Pending, directory: &Path, stopped_by: Option<&StoreError>) -> String {
     let (saved, place, command) = (count(left.reused(), "case"), shown(directory), shell::own_command());
     let published = match (left.to_do(), directory.join("results.h5").exists()) {
+        // That error says so itself.
+        _ if matches!(stopped_by, Some(StoreError::Mixed { .. })) => "",
         (0, false) => ", but not published",
         (_, true) => "; what is published there is of an earlier state",
         (_, false) => "",

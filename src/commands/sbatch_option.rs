@@ -1,18 +1,8 @@
 //! Options of sbatch that a user adds to those of the scripts.
 
 /// Options without which the parts would not be what they are said to be.
-const OWN_LONG: [&str; 10] = [
-    "array",
-    "cpus-per-task",
-    "dependency",
-    "no-requeue",
-    "nodes",
-    "ntasks",
-    "open-mode",
-    "output",
-    "signal",
-    "time",
-];
+const OWN_LONG: [&str; 10] =
+    ["array", "cpus-per-task", "dependency", "no-requeue", "nodes", "ntasks", "open-mode", "output", "signal", "time"];
 const OWN_SHORT: &str = "acdNnot";
 
 /// Short options of sbatch without a value: others may follow in the same word.

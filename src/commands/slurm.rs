@@ -8,9 +8,9 @@ use std::process::Command;
 use clap::Args;
 
 use super::destination::destination;
+use super::output_file::{OutputFile, OutputFiles};
 use super::sbatch_option::sbatch_option;
 use super::slurm_script::{Job, MARK, merge_script, part_script};
-use super::output_file::{OutputFile, OutputFiles};
 use super::{CliError, Exit, console, shell};
 use crate::format::count;
 use stribeck_input::shown;

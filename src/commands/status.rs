@@ -89,7 +89,7 @@ fn describe_cases(planned: &PlannedStatus, report: &StatusReport) -> String {
     let (problems, places) = (count(planned.problems as u64, "case"), planned.places);
     line("planned", format!("{problems}, at {places} places of the sweep"));
     line("converged", pending.converged.to_string());
-    line("failed", pending.failed.to_string());
+    line("failed", (pending.failed + pending.given_up()).to_string());
     line("to do", pending.to_do().to_string());
     for stale in &pending.stale {
         line("stale", format!("{} of them: {}", stale.cases, stale.reason));

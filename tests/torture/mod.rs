@@ -11,12 +11,12 @@ mod copies;
 mod damage;
 mod disk;
 mod faults;
-mod place;
+pub(crate) mod place;
 mod random;
 mod room;
 mod rounds;
 mod stops;
-mod stored;
+pub(crate) mod stored;
 mod sweep;
 mod witness;
 

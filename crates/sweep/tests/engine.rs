@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use stribeck_solver::FailureKind;
 use stribeck_solver::continuation::{Effort, Interrupt, Interrupted, SolvedCase};
+use stribeck_sweep::MAX_CHAIN;
 use stribeck_sweep::engine::{Engine, Finished, Report};
 
 fn engine(threads: usize) -> Engine {
@@ -248,7 +249,7 @@ fn a_slow_writer_holds_the_solvers_back() {
         let waiting = engine.queue_length() + threads;
         let (in_flight, changed) = (Mutex::new((0, 0)), Condvar::new()); // now, and at most
         let finishes = |chain: &usize, interrupt: &Interrupt| {
-            let cases = solve(chain, interrupt);
+            let cases = solve(chain, interrupt).map(|cases| vec![cases[0].clone(); MAX_CHAIN]);
             let mut counts = in_flight.lock().expect("no panic");
             counts.0 += 1;
             counts.1 = counts.1.max(counts.0);
@@ -275,6 +276,21 @@ fn a_slow_writer_holds_the_solvers_back() {
         assert!(most <= engine.queue_length() + waiting, "{most} at once with {threads} threads");
         assert!(groups.iter().all(|&chains| (1..=engine.queue_length()).contains(&chains)), "{groups:?}");
     }
+}
+
+/// A commit waits for the disk, however little it brings there: many short chains are no many commits.
+#[test]
+fn short_chains_are_committed_in_few_groups() {
+    let chains: Vec<usize> = (0..5000).collect();
+    let mut groups = 0;
+    let commit = |_: Vec<Finished<'_, usize>>| {
+        groups += 1;
+        thread::sleep(Duration::from_millis(1));
+        Ok::<_, Infallible>(())
+    };
+    let report = engine(2).run(&chains, &Interrupt::new(), solve, never_panicked, commit);
+    assert_eq!(report, Ok(Report { failed: 5000, ..Report::default() }));
+    assert!(groups <= 5000 / MAX_CHAIN, "{groups}");
 }
 
 #[test]

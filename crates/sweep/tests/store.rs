@@ -119,7 +119,8 @@ fn what_a_killed_run_leaves_is_recovered() {
     }
     drop(store);
     // Killed while writing a shard, the published files and a log line; and after renaming a shard, before its record.
-    fs::write(directory.path().join("shards/.00ff.h5.stribeck-part"), b"half").unwrap();
+    fs::write(directory.path().join("shards/.shard.stribeck-part"), b"half").unwrap();
+    fs::write(directory.path().join("shards/.draft.stribeck-part"), b"a user's").unwrap();
     fs::write(directory.path().join(".results.h5.stribeck-part"), b"half").unwrap();
     let text = fs::read(log(directory.path(), 1)).unwrap();
     fs::write(log(directory.path(), 1), &text[..text.len() - 40]).unwrap();
@@ -128,7 +129,8 @@ fn what_a_killed_run_leaves_is_recovered() {
     assert_eq!(store.warnings().len(), 1, "{:?}", store.warnings());
     assert!(matches!(&store.warnings()[0], Warning::Record { line: 6, .. }));
     drop(store);
-    assert!(!directory.path().join("shards/.00ff.h5.stribeck-part").exists());
+    assert!(!directory.path().join("shards/.shard.stribeck-part").exists());
+    assert!(directory.path().join("shards/.draft.stribeck-part").exists(), "no file of ours has that name");
     assert!(!directory.path().join(".results.h5.stribeck-part").exists());
     assert_eq!(resume(directory.path()), 4, "three chains never committed and the one whose record is torn");
     assert!(published_bytes(directory.path()) == reference);

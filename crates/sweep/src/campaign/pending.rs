@@ -99,6 +99,12 @@ impl Pending {
         self.stale.iter().map(|stale| stale.cases).sum()
     }
 
+    /// The number of cases that were given up at a shorter time limit: they failed, and are solved again.
+    pub fn given_up(&self) -> u64 {
+        let given_up = self.stale.iter().filter(|stale| matches!(stale.reason, StaleReason::TimeLimit { .. }));
+        given_up.map(|stale| stale.cases).sum()
+    }
+
     /// The number of cases to be solved and stored.
     pub fn to_do(&self) -> u64 {
         self.new + self.stale_cases()

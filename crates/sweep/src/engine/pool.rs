@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
+use crate::MAX_CHAIN;
 use stribeck_solver::continuation::{Interrupt, Interrupted, SolvedCase, panic_message};
 
 /// Cases at which a group of finished chains is committed without looking for more.
@@ -83,8 +84,9 @@ impl Engine {
 
     /// Number of finished chains that may wait for the writer in its queue.
     ///
-    /// Besides these, each solver thread may hold one that does not fit, and the writer as many as the queue in the
-    /// group it commits: that is all that is ever finished and not committed, however many chains there are.
+    /// Besides these, each solver thread may hold one that does not fit, and the writer in the group it commits as many
+    /// cases as a queue of long chains has: that is all that is ever finished and not committed, however many chains
+    /// there are.
     pub fn queue_length(&self) -> usize {
         self.queue_length
     }
@@ -171,7 +173,8 @@ fn next_group<'a, C>(
     let end = Instant::now() + wait;
     let mut cases = first.cases.len();
     let mut group = vec![first];
-    while group.len() < most && cases < GROUP_CASES {
+    // Short chains are many: what matters is how many cases wait.
+    while cases < GROUP_CASES.min(most * MAX_CHAIN) {
         let Ok(next) = finished.recv_timeout(end.saturating_duration_since(Instant::now())) else { break };
         cases += next.cases.len();
         group.push(next);

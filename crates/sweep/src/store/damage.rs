@@ -1,8 +1,7 @@
 //! Damaged shards, and what is lost with them.
 //!
-//! A run that finds a shard damaged solves its cases again and commits them in whatever groups they finish: seldom in
-//! the same one, whose shard would have the same bytes and replace the damaged one. So a damaged shard is of no concern
-//! any more once other shards hold all of its cases.
+//! A run that finds a shard damaged solves its cases again and commits them in other shards: no file in `shards` is ever
+//! replaced. So a damaged shard is of no concern any more once other shards hold all of its cases.
 
 use std::collections::HashMap;
 

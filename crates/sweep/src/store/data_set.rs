@@ -1,6 +1,5 @@
 //! `results.h5` read back, for pictures and pages.
 
-use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use hdf5::types::{FixedAscii, VarLenUnicode};
@@ -8,6 +7,7 @@ use hdf5::{Dataset, Hyperslab, SliceOrIndex};
 
 use super::claims::{Inspection, LogContent, fault, read_claims};
 use super::directory::{Directory, PUBLISHED};
+use super::files::open_file;
 use super::hdf5_file::{get_text, open};
 use super::results::DIMENSIONS;
 use super::{Status, StoreError};
@@ -25,6 +25,8 @@ pub struct DataSet {
     path: PathBuf,
     file: hdf5::File,
     directory: Directory,
+    /// Files of earlier versions have none.
+    has_notes: bool,
     /// Title of the sweep.
     pub title: String,
     /// The sweep file, whole.
@@ -80,10 +82,12 @@ impl DataSet {
         }
         let mut outdated = false;
         if directory.logs().is_dir() {
-            let LogContent { published, history, .. } = read_claims(&directory)?;
+            let LogContent { published, history, warnings, .. } = read_claims(&directory)?;
             outdated = history.unpublished;
             for record in published.iter().flat_map(|last| &last.files).filter(|record| record.file == PUBLISHED[0]) {
                 if let Some(what) = fault(&results, record, Inspection::Bytes) {
+                    // Its newest record may be in what cannot be read of the log.
+                    let what = warnings.first().map_or_else(|| what.clone(), |warning| format!("{what} ({warning})"));
                     return Err(StoreError::Altered { path: results, what, sweep: directory.sweep() });
                 }
             }
@@ -97,10 +101,13 @@ impl DataSet {
             let values = file.dataset(name)?.read_raw::<f64>()?;
             if values.is_empty() { Err(format!("its axis {name} is empty").into()) } else { Ok(values) }
         };
+        // Asked for once: a single question for a name takes an error of the disk for a no.
+        let held = file.member_names()?;
+        let has = |name: &str| held.iter().any(|held| held == name);
         let laboratory = file.attr_names()?.iter().any(|name| name == DIMENSIONS);
         let names = match laboratory {
             true => get_text(&file, DIMENSIONS)?,
-            false if file.link_exists(Dimension::SLIDE_ROLL) => format!("{} f alpha beta", Dimension::SLIDE_ROLL),
+            false if has(Dimension::SLIDE_ROLL) => format!("{} f alpha beta", Dimension::SLIDE_ROLL),
             false => "f alpha beta".to_owned(),
         };
         let dimension = |name: &str| -> hdf5::Result<Dimension> {
@@ -114,11 +121,11 @@ impl DataSet {
         if laboratory {
             let is_dimension = |name: &str| dimensions.iter().any(|dimension| dimension.name == name);
             let names = LaboratoryQuantity::ALL.map(LaboratoryQuantity::name).into_iter();
-            for name in names.filter(|name| !is_dimension(name) && file.link_exists(name)) {
+            for name in names.filter(|name| !is_dimension(name) && has(name)) {
                 fixed.push((name.to_owned(), file.dataset(name)?.read_scalar::<f64>()?));
             }
         }
-        let fields: Vec<Field> = Field::ALL.into_iter().filter(|field| file.link_exists(field.name())).collect();
+        let fields: Vec<Field> = Field::ALL.into_iter().filter(|field| has(field.name())).collect();
         Ok(Self {
             title: get_text(&file, "title")?,
             sweep_text: get_text(&file, "sweep")?,
@@ -129,6 +136,7 @@ impl DataSet {
             fixed,
             x: if fields.is_empty() { Vec::new() } else { axis("x")? },
             fields,
+            has_notes: has("notes"),
             path: path.to_owned(),
             directory,
             file,
@@ -220,7 +228,7 @@ impl DataSet {
     /// # Errors
     /// [`StoreError`] if the file cannot be read.
     pub fn notes(&self) -> Result<Option<Vec<i32>>, StoreError> {
-        match self.file.link_exists("notes") {
+        match self.has_notes {
             true => self.on_grid("notes", |variable| variable.read_raw()).map(Some),
             false => Ok(None),
         }
@@ -266,7 +274,7 @@ impl DataSet {
     /// [`StoreError`] if it is there and cannot be read, or is not of the cases of this data set.
     pub fn costs(&self) -> Result<Option<Vec<Cost>>, StoreError> {
         let path = self.directory.published(PUBLISHED[2]);
-        let file = match File::open(&path) {
+        let file = match open_file(&path) {
             Ok(file) => file,
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
             Err(error) => return Err(StoreError::file(&path, "open")(error)),

@@ -109,10 +109,7 @@ pub enum StoreError {
         file: &'static str,
     },
     /// A lock that is no file of ours.
-    #[error(
-        "{} is no lock that `stribeck run` wrote; move it away, or choose another directory with -o",
-        shown(path)
-    )]
+    #[error("{} is no lock that `stribeck run` wrote; move it away, or choose another directory with -o", shown(path))]
     ForeignLock {
         /// The file.
         path: PathBuf,

@@ -50,7 +50,7 @@ impl Store {
             let mut record = shard_record(&other.directory, shard.record)?;
             let source = other.directory.shards().join(&*shard.name);
             // Versions before this one named shards otherwise.
-            record.file.file = shard_name(&shard.hash);
+            record.file.file = shard_name(&self.directory.shards(), &shard.hash);
             joined.twice += self.compare(&source, &record, agree)?;
             joined.shards += 1;
             joined.cases += record.cases.len() as u64;

@@ -240,7 +240,7 @@ mod tests {
     fn warned(warnings: &[Warning]) -> Vec<u64> {
         let lines = |warning: &Warning| match *warning {
             Warning::Record { line, more, .. } => line..=line + more,
-            Warning::Shard { .. } => panic!("{warning}"),
+            Warning::Shard { .. } | Warning::NoLock { .. } => panic!("{warning}"),
         };
         warnings.iter().flat_map(lines).collect()
     }

@@ -7,6 +7,7 @@ use hdf5::{Dataset, Result};
 use ndarray::{Array2, ArrayView2, s};
 
 use super::contents::{column_names, x_key};
+use super::files::hash_file;
 use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
 use super::{CaseEntry, Contents, Status, StoreError};
 use crate::{CaseId, Column, Field, Values};
@@ -26,11 +27,20 @@ pub(super) fn case_text(id: CaseId) -> CaseText {
 /// Hexadecimal digits in the name of a shard.
 pub(super) const SHARD_DIGITS: usize = 32;
 
-/// The name of a shard: it follows from its bytes, so that no shard ever takes the place of another one.
-pub(super) fn shard_name(hash: &blake3::Hash) -> String {
-    let mut name = hash.to_hex().to_string();
-    name.truncate(SHARD_DIGITS);
-    name + ".h5"
+/// The name of a new shard with these bytes in a directory: it follows from the bytes, so that no shard ever takes the
+/// place of another one. Where a damaged file has the name, or one that cannot be read, the name is the next one.
+pub(super) fn shard_name(directory: &Path, hash: &blake3::Hash) -> String {
+    let mut digest = *hash;
+    loop {
+        let mut name = digest.to_hex().to_string();
+        name.truncate(SHARD_DIGITS);
+        name += ".h5";
+        let path = directory.join(&name);
+        if path.symlink_metadata().is_err() || hash_file(&path).is_ok_and(|(_, found)| found == *hash) {
+            return name;
+        }
+        digest = blake3::hash(digest.as_bytes());
+    }
 }
 
 /// Writes a shard. The entries must have been checked: a converged one has each field asked for on all of `x`.

@@ -115,7 +115,7 @@ impl Store {
             .map_err(StoreError::hdf5(staged.path(), "write"))?;
         check_shard(staged.path(), &contents, cases)?;
         let (bytes, hash) = staged.synchronise()?;
-        let name = shard_name(&hash);
+        let name = shard_name(&self.directory.shards(), &hash);
         staged.named(&name).put_in_place()?;
 
         let file = FileRecord { file: name.clone(), bytes, blake3: hash.to_hex().to_string() };
