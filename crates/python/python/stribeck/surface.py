@@ -26,6 +26,7 @@ FORMAT = "stribeck surface 1"
 _CHECK = 1e-12  # how far a value at a check point may be from the one in the file
 _NUMBERS = {"float32": "<f4", "float64": "<f8"}
 _BLOCK = 1 << 18  # numbers in the largest array that is made for a block of points
+_PRODUCT = 1 << 18  # multiplications in a product of matrices that OpenBLAS leaves to one thread
 
 
 class Surface:
@@ -294,7 +295,17 @@ def _decode(name: str, text: str, numbers: str, shape: list[int]) -> np.ndarray:
 
 def _weights(factors: list[np.ndarray], bases: list[np.ndarray]) -> list[np.ndarray]:
     """Give ranks by points of each axis."""
-    return [factor.T @ basis[: len(factor)] for factor, basis in zip(factors, bases, strict=True)]
+    return [_product(factor.T, basis[: len(factor)]) for factor, basis in zip(factors, bases, strict=True)]
+
+
+def _product(matrix: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """Multiply in slices: threads that start and wait for each other take longer, much longer if cores are busy."""
+    out = np.empty((len(matrix), columns.shape[-1]))
+    step = max(1, _PRODUCT // matrix.size)
+    for start in range(0, columns.shape[-1], step):
+        part = np.s_[:, start : start + step]
+        np.matmul(matrix, columns[part], out=out[part])
+    return out
 
 
 def _contract(
@@ -303,7 +314,7 @@ def _contract(
     """Contract the core with the weights of one axis after the other; also with each change in place of its weight."""
 
     def first(weight: np.ndarray) -> np.ndarray:
-        return (core.reshape(len(core), -1).T @ weight).reshape(*core.shape[1:], -1)
+        return _product(core.reshape(len(core), -1).T, weight).reshape(*core.shape[1:], -1)
 
     def then(part: np.ndarray, weight: np.ndarray) -> np.ndarray:
         return np.einsum("a...n,an->...n", part, weight)
