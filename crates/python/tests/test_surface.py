@@ -183,8 +183,11 @@ def test_a_surface_tells_what_it_is(files):
 def test_what_is_no_point_of_the_surface_is_refused(files):
     surface = stribeck.Surface(files["compact"])
     for call, told in [
-        (lambda: surface(1.0, [20.0, 1001.0]), "beta = 1001 is outside the surface, which has beta from 10 to 1000"),
-        (lambda: surface(-1.0, 20.0), "alpha = -1 is outside"),
+        (
+            lambda: surface(1.0, [20.0, 1001.0]),
+            "beta = 1001.0 is outside the surface, which has beta from 10.0 to 1000.0",
+        ),
+        (lambda: surface(-1.0, 20.0), "alpha = -1.0 is outside"),
         (lambda: surface(float("nan"), 20.0), "alpha = nan is outside"),
         (lambda: surface(1.0), "a point of this surface has alpha, beta"),
         (lambda: surface(1.0, 20.0, 3.0), "a point of this surface has alpha, beta"),
@@ -256,4 +259,4 @@ def test_a_copy_of_the_file_reads_without_the_package(files, tmp_path):
     command = [sys.executable, "-c", code, tmp_path, files["tight"]]
     said = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     assert float(said[0]) == stribeck.Surface(files["tight"])(20.0)["mu_drag"]
-    assert said[1] == "beta = 1000000000 is outside the surface, which has beta from 10 to 100"
+    assert said[1] == "beta = 1000000000.0 is outside the surface, which has beta from 10.0 to 100.0"

@@ -148,7 +148,7 @@ class Surface:
         self._series = [_Series(record, len(self._axes), names[:place]) for place, record in enumerate(records)]
         self._degrees = [max(len(series.factors[m]) for series in self._series) for m in range(len(self._axes))]
         largest = max(series.core[0].size for series in self._series)
-        self._block = _BLOCK // max(largest, *self._degrees)
+        self._block = max(1, _BLOCK // max(largest, *self._degrees))
 
     def _compare(self, checks: list[dict[str, Any]]) -> None:
         """Compare the surface with the check points; a part to its share of the whole where it is below that."""
@@ -163,8 +163,8 @@ class Surface:
         if wrong.any():
             number, place = np.argwhere(wrong)[0]
             raise ValueError(
-                f"{list(self.quantities)[place]} at check point {number + 1} is {found[number, place]:.17g}, and the "
-                f"file says {values[number, place]:.17g}"
+                f"{list(self.quantities)[place]} at check point {number + 1} is {found[number, place]}, and the "
+                f"file says {values[number, place]}"
             )
 
     def _points(self, coordinates: tuple[Any, ...], named: dict[str, Any]) -> list[np.ndarray]:
@@ -184,8 +184,8 @@ class Surface:
             outside = x[~((axis.start <= x) & (x <= axis.end))]
             if outside.size:
                 raise InputError(
-                    f"{axis.name} = {outside[0]:.17g} is outside the surface, which has {axis.name} from "
-                    f"{axis.start:.17g} to {axis.end:.17g}"
+                    f"{axis.name} = {outside[0]} is outside the surface, which has {axis.name} from "
+                    f"{axis.start} to {axis.end}"
                 )
             arrays.append(x)
         try:
