@@ -1,7 +1,7 @@
 """Friction, film and pressure of a lubricated cylinder on a viscoelastic half space.
 
 `solve` takes α, β and f. `Experiment` and `Material` take quantities of the laboratory, `fit` finds these from measured
-friction. `run` and `open` are for sweeps that are stored.
+friction. `run` and `open` are for sweeps that are stored, `Surface` for friction as a function in a file.
 """
 
 from ._errors import Error, FitError, InputError, StorageError
@@ -12,6 +12,7 @@ from ._run import run
 from ._solve import solve
 from .experiment import Experiment
 from .material import Material
+from .surface import Surface
 
 __all__ = [
     "Error",
@@ -21,6 +22,7 @@ __all__ = [
     "InputError",
     "Material",
     "StorageError",
+    "Surface",
     "__version__",
     "fit",
     "open",
