@@ -2,9 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use stribeck_sweep::Sweep;
+use super::CliError;
 
-/// Where a sweep goes: the directory asked for, or `results/<file stem>`.
-pub fn destination(asked: Option<&Path>, sweep: &Sweep) -> PathBuf {
-    asked.map_or_else(|| Path::new("results").join(&sweep.name), Path::to_owned)
+/// Where results go: the directory asked for, or `results/<file stem>`.
+///
+/// # Errors
+/// [`CliError::NoName`] if the file has a stem that names another directory.
+pub fn destination(asked: Option<&Path>, stem: &str) -> Result<PathBuf, CliError> {
+    match (asked, stem) {
+        (Some(asked), _) => Ok(asked.to_owned()),
+        // `results/..` is where the user is.
+        (None, "" | "." | "..") => Err(CliError::NoName { stem: stem.to_owned() }),
+        (None, stem) => Ok(Path::new("results").join(stem)),
+    }
 }

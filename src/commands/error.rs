@@ -202,6 +202,12 @@ pub enum CliError {
         /// The command.
         command: &'static str,
     },
+    /// A file whose name gives no name to a directory.
+    #[error("the name of the file, {stem:?} and an extension, gives no name to a results directory; name one with -o")]
+    NoName {
+        /// The name without its extension.
+        stem: String,
+    },
     /// A command would replace a file that it reads.
     #[error("{} would be written over {}, which this command reads; choose another name", shown(file), shown(input))]
     IsInput {
@@ -353,6 +359,7 @@ impl CliError {
             | CliError::NoTemperatures { .. }
             | CliError::NoTarget
             | CliError::IsInput { .. }
+            | CliError::NoName { .. }
             | CliError::NoTimeToWork { .. }
             | CliError::NameForSlurm { .. }
             | CliError::Picture(

@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::output_file::{OutputFiles, unwritten};
 use super::plot::at;
-use super::{CliError, Exit, console, threads};
+use super::{CliError, Exit, console, number, threads};
 use stribeck_input::{printable, shown};
 use stribeck_solver::{Interrupt, shortest};
 use stribeck_surface::Surface;
@@ -34,13 +34,13 @@ pub struct Arguments {
     /// The surface, as `stribeck surface` makes it
     surface: PathBuf,
     /// α of the point
-    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    #[arg(long, value_name = "A", value_parser = number::parse, allow_negative_numbers = true)]
     alpha: Option<f64>,
     /// β of the point
-    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    #[arg(long, value_name = "B", value_parser = number::parse, allow_negative_numbers = true)]
     beta: Option<f64>,
     /// f of the point
-    #[arg(long, value_name = "F", allow_negative_numbers = true)]
+    #[arg(long, value_name = "F", value_parser = number::parse, allow_negative_numbers = true)]
     f: Option<f64>,
     /// A coordinate of the point, in SI units, as in speed=0.01
     #[arg(long, value_name = "AXIS=V", value_parser = at)]
@@ -207,7 +207,7 @@ fn write_rows(
         counts.all += 1;
         for ((x, &column), axis) in point.iter_mut().zip(columns).zip(surface.axes()) {
             let text = row[column].trim();
-            *x = text.parse().map_err(|_| {
+            *x = number::number(text).ok_or_else(|| {
                 let line = row.position().map_or(counts.all + 1, csv::Position::line);
                 unreadable(format!("line {line}: `{}` in the column `{}` is no number", printable(text), axis.name))
             })?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::number::number;
 use super::shell::quoted;
 use super::solution::numbers;
 use super::trace_report::{describe_seed, describe_trace};
@@ -46,7 +47,7 @@ fn case_name(text: &str) -> Result<CaseName, String> {
     if let Ok(id) = text.parse() {
         return Ok(CaseName::Id(id));
     }
-    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     match numbers.as_deref() {
         Some(&[f, alpha, beta]) if [f, alpha, beta].iter().all(|number| *number >= 0.0) => {
             Ok(CaseName::Near([f, alpha, beta]))

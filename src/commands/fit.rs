@@ -9,6 +9,7 @@ use super::curve::laboratory;
 use super::fit_progress::{time_limit, watched};
 use super::fitted_friction::{FittedFriction, LAST_COLUMNS};
 use super::measured::{self, ColumnArguments};
+use super::number::number;
 use super::output_file::{OutputFile, OutputFiles};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
@@ -72,7 +73,7 @@ fn bounds(text: &str) -> Result<Bounds, String> {
         .ok_or_else(|| "write bounds as in f=0:100, f=0.1: or f=:100".to_owned())?;
     let end = |text: &str| match text.trim() {
         "" => Ok(None),
-        text => text.parse().map(Some).map_err(|_| format!("{text} is no number; bounds are in SI units")),
+        text => number(text).map(Some).ok_or_else(|| format!("{text} is no number; bounds are in SI units")),
     };
     Ok(Bounds { unknown: unknown(name)?, least: end(least)?, most: end(most)? })
 }

@@ -16,6 +16,7 @@
 //! | `material_text`, `shifted` | a material and a master curve as lines of text and as JSON |
 //! | `error`, `console` | errors with their exit codes; output |
 //! | `shell`, `threads` | quoted commands; number of threads |
+//! | `number` | numbers of the command line |
 //! | `output_file` | files that a command writes for its user |
 //! | `sbatch_option` | options of sbatch that a user adds |
 
@@ -33,6 +34,7 @@ mod material;
 mod material_text;
 mod measured;
 mod merge;
+mod number;
 mod output_file;
 mod plan;
 mod plot;

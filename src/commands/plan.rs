@@ -41,7 +41,7 @@ pub struct Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = read_sweep(&arguments.sweep)?;
-    let directory = destination(arguments.output.as_deref(), &sweep);
+    let directory = destination(arguments.output.as_deref(), &sweep.name)?;
     let inspection = if arguments.quick { Inspection::Size } else { Inspection::Bytes };
     let threads = threads::number(arguments.threads);
     let report = plan(&sweep, &directory, &PlanOptions { threads, inspection })?;
@@ -51,7 +51,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut text = describe_sweep(&sweep, &arguments.sweep, &directory, &report);
     text += &describe_pending(&report);
     match &report.cost {
-        Some(cost) => text += &describe_cost(cost, threads),
+        Some(cost) => {
+            text += &describe_cost(cost, threads);
+            warn_of_room(cost, report.free);
+        }
         None => text += "to do      nothing to solve\n",
     }
     console::print(&text)?;
@@ -116,6 +119,19 @@ fn describe_pending(report: &PlanReport) -> String {
         line("to do", format!("{} in {}{seeding}", count(to_do, "case"), count(chains, "chain")));
     }
     text
+}
+
+/// Warns of a sweep that the disk has no room for.
+fn warn_of_room(cost: &Cost, free: Option<u64>) {
+    let needed = cost.size.stored.saturating_add(cost.size.published);
+    if let Some(free) = free.filter(|free| needed > *free) {
+        console::tell(&format!(
+            "warning: the sweep takes about {}, and the disk has {} left: name another one with -o, or leave fields out \
+             (fields = [] in [output])",
+            bytes(needed),
+            bytes(free)
+        ));
+    }
 }
 
 /// Time and bytes.

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::measured::MeasuredArguments;
+use super::number::number;
 use super::output_file::{OutputFile, OutputFiles};
 use super::{CliError, Exit, console, published};
 use crate::format::count;
@@ -81,16 +82,16 @@ pub struct Arguments {
 
 /// Two numbers, the first below the second.
 fn range(text: &str) -> Result<(f64, f64), String> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     match numbers.as_deref() {
-        Some([from, to]) if from < to => Ok((*from, *to)),
+        Some([from, to]) if from < to && from.is_finite() && to.is_finite() => Ok((*from, *to)),
         _ => Err("two numbers with a comma between them, the first below the second, as in -1,1.5".to_owned()),
     }
 }
 
 /// An axis and values of it.
 pub fn at(text: &str) -> Result<(String, Vec<f64>), String> {
-    let values = |values: &str| values.split(',').map(|value| value.trim().parse().ok()).collect::<Option<Vec<f64>>>();
+    let values = |values: &str| values.split(',').map(number).collect::<Option<Vec<f64>>>();
     match text.split_once('=').map(|(axis, numbers)| (axis.trim().to_owned(), values(numbers))) {
         Some((axis, Some(values))) if !axis.is_empty() => Ok((axis, values)),
         _ => Err("an axis and values of it, as in speed=0.001,0.01".to_owned()),

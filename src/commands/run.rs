@@ -45,7 +45,7 @@ pub struct Arguments {
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let start = Instant::now();
     let sweep = read_sweep(&arguments.sweep)?;
-    let directory = destination(arguments.output.as_deref(), &sweep);
+    let directory = destination(arguments.output.as_deref(), &sweep.name)?;
     let (threads, part) = (threads::number(arguments.threads), arguments.part);
     let options = RunOptions { threads, part, ..RunOptions::default() };
     let signals = Signals::watch(&options.interrupt)

@@ -138,7 +138,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             count(chains as u64, "chain")
         ));
     }
-    let directory = absolute(&destination(arguments.output.as_deref(), &sweep))?;
+    let directory = absolute(&destination(arguments.output.as_deref(), &sweep.name)?)?;
     // In the name of a log Slurm replaces what follows a %, and there is no writing a quote.
     if directory.to_string_lossy().contains(['%', '"', '\\', '\n', '\u{fffd}']) {
         return Err(CliError::NameForSlurm { path: directory });

@@ -2,6 +2,7 @@
 
 use clap::{ArgAction, Args};
 
+use super::number::number;
 use super::solution::SolvedProblem;
 use super::{CliError, Exit, console};
 use stribeck_solver::collocation;
@@ -85,34 +86,32 @@ pub struct Arguments {
     json: bool,
 }
 
-fn number(text: &str, allowed: &str, is_allowed: impl Fn(f64) -> bool) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|&number| is_allowed(number));
-    // −0 is 0
-    number.map(|number: f64| number + 0.0).ok_or_else(|| format!("give {allowed}"))
+fn among(text: &str, allowed: &str, is_allowed: impl Fn(f64) -> bool) -> Result<f64, String> {
+    number(text).filter(|&number| is_allowed(number)).ok_or_else(|| format!("give {allowed}"))
 }
 
 fn alpha(text: &str) -> Result<f64, String> {
-    number(text, "a number that is at least 0, or inf", |alpha| alpha >= 0.0)
+    among(text, "a number that is at least 0, or inf", |alpha| alpha >= 0.0)
 }
 
 fn beta(text: &str) -> Result<f64, String> {
     let allowed = "a finite number above 0; dry sliding is the limit of large beta";
-    number(text, allowed, |beta| beta > 0.0 && beta.is_finite())
+    among(text, allowed, |beta| beta > 0.0 && beta.is_finite())
 }
 
 fn slide_roll(text: &str) -> Result<f64, String> {
     let allowed = "a number from -1 to 1; beyond, the surfaces would move against each other, which is not computed";
-    number(text, allowed, |slide_roll| (-1.0..=1.0).contains(&slide_roll))
+    among(text, allowed, |slide_roll| (-1.0..=1.0).contains(&slide_roll))
 }
 
 fn strength(text: &str) -> Result<f64, String> {
     let allowed = "a finite number that is at least 0; 0 is an elastic substrate";
-    number(text, allowed, |f| f >= 0.0 && f.is_finite())
+    among(text, allowed, |f| f >= 0.0 && f.is_finite())
 }
 
 /// What is allowed depends on the method.
 fn tolerance(text: &str) -> Result<f64, String> {
-    number(text, "a number above 0, as in 1e-6", |tolerance| tolerance > 0.0)
+    among(text, "a number above 0, as in 1e-6", |tolerance| tolerance > 0.0)
 }
 
 fn points(text: &str) -> Result<usize, String> {
@@ -141,7 +140,7 @@ fn domain(text: &str) -> Result<Domain, String> {
         return Ok(Domain::Auto);
     }
     let (least, most) = Domain::ENDS.into_inner();
-    let ends = text.split_once(',').and_then(|(min, max)| Some((min.parse().ok()?, max.parse().ok()?)));
+    let ends = text.split_once(',').and_then(|(min, max)| Some((number(min)?, number(max)?)));
     match ends {
         Some((x_min, x_max)) if (least..0.0).contains(&x_min) && x_max > 0.0 && x_max <= most => {
             Ok(Domain::Fixed { x_min, x_max })
@@ -157,7 +156,7 @@ struct Modes(Vec<RetardationMode>);
 fn modes(text: &str) -> Result<Modes, String> {
     let mode = |part: &str| {
         let (share, time) = part.split_once(':')?;
-        Some(RetardationMode { share: share.parse().ok()?, time: time.parse().ok()? })
+        Some(RetardationMode { share: number(share)?, time: number(time)? })
     };
     let modes: Option<Vec<_>> = text.split(',').map(mode).collect();
     modes
@@ -171,7 +170,7 @@ fn cavity_shear(text: &str) -> Result<CavityShear, String> {
 }
 
 fn time_limit(text: &str) -> Result<f64, String> {
-    number(text, "a number of seconds above 0, or inf", |limit| limit > 0.0)
+    among(text, "a number of seconds above 0, or inf", |limit| limit > 0.0)
 }
 
 impl Arguments {

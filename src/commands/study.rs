@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use clap::Args;
 
+use super::destination::destination;
 use super::{CliError, Exit, console, shell, threads};
 use crate::format::{count, duration};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
@@ -52,7 +53,8 @@ pub struct Arguments {
 pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError> {
     let start = Instant::now();
     let study = Study::read(&arguments.study)?;
-    let directory = destination(arguments.output.as_deref(), &study)?;
+    let directory = destination(arguments.output.as_deref(), &study.name)?;
+    check_available(&directory)?;
     let threads = match study.measure.error {
         true => arguments.threads.unwrap_or(NonZeroUsize::MIN),
         false => threads::number(arguments.threads),
@@ -93,25 +95,24 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     Ok(if failed { Exit::CasesFailed } else { Exit::Success })
 }
 
-/// Where a study goes: the directory asked for, or `results/<file stem>`.
+/// Checks that a study can write to a directory.
 ///
 /// # Errors
 /// [`CliError::NotADirectory`] if a file is there, [`CliError::Foreign`] if files are there that no study has written.
-fn destination(asked: Option<&Path>, study: &Study) -> Result<PathBuf, CliError> {
-    let path = asked.map_or_else(|| Path::new("results").join(&study.name), Path::to_owned);
+fn check_available(path: &Path) -> Result<(), CliError> {
     if path.exists() && !path.is_dir() {
-        return Err(CampaignError::NotADirectory { path }.into());
+        return Err(CampaignError::NotADirectory { path: path.to_owned() }.into());
     }
     if path.exists() && !path.join(COPY).exists() {
         let ours = |file: &PathBuf| {
             let name = file.file_name().unwrap_or_default();
             ["sweep.toml"].into_iter().chain(TABLES).any(|table| name == table) || is_picture(file)
         };
-        if let Some(file) = files(&path)?.into_iter().find(ours) {
+        if let Some(file) = files(path)?.into_iter().find(ours) {
             return Err(CliError::Foreign { file, command: "study" });
         }
     }
-    Ok(path)
+    Ok(())
 }
 
 /// The files in a directory, sorted.

@@ -1,12 +1,13 @@
 //! `stribeck surface`: friction as a function in a file.
 
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
 use clap::Args;
 
+use super::destination::destination;
 use super::output_file::OutputFiles;
 use super::{CliError, Exit, console, threads};
 use crate::format::count;
@@ -44,10 +45,7 @@ pub struct Arguments {
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let start = Instant::now();
     let sweep = SurfaceSweep::read(&arguments.sweep)?;
-    let directory = match &arguments.output {
-        Some(directory) => directory.clone(),
-        None => Path::new("results").join(&sweep.sweep.name),
-    };
+    let directory = destination(arguments.output.as_deref(), &sweep.sweep.name)?;
     let file = directory.join("surface.json");
     let is_ours = |beginning: &[u8]| String::from_utf8_lossy(beginning).contains(FORMAT);
     OutputFiles::new("surface", [arguments.sweep.as_path()]).check(&file, is_ours)?;

@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 
 use super::{MergedCatalog, Pending};
+use crate::engine::{GROUP_CASES, GROUP_WAIT};
 use crate::store::Catalog;
 use crate::{Field, Method, Plan, Sweep};
 use stribeck_solver::{Interrupt, Solver, relaxation};
@@ -45,7 +46,9 @@ impl Cost {
         let chains = pending.chains.len();
         let case = CaseSeconds::expected(sweep, plan, pending, stored);
         let seconds = case.seconds() * pending.to_compute as f64 / threads.get().min(chains) as f64;
-        Self { case, seconds, size: Size::of(sweep, plan, pending.to_do(), chains as u64) }
+        // Finished chains wait for each other, and are committed together.
+        let commits = (seconds / GROUP_WAIT.as_secs_f64()).max(pending.to_do() as f64 / GROUP_CASES as f64);
+        Self { case, seconds, size: Size::of(sweep, plan, pending.to_do(), commits.min(chains as f64)) }
     }
 }
 
@@ -59,13 +62,13 @@ pub struct Size {
 }
 
 impl Size {
-    /// The size of `cases` stored cases in `chains` shards, and of the whole sweep published.
-    fn of(sweep: &Sweep, plan: &Plan, cases: u64, chains: u64) -> Self {
+    /// The size of `cases` stored cases in so many shards, and of the whole sweep published.
+    fn of(sweep: &Sweep, plan: &Plan, cases: u64, shards: f64) -> Self {
         let output = &sweep.output;
         let of_field = |field| if field == Field::Pressure { PRESSURE_VALUE } else { FIELD_VALUE };
         let values = |field| FIELD + of_field(field) * output.x.len() as f64;
         let fields: f64 = Field::selected(output.fields).map(values).sum();
-        let stored = cases as f64 * (LOGGED_CASE + fields) + chains as f64 * SHARD;
+        let stored = cases as f64 * (LOGGED_CASE + fields) + shards.ceil() * SHARD;
         let published = FRAME + plan.cases() as f64 * (PLACE + TABLE_ROW + fields);
         Self { stored: stored as u64, published: published as u64 }
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::open_store::open_store;
 use super::parts::part_states;
 use super::publication::publish;
-use super::sweep_directory::part_directories;
+use super::sweep_directory::{part_directories, read_copy};
 use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
 use crate::store::{Catalog, Ending, Inspection, Joined, Published, Store};
 use crate::{Column, Method, Plan, Sweep, Values};
@@ -112,9 +112,9 @@ fn one_sweep(directories: &[PathBuf]) -> Result<(Sweep, Vec<PathBuf>), CampaignE
         sources.extend(parts);
     }
     let Some((first, others)) = files.split_first() else { return Err(CampaignError::NothingToMerge) };
-    let sweep = Sweep::read(first)?;
+    let sweep = read_copy(first)?;
     for other in others {
-        if Sweep::read(other)?.text != sweep.text {
+        if read_copy(other)?.text != sweep.text {
             return Err(CampaignError::OtherSweep { first: first.clone(), other: other.clone() });
         }
     }

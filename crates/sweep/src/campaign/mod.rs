@@ -40,6 +40,7 @@ mod error;
 mod event;
 mod explain;
 mod failures;
+mod free_space;
 mod merge;
 mod merged_catalog;
 mod open_store;

@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::Path;
 
+use super::free_space::free_space;
 use super::sweep_directory::{check_directory, had_other_sweep};
 use super::{CampaignError, Cost, Pending, SweepDirectory, available_threads, check_available};
 use crate::store::{Inspection, Warning};
@@ -34,6 +35,8 @@ pub struct PlanReport {
     pub pending: Pending,
     /// What a run is expected to take; `None` if nothing is left to be solved.
     pub cost: Option<Cost>,
+    /// Bytes that are free on the disk of the results directory; `None` where the system does not tell.
+    pub free: Option<u64>,
     /// What is damaged and not used.
     pub warnings: Vec<Warning>,
 }
@@ -65,11 +68,12 @@ pub fn plan(sweep: &Sweep, directory: &Path, options: &PlanOptions) -> Result<Pl
     let stored = found.merged();
     let pending = Pending::survey(sweep, &plan, None, &stored);
     let cost = (pending.to_do() > 0).then(|| Cost::expected(sweep, &plan, &pending, &stored, options.threads));
+    let free = free_space(directory);
     let directory = match found.is_empty() {
         true => DirectoryState::Empty,
         false if had_other_sweep(directory, sweep) => DirectoryState::OtherSweep,
         false => DirectoryState::SameSweep,
     };
     let warnings = stored.catalogs().iter().flat_map(|catalog| catalog.warnings()).cloned().collect();
-    Ok(PlanReport { plan, directory, pending, cost, warnings })
+    Ok(PlanReport { plan, directory, pending, cost, free, warnings })
 }

@@ -1,16 +1,20 @@
 //! What a results directory and the parts below it hold.
 
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::{CampaignError, MergedCatalog};
 use crate::store::{Catalog, Inspection, Store, StoreError, holds_text};
 use crate::{Part, Sweep};
+use stribeck_input::InputError;
 use stribeck_solver::Output;
 
 /// The name of the directory in which the parts of a sweep are, each a results directory of its own.
 const PARTS: &str = "parts";
+
+/// The name of the copy of the sweep file in a results directory.
+const COPY: &str = "sweep.toml";
 
 /// What the results directory of a sweep and its parts hold.
 #[derive(Debug, Default)]
@@ -118,8 +122,8 @@ pub(super) fn part_directories(directory: &Path) -> Result<Vec<PathBuf>, Campaig
 /// # Errors
 /// [`CampaignError::Parts`] if the parts cannot be listed.
 pub fn sweep_file(directory: &Path) -> Result<PathBuf, CampaignError> {
-    let own = directory.join("sweep.toml");
-    let of_parts = part_directories(directory)?.into_iter().map(|part| part.join("sweep.toml"));
+    let own = directory.join(COPY);
+    let of_parts = part_directories(directory)?.into_iter().map(|part| part.join(COPY));
     let mut newest = None;
     for path in std::iter::once(own.clone()).chain(of_parts) {
         // Of those that are there: a part that has only just begun has none yet.
@@ -140,8 +144,8 @@ pub fn sweep_file(directory: &Path) -> Result<PathBuf, CampaignError> {
 /// [`CampaignError::Input`] if the file is not a valid sweep, [`CampaignError::Store`] if the log beside a copy cannot
 /// be read.
 pub fn read_sweep(path: &Path) -> Result<Sweep, CampaignError> {
-    let sweep = Sweep::read(path)?;
-    let home = path.parent().filter(|home| path.ends_with("sweep.toml") && home.join("log").is_dir());
+    let sweep = if path.ends_with(COPY) { read_copy(path)? } else { Sweep::read(path)? };
+    let home = path.parent().filter(|home| path.ends_with(COPY) && home.join("log").is_dir());
     let name = match home.map(Catalog::name_of_sweep) {
         Some(Ok(Some(name))) => name,
         // Other directories than those of results have a directory `log` as well.
@@ -149,6 +153,17 @@ pub fn read_sweep(path: &Path) -> Result<Sweep, CampaignError> {
         Some(Err(error)) => return Err(error.into()),
     };
     Ok(Sweep::parse(&name, &sweep.text)?)
+}
+
+/// Reads the copy of a sweep file in a results directory. A pipe or a device in its place might never end.
+pub(super) fn read_copy(path: &Path) -> Result<Sweep, InputError> {
+    match path.metadata() {
+        Ok(metadata) if !metadata.is_file() && !metadata.is_dir() => {
+            let cause = io::Error::new(ErrorKind::InvalidInput, "it is no file");
+            Err(InputError::Unreadable { kind: "sweep file", path: path.to_owned(), cause })
+        }
+        _ => Sweep::read(path),
+    }
 }
 
 /// Checks that a sweep could be run into a directory: it is no file, and holds no files of others that a run would
@@ -172,6 +187,6 @@ pub(super) fn check_directory(path: &Path) -> Result<(), CampaignError> {
 
 /// True if a directory was last run with another sweep file.
 pub(super) fn had_other_sweep(directory: &Path, sweep: &Sweep) -> bool {
-    let previous = directory.join("sweep.toml");
+    let previous = directory.join(COPY);
     previous.exists() && !holds_text(&previous, &sweep.text)
 }

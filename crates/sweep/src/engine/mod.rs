@@ -10,6 +10,7 @@ mod tally;
 
 pub use pool::solver_threads;
 pub use pool::{Engine, Finished, Report, ThreadsError};
+pub(crate) use pool::{GROUP_CASES, GROUP_WAIT};
 pub use progress::{Progress, ProgressStyle};
 pub use signals::{Signals, StopSignal};
 pub use tally::rate;

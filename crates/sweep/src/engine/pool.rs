@@ -10,12 +10,12 @@ use crate::MAX_CHAIN;
 use stribeck_solver::continuation::{Interrupt, Interrupted, SolvedCase, panic_message};
 
 /// Cases at which a group of finished chains is committed without looking for more.
-const GROUP_CASES: usize = 4096;
+pub(crate) const GROUP_CASES: usize = 4096;
 
 /// How long a finished chain waits for others to be committed with, unless [`Engine::with_group_wait`] says otherwise.
 /// A commit waits for the disk several times, however little it brings there; this is the time in which a kill loses
 /// more than the chains at work.
-const GROUP_WAIT: Duration = Duration::from_millis(100);
+pub(crate) const GROUP_WAIT: Duration = Duration::from_millis(100);
 
 /// A pool of threads that solves chains.
 #[derive(Debug)]
