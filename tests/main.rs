@@ -28,4 +28,5 @@ mod study;
 mod surface;
 #[path = "../crates/sweep/tests/synthetic/mod.rs"]
 mod synthetic;
+mod systems;
 mod torture;

@@ -174,6 +174,51 @@ fn a_merge_survives_a_fault_of_any_call() {
     disturb(&in_parts(), &["merge", "home/out"], 2);
 }
 
+#[test]
+fn a_file_system_without_locks_is_warned_of_and_used() {
+    let reference = reference();
+    for error in [Error::Missing, Error::NoLocks] {
+        let place = place();
+        let without_locks = |arguments: &[&str]| {
+            let fault = Fault { call: "flock", number: 1, error };
+            with_fault(place.path(), &place.path().join("home"), fault, arguments)
+        };
+        let run = without_locks(&RUN);
+        assert_eq!(code(&run), 0, "{}", err(&run));
+        assert!(err(&run).starts_with("warning: home/out: this file system keeps no locks"), "{}", err(&run));
+        assert!(published(place.path()) == reference);
+        assert_eq!(code(&without_locks(&["status", "home/out"])), 0);
+    }
+}
+
+/// A shard that the disk cannot give any more is as good as damaged, and so is a log.
+#[test]
+fn what_cannot_be_read_costs_its_own_cases_only() {
+    let (prepared, reference) = (half_done(), reference());
+    assert_eq!(code(&say(prepared.path(), &RUN)), 0);
+    let shards = fs::read_dir(results(prepared.path()).join("shards")).expect("listed");
+    let shards = shards.map(|entry| entry.expect("listed").path());
+    let unreadable = shards.chain([results(prepared.path()).join("log/0001.jsonl")]);
+    for file in unreadable {
+        let name = file.strip_prefix(prepared.path()).expect("below it");
+        for call in ["open", "read"] {
+            let place = copied(prepared.path());
+            fs::remove_file(results(place.path()).join("summary.csv")).expect("removed");
+            let root = place.path().join(name);
+            // A quota error stays; which one it is does not matter here.
+            let fault = Fault { call, number: 1, error: Error::Quota };
+            for arguments in [&["status", "home/out"][..], &["plan", "small.toml", "-o", "home/out"], &RUN] {
+                let output = with_fault(place.path(), &root, fault, arguments);
+                assert_eq!(code(&output), 0, "{}: {}", root.display(), err(&output));
+                assert!(err(&output).contains("cannot be read: "), "{}: {}", root.display(), err(&output));
+            }
+            assert!(published(place.path()) == reference);
+            let verified = with_fault(place.path(), &root, fault, &["verify", "home/out"]);
+            assert!([0, 4].contains(&code(&verified)), "{}", err(&verified));
+        }
+    }
+}
+
 /// A command that shows what is published leaves its files whole, of before or new, and nothing beside them.
 #[test]
 fn what_is_drawn_survives_a_fault_of_any_call() {

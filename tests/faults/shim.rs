@@ -38,9 +38,14 @@ pub enum Error {
     Interrupted,
     /// Half of the bytes, once; only of reads and writes.
     Short,
+    /// ENOSYS, always: a file system that has not got the call.
+    Missing,
+    /// ENOLCK, always.
+    NoLocks,
 }
 
 impl Error {
+    /// Those of disks.
     pub const ALL: [Self; 5] = [Self::Faulty, Self::Full, Self::Quota, Self::Interrupted, Self::Short];
 
     /// The number of the error on Linux.
@@ -51,6 +56,8 @@ impl Error {
             Self::Quota => 122,
             Self::Interrupted => 4,
             Self::Short => 0,
+            Self::Missing => 38,
+            Self::NoLocks => 37,
         }
     }
 
@@ -63,6 +70,7 @@ impl Error {
             Self::Full | Self::Quota => takes_room.contains(&call),
             Self::Interrupted => moves || call == "open",
             Self::Short => moves,
+            Self::Missing | Self::NoLocks => false,
         }
     }
 }
@@ -101,7 +109,7 @@ pub fn with_fault(directory: &Path, root: &Path, fault: Fault, arguments: &[&str
     let mut command = shimmed(directory, root, arguments);
     command.env("FAULT_CALL", fault.call).env("FAULT_NUMBER", fault.number.to_string());
     command.env("FAULT_ERRNO", fault.error.number().to_string());
-    if matches!(fault.error, Error::Full | Error::Quota) {
+    if matches!(fault.error, Error::Full | Error::Quota | Error::Missing | Error::NoLocks) {
         command.env("FAULT_FOREVER", "1");
     }
     end(command, &fault)

@@ -25,13 +25,13 @@ pub fn kill(place: &Place, moment: Moment, random: &mut Random) -> &'static str 
     part_of_run(place, commits)
 }
 
-/// SIGINT or SIGTERM asks a run to stop: it stores what is finished, says how to go on, and ends with 130.
+/// SIGINT, SIGTERM or SIGHUP asks a run to stop: it stores what is finished, says how to go on, and ends with 130.
 pub fn signal(place: &Place, moment: Moment, random: &mut Random) -> &'static str {
     let (before, commits, starts) = (place.cases(), place.commits(), place.stored().starts.len());
     let threads = random.threads();
     let mut run = place.start(threads);
     moment.wait(place, &mut run);
-    let name = random.pick(&["INT", "TERM"]);
+    let name = random.pick(&["INT", "TERM", "HUP"]);
     let in_time = run.signal(name);
     let end = run.end();
     assert_kept(&before, &place.cases());

@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::low_level::raise;
 use stribeck_solver::continuation::Interrupt;
 use stribeck_sweep::engine::{Signals, StopSignal};
@@ -20,7 +20,11 @@ fn raise_all(names: &str) {
     let signals = Signals::watch(&interrupt).expect("handlers are installed");
     println!("before: {:?}, requested: {}", signals.received(), interrupt.requested());
     for name in names.split(',') {
-        let number = if name == "SIGINT" { SIGINT } else { SIGTERM };
+        let number = match name {
+            "SIGINT" => SIGINT,
+            "SIGTERM" => SIGTERM,
+            _ => SIGHUP,
+        };
         raise(number).expect("a signal is raised");
         let patience = Instant::now() + Duration::from_secs(60);
         while !interrupt.requested() && Instant::now() < patience {
@@ -45,7 +49,9 @@ fn the_first_signal_requests_the_interruption_and_is_remembered() {
     if let Ok(names) = env::var(RAISE) {
         return raise_all(&names);
     }
-    for (name, signal) in [("SIGINT", StopSignal::Interrupt), ("SIGTERM", StopSignal::Terminate)] {
+    let signals =
+        [("SIGINT", StopSignal::Interrupt), ("SIGTERM", StopSignal::Terminate), ("SIGHUP", StopSignal::HangUp)];
+    for (name, signal) in signals {
         assert_eq!(signal.to_string(), name);
         let (code, output) =
             process_that_raises(name, "signals::the_first_signal_requests_the_interruption_and_is_remembered");
@@ -60,9 +66,20 @@ fn the_second_signal_ends_the_program_at_once_with_130() {
     if let Ok(names) = env::var(RAISE) {
         return raise_all(&names);
     }
-    for names in ["SIGINT,SIGINT", "SIGTERM,SIGTERM", "SIGINT,SIGTERM", "SIGTERM,SIGINT"] {
+    for names in ["SIGINT,SIGINT", "SIGTERM,SIGTERM", "SIGINT,SIGTERM", "SIGTERM,SIGINT", "SIGHUP,SIGTERM"] {
         let (code, output) = process_that_raises(names, "signals::the_second_signal_ends_the_program_at_once_with_130");
         assert_eq!(code, Some(130), "{output}");
         assert_eq!(output.matches("after").count(), 1, "it went on after the second signal: {output}");
     }
+}
+
+/// The kernel tells of a terminal that closed, and then its shell does.
+#[test]
+fn a_second_hang_up_changes_nothing() {
+    if let Ok(names) = env::var(RAISE) {
+        return raise_all(&names);
+    }
+    let (code, output) = process_that_raises("SIGHUP,SIGHUP", "signals::a_second_hang_up_changes_nothing");
+    assert_eq!(code, Some(0), "{output}");
+    assert_eq!(output.matches("after SIGHUP: Some(HangUp), requested: true").count(), 2, "{output}");
 }

@@ -76,8 +76,8 @@ pub struct Signals {
 }
 
 impl Signals {
-    /// From now on the first SIGINT, SIGTERM or SIGHUP requests `interrupt` (a moment later, from a thread), and the next one
-    /// ends the program at once with exit code 130. Nothing is printed by either. Call it once in a program. A program
+    /// From now on the first SIGINT, SIGTERM or SIGHUP requests `interrupt` (a moment later, from a thread), and the next
+    /// SIGINT or SIGTERM ends the program at once with exit code 130. Nothing is printed by either. Call it once in a program. A program
     /// that was started to ignore SIGHUP (`nohup`) goes on ignoring it.
     ///
     /// A file that grows beyond the limit of the process (`ulimit -f`) is from now on an error of that write, as on a
@@ -92,7 +92,10 @@ impl Signals {
         let stopping: Vec<StopSignal> = stopping.collect();
         for signal in &stopping {
             // Actions run in the order of their registration: a first signal finds the shutdown unarmed, then arms it.
-            flag::register_conditional_shutdown(signal.number(), ABORTED, Arc::clone(&armed))?;
+            // A terminal that closes may tell twice, once itself and once by its shell.
+            if *signal != StopSignal::HangUp {
+                flag::register_conditional_shutdown(signal.number(), ABORTED, Arc::clone(&armed))?;
+            }
             flag::register(signal.number(), Arc::clone(&armed))?;
             flag::register_usize(signal.number(), Arc::clone(&received), signal.code())?;
         }

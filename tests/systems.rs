@@ -1,0 +1,165 @@
+//! Odd systems and odd places: what the environment, the terminal and the file system do to a run.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use tempfile::{TempDir, tempdir};
+
+use crate::program::{code, err, out, say, stribeck};
+
+const SWEEP: &str = "[axes]\nf = [10.0]\nalpha = [1.0]\nbeta = [10.0, 100.0]\n[output]\nfields = []\n";
+
+fn place(sweep: &str) -> TempDir {
+    let place = tempdir().expect("a temporary directory");
+    fs::write(place.path().join("small.toml"), sweep).expect("written");
+    place
+}
+
+fn results(place: &Path) -> Vec<u8> {
+    fs::read(place.join("results/small/results.h5")).expect("published")
+}
+
+/// Sites set these for programs with an HDF5 library of their own.
+#[test]
+fn variables_of_the_hdf5_library_change_nothing() {
+    let reference = place(SWEEP);
+    assert_eq!(code(&say(reference.path(), &["run", "small.toml", "-q"])), 0);
+    let variables = [
+        ("HDF5_DRIVER", "no-such-driver"),
+        ("HDF5_DRIVER", "split"),
+        ("HDF5_DRIVER", "log"),
+        ("HDF5_VOL_CONNECTOR", "async under_vol=0;under_info={}"),
+        ("HDF5_PLUGIN_PATH", "/nowhere"),
+        ("HDF5_USE_FILE_LOCKING", "TRUE"),
+    ];
+    for variable in variables {
+        let place = place(SWEEP);
+        let run =
+            stribeck(place.path()).args(["run", "small.toml", "-q"]).envs([variable]).output().expect("it starts");
+        assert_eq!(code(&run), 0, "{variable:?}: {}", err(&run));
+        assert!(err(&run).is_empty() && results(place.path()) == results(reference.path()), "{variable:?}");
+        for command in ["verify", "report", "plot", "status"] {
+            let shown = stribeck(place.path()).args([command, "results/small"]).envs([variable]).output();
+            assert_eq!(code(&shown.expect("it starts")), 0, "{variable:?}: {command}");
+        }
+    }
+}
+
+/// `nohup` starts a program so, to outlive its terminal.
+#[test]
+fn a_run_that_ignores_hang_ups_goes_on_ignoring_them() {
+    let place = place(&SWEEP.replace("[10.0, 100.0]", "{ from = 1.0, to = 1e6, points = 3001, scale = \"log\" }"));
+    let program = stribeck(place.path());
+    let mut run = Command::new("sh")
+        .args(["-c", "trap '' HUP; exec \"$0\" run small.toml --threads 1 -q"])
+        .arg(program.get_program())
+        .current_dir(place.path())
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let shards = place.path().join("results/small/shards");
+    while !fs::read_dir(&shards).is_ok_and(|mut entries| entries.next().is_some()) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let sent = Command::new("kill").args(["-HUP", &run.id().to_string()]).status().expect("kill runs");
+    assert!(sent.success(), "it was at work");
+    assert_eq!(run.wait().expect("it ends").code(), Some(0));
+    assert!(place.path().join("results/small/summary.csv").exists());
+}
+
+/// Some other program may have a file of the name of one of ours.
+#[test]
+fn files_of_others_are_left_alone() {
+    let place = place(SWEEP);
+    let directory = place.path().join("mine");
+    fs::create_dir(&directory).expect("made");
+    let run = || say(place.path(), &["run", "small.toml", "-o", "mine", "-q"]);
+    for (name, code_then) in [("lock", 4), ("summary.csv", 4), (".draft.stribeck-part", 0)] {
+        fs::write(directory.join(name), "precious").expect("written");
+        let output = run();
+        assert_eq!(code(&output), code_then, "{name}: {}", err(&output));
+        assert_eq!(fs::read_to_string(directory.join(name)).expect("there"), "precious");
+        fs::remove_file(directory.join(name)).expect("removed");
+    }
+    fs::write(place.path().join("thesis.tex"), "precious").expect("written");
+    fs::remove_file(directory.join("lock")).expect("there was a run");
+    std::os::unix::fs::symlink("../thesis.tex", directory.join("lock")).expect("linked");
+    assert_eq!(code(&run()), 4, "a lock is no link");
+    assert_eq!(fs::read_to_string(place.path().join("thesis.tex")).expect("there"), "precious");
+}
+
+/// A pipe without a writer would be waited for, for ever.
+#[test]
+fn a_pipe_in_the_place_of_a_file_of_ours_is_told() {
+    let place = place(SWEEP);
+    assert_eq!(code(&say(place.path(), &["run", "small.toml", "-q"])), 0);
+    let home = place.path().join("results/small");
+    for name in ["results.h5", "timings.csv", "sweep.toml", "log/0001.jsonl", "lock"] {
+        let file = home.join(name);
+        let content = fs::read(&file).expect("there");
+        fs::remove_file(&file).expect("removed");
+        rustix::fs::mkfifoat(rustix::fs::CWD, &file, rustix::fs::Mode::from_raw_mode(0o600)).expect("made");
+        for arguments in [&["status", "results/small"][..], &["report", "results/small"], &["run", "small.toml", "-q"]]
+        {
+            let mut command = assert_cmd::Command::from_std(stribeck(place.path()));
+            let output = command.args(arguments).timeout(Duration::from_secs(60)).output().expect("it starts");
+            assert!(output.status.code().is_some(), "{name}: {arguments:?} waits");
+            assert!(!err(&output).contains("panicked"), "{name}: {arguments:?}: {}", err(&output));
+        }
+        fs::remove_file(&file).expect("removed");
+        fs::write(&file, content).expect("written");
+    }
+}
+
+#[test]
+fn no_output_takes_the_place_of_an_input() {
+    const LABORATORY: &str = "\
+[laboratory]
+radius = \"5 mm\"
+load = 200.0
+relaxed_modulus = \"1.2 MPa\"
+poisson_ratio = 0.5
+viscosity = \"1 Pa s\"
+retardation_time = \"1 s\"
+speed = { from = \"1 mm/s\", to = \"1 m/s\", points = 5, scale = \"log\" }
+f = [1.0]
+";
+    let place = place(LABORATORY);
+    let points = "speed,mu\n0.01,0.1\n0.1,0.2\n1,0.3\n";
+    fs::write(place.path().join("fit.csv"), points).expect("written");
+    fs::write(place.path().join("friction.svg"), "my notes").expect("written");
+    let refused = |arguments: &[&str], exit: i32| {
+        let output = say(place.path(), arguments);
+        assert_eq!(code(&output), exit, "{arguments:?}: {}", err(&output));
+    };
+    refused(&["curve", "small.toml", "--csv", "small.toml"], 2);
+    refused(&["curve", "small.toml", "--measured", "fit.csv", "--csv", "fit.csv"], 2);
+    refused(&["fit", "fit.csv", "small.toml", "--unknown", "viscosity", "-o", "."], 2);
+    fs::rename(place.path().join("fit.csv"), place.path().join("data.csv")).expect("renamed");
+    refused(&["fit", "data.csv", "small.toml", "--unknown", "viscosity", "-o", "."], 4);
+    assert_eq!(fs::read_to_string(place.path().join("small.toml")).expect("there"), LABORATORY);
+    assert_eq!(fs::read_to_string(place.path().join("data.csv")).expect("there"), points);
+    assert_eq!(fs::read_to_string(place.path().join("friction.svg")).expect("there"), "my notes");
+}
+
+#[test]
+fn a_name_that_leads_out_of_the_results_is_refused() {
+    let place = place(SWEEP);
+    fs::copy(place.path().join("small.toml"), place.path().join("...toml")).expect("copied");
+    let run = say(place.path(), &["run", "...toml"]);
+    assert_eq!(code(&run), 2, "{}", err(&run));
+    assert!(err(&run).contains("name one with -o"), "{}", err(&run));
+    assert_eq!(fs::read_dir(place.path()).expect("listed").count(), 2);
+}
+
+#[test]
+fn a_sweep_that_the_disk_has_no_room_for_is_warned_of() {
+    let large = SWEEP.replace("f = [10.0]", "f = { from = 1.0, to = 1e6, points = 100000, scale = \"log\" }");
+    let large = large.replace("alpha = [1.0]", "alpha = { from = 1.0, to = 10.0, points = 5000, scale = \"log\" }");
+    let place = place(&large.replace("fields = []", "fields = [\"pressure\", \"film_thickness\"]"));
+    let plan = say(place.path(), &["plan", "small.toml"]);
+    assert_eq!(code(&plan), 0);
+    assert!(err(&plan).starts_with("warning: the sweep takes about "), "{}{}", out(&plan), err(&plan));
+}
