@@ -236,7 +236,9 @@ fn what_is_drawn_survives_a_fault_of_any_call() {
         let before = files(prepared.path());
         let undisturbed = copied(prepared.path());
         let calls = counts(undisturbed.path(), &undisturbed.path().join("home"), arguments);
-        faults(&calls, 3).par_iter().for_each(|&fault| {
+        let faults = faults(&calls, 3);
+        println!("{}: {} faults", arguments[0], faults.len());
+        faults.par_iter().for_each(|&fault| {
             let place = copied(prepared.path());
             let output = with_fault(place.path(), &place.path().join("home"), fault, arguments);
             let said = err(&output);
