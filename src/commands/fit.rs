@@ -124,7 +124,6 @@ fn note_temperatures(measured: &Measured, experiment: &Experiment) {
 
 /// The files of the table and of the two pictures, before the work begins.
 fn outputs(arguments: &Arguments, directory: &Path) -> Result<[OutputFile; 3], CliError> {
-    create_directory(directory)?;
     let files = OutputFiles::new("fit", arguments.files.iter().map(PathBuf::as_path));
     let picture = |name: &str| {
         let name = format!("{name}.{}", arguments.format.extension());
@@ -134,7 +133,9 @@ fn outputs(arguments: &Arguments, directory: &Path) -> Result<[OutputFile; 3], C
         let header = beginning.split(|byte| *byte == b'\n').next().unwrap_or_default();
         header.ends_with(LAST_COLUMNS.join(",").as_bytes())
     };
-    Ok([files.check(&directory.join("fit.csv"), is_table)?, picture("friction")?, picture("residuals")?])
+    let outputs = [files.check(&directory.join("fit.csv"), is_table)?, picture("friction")?, picture("residuals")?];
+    create_directory(directory)?;
+    Ok(outputs)
 }
 
 /// Writes a table and two pictures.

@@ -129,7 +129,6 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     let pictures = pictures(&sweep, &request)?;
     let directory = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("figures"));
-    create_directory(&directory)?;
     if let Some(measured) = sweep.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
         console::tell(&format!(
             "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",
@@ -140,6 +139,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let files = OutputFiles::new("plot", arguments.measured.files());
     let outputs = pictures.iter().map(|picture| outputs(&files, &directory, &picture.name, arguments.format));
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
+    create_directory(&directory)?;
     let mut text = String::new();
     for (picture, [file, table]) in pictures.iter().zip(outputs) {
         table.write(&picture.table.csv())?;

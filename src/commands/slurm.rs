@@ -147,8 +147,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let home = directory.join("slurm");
     let (part, merge) = (home.join("part.sh"), home.join("merge.sh"));
     let kept = home.join(format!("{}.toml", sweep.name));
-    create_directory(&home.join("log"))?;
     let [kept_file, part_file, merge_file] = outputs(&arguments.sweep, &kept, &part, &merge)?;
+    create_directory(&home.join("log"))?;
     // The sweep as it is now: whoever edits the file while jobs wait in the queue does not change half of them.
     kept_file.write(sweep.text.as_bytes())?;
     let program =

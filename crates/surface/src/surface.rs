@@ -112,6 +112,16 @@ impl Surface {
         Evaluator::new(self)
     }
 
+    /// What a difference of a quantity is relative to: itself, or where that is larger the share of the whole at which
+    /// a part begins to count.
+    fn least(&self, place: usize, values: &[f64]) -> f64 {
+        let whole = match &self.file.quantities[place].transform {
+            Transform::Sinh { of, share } => self.quantities().position(|name| name == of).map(|of| share * values[of]),
+            Transform::Identity | Transform::Exp => None,
+        };
+        values[place].abs().max(whole.unwrap_or(0.0).abs())
+    }
+
     fn check(&self) -> Result<(), SurfaceError> {
         let mut evaluator = self.evaluator();
         for (number, check) in (1..).zip(&self.file.checks) {
@@ -120,8 +130,9 @@ impl Surface {
             if values.len() != check.values.len() {
                 return Err(damaged(format!("{} values, and {} quantities", check.values.len(), values.len())));
             }
-            for ((quantity, &found), &expected) in self.quantities().zip(values).zip(&check.values) {
-                let agrees = (found - expected).abs() <= CHECK * expected.abs();
+            for (place, (quantity, &found)) in self.quantities().zip(values).enumerate() {
+                let expected = check.values[place];
+                let agrees = (found - expected).abs() <= CHECK * self.least(place, &check.values);
                 if !agrees {
                     return Err(SurfaceError::CheckPoint { quantity: quantity.to_owned(), number, found, expected });
                 }

@@ -187,6 +187,8 @@ struct Interpolation {
     series: Vec<Vec<f64>>,
     /// For each quantity what each index adds.
     surpluses: Vec<Vec<f64>>,
+    /// For each quantity what a change of its series by the tolerance is relative to.
+    scales: Vec<f64>,
 }
 
 impl Work<'_> {
@@ -195,7 +197,8 @@ impl Work<'_> {
         let settings = &self.surface.settings;
         let set = LowerSet::simplex(self.domain.dimensions(), FIRST_DEGREE);
         let series = vec![Vec::new(); self.domain.columns.len()];
-        let mut now = Interpolation { set, series, surpluses: Vec::new() };
+        let scales = vec![f64::INFINITY; series.len()];
+        let mut now = Interpolation { set, series, surpluses: Vec::new(), scales };
         let (mut threshold, mut round) = (FIRST_THRESHOLD, 0);
         for attempt in 0.. {
             self.grow(&mut now, threshold, &mut round, tell)?;
@@ -226,9 +229,12 @@ impl Work<'_> {
     ) -> Result<(), SurfaceBuildError> {
         loop {
             self.solve_new_nodes(now)?;
+            let tolerances: Vec<f64> = now.scales.iter().map(|scale| scale * self.surface.settings.tolerance).collect();
             let changes: Vec<f64> = (0..now.set.indices().len())
-                .map(|node| now.surpluses.iter().map(|surpluses| surpluses[node].abs()).fold(0.0, f64::max))
-                .map(|change| change / self.surface.settings.tolerance)
+                .map(|node| {
+                    let changes = now.surpluses.iter().zip(&tolerances).map(|(all, tolerance)| all[node] / tolerance);
+                    changes.map(f64::abs).fold(0.0, f64::max)
+                })
                 .collect();
             let change = now.set.open_weight(&changes);
             if change <= threshold || now.set.indices().len() >= MOST_CASES {
@@ -255,6 +261,7 @@ impl Work<'_> {
                 return Err(SurfaceBuildError::NoNumber { quantity, value, place });
             }
             now.series.iter_mut().zip(series).for_each(|(all, number)| all.push(number));
+            now.scales.iter_mut().zip(self.domain.scales(&numbers)).for_each(|(least, it)| *least = least.min(it));
         }
         now.surpluses = now.series.iter().map(|series| now.set.surpluses(&self.leja, series)).collect();
         Ok(())
@@ -278,11 +285,11 @@ impl Work<'_> {
     ) -> Result<Surface, SurfaceBuildError> {
         let tolerance = self.surface.settings.tolerance;
         let (mut parts, lengths) = (Vec::new(), now.set.shape());
-        for (column, surpluses) in self.domain.columns.iter().zip(&now.surpluses) {
+        for ((column, surpluses), scale) in self.domain.columns.iter().zip(&now.surpluses).zip(&now.scales) {
             let coefficients = now.set.coefficients(&self.leja, surpluses);
             let failed = || SurfaceBuildError::Compression { quantity: column.name() };
             // What is left out of the series is spread over the domain; at its worst it is some times its mean.
-            let part = compress(&coefficients, &lengths, COMPRESSION * tolerance).ok_or_else(failed)?;
+            let part = compress(&coefficients, &lengths, COMPRESSION * tolerance * scale).ok_or_else(failed)?;
             parts.push(part);
         }
         let certificate = Certificate {

@@ -129,6 +129,15 @@ impl<'a> Domain<'a> {
         self.columns.iter().zip(&numbers.values).map(series).collect()
     }
 
+    /// What a change of each series is relative to: the unit of a number as it is, 1 where the series has none.
+    pub fn scales(&self, numbers: &Numbers) -> Vec<f64> {
+        let scale = |(column, least): (&Column, &f64)| match self.form(*column) {
+            Form::Number => *least,
+            Form::Positive | Form::PartOfDrag => 1.0,
+        };
+        self.columns.iter().zip(&numbers.least).map(scale).collect()
+    }
+
     /// How a quantity follows from its series.
     pub fn transform(&self, column: Column) -> Transform {
         match self.form(column) {
