@@ -45,7 +45,7 @@ impl<'a> OutputFiles<'a> {
     }
 
     /// Checks that a file may be written. `is_ours` recognises by its first bytes one that such a command wrote; a file
-    /// behind a link, which the user chose, may be any.
+    /// behind a link, which the user chose, may be any, and an empty one has nothing to lose.
     ///
     /// # Errors
     /// [`CliError::IsInput`] and [`CliError::Foreign`] if it may not, [`CliError::Unwritten`] if it cannot be.

@@ -132,7 +132,7 @@ fn draw(
             }
         }
         solved.extend(curves);
-        measured.extend(measured_points(sweep, family, column, &colours));
+        measured.extend(measured_points(sweep, family, column, &colours, &mut table));
         if !request.bare {
             references.extend(reference_curves(sweep, family, column, &colours, &mut table)?);
         }

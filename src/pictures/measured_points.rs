@@ -2,6 +2,7 @@
 
 use super::curve_family::CurveFamily;
 use super::sweep_data::SweepData;
+use super::table::Table;
 use stribeck_charts::{Colour, Curve, Stroke};
 use stribeck_lab::Measured;
 use stribeck_sweep::Column;
@@ -9,12 +10,13 @@ use stribeck_sweep::Column;
 /// The measured points of a column that belong to the curves of a family, with their standard errors: those that were
 /// measured along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
-/// Points that belong to one member of several have its colour.
+/// Points that belong to one member of several have its colour. The table gets a row for each, and one for its error.
 pub(super) fn measured_points(
     sweep: &SweepData,
     family: &CurveFamily,
     column: Column,
     colours: &[Colour],
+    table: &mut Table,
 ) -> Vec<Curve> {
     let Some(measured) = sweep.measured.as_ref().filter(|measured| measured.column == column.name()) else {
         return Vec::new();
@@ -37,6 +39,19 @@ pub(super) fn measured_points(
             marked,
         };
         for row in here.iter().copied() {
+            let coordinates: Vec<f64> = sweep
+                .coordinate_names()
+                .iter()
+                .map(|name| {
+                    let named =
+                        if *name == sweep.axis(family.along).name { Some(along) } else { measured.coordinate(name) };
+                    named.map_or(f64::NAN, |values| values[row])
+                })
+                .collect();
+            table.row(&[column.name(), "measured"], &[&coordinates[..], &[measured.friction[row]]].concat());
+            if let Some(errors) = &measured.errors {
+                table.row(&[column.name(), "standard error"], &[&coordinates[..], &[errors[row]]].concat());
+            }
             if let Some(errors) = &measured.errors {
                 let (x, mu, error) = (along[row], measured.friction[row], errors[row]);
                 curves.push(curve(vec![(x, mu - error), (x, mu + error)], "", Stroke::Solid, false));

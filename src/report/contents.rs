@@ -74,7 +74,7 @@ impl Contents {
         if fields.is_none() {
             notes.push("The sweep has no fields: `fields` below [output] of the sweep file asks for them.".to_owned());
         }
-        let measured = measured.map(|measured| MeasuredPart::of(measured, &axes, &mut notes));
+        let measured = measured.map(|measured| MeasuredPart::of(measured, data, &axes, &mut notes));
         let failures = FailurePart::of(data, &places, &statuses, &reasons, &mut notes);
         let values = |axis: usize| grid.0[axis].iter().map(|i| axes[axis].values[*i].into()).collect();
         Ok(Self {

@@ -6,7 +6,7 @@ use stribeck_input::InputError;
 use stribeck_solver::Interrupt;
 use stribeck_sweep::campaign::{InMemory, published_point, solve_in_memory};
 use stribeck_sweep::store::further_columns;
-use stribeck_sweep::{Grid, Plan, Sweep};
+use stribeck_sweep::{Grid, Plan, Sweep, Unit};
 
 use crate::background::{threads, watched};
 use crate::errors;
@@ -47,7 +47,7 @@ pub fn solve_sweep<'py>(py: Python<'py>, name: &str, text: &str, asked: Option<i
         answer.set_item("coordinates", results.coordinates(py)?)?;
         let quantities = PyDict::new(py);
         for quantity in experiment.given().filter(|it| dimensions.iter().all(|axis| axis.name != it.name())) {
-            let attributes = describe(py, Some(quantity.units()), quantity.long_name())?;
+            let attributes = describe(py, Some(Unit { units: quantity.units(), scale: None }), quantity.long_name())?;
             quantities.set_item(quantity.name(), (experiment.value(quantity), attributes))?;
         }
         answer.set_item("quantities", quantities)?;

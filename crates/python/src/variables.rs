@@ -4,10 +4,10 @@ use numpy::{Element, PyArray1};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use stribeck_lab::{Scales, si_units};
+use stribeck_lab::Scales;
 use stribeck_solver::Output;
 use stribeck_sweep::store::{CaseEntry, FurtherColumn, PlacedNumbers, Point, Status};
-use stribeck_sweep::{CaseId, Column, Dimension, Field, Note};
+use stribeck_sweep::{CaseId, Column, Dimension, Field, Note, Unit};
 
 /// The results at some places, to which each case is added.
 pub struct Results<'o> {
@@ -52,7 +52,7 @@ impl<'o> Results<'o> {
     /// All variables, each with its array over the places and its attributes: name → (array, attributes, has x).
     pub fn variables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let variables = Variables::new(py);
-        let units = |units: &'static str| if self.in_si { si_units(units) } else { units };
+        let unit = |scale: &'static str| Some(Unit::of(scale, self.in_si));
         let texts = |text: &dyn Fn(&PlacedCase) -> String| self.places.iter().map(text).collect::<Vec<_>>();
         variables.add("case", texts(&|it| it.point.case.to_string()), describe(py, None, CaseId::LONG_NAME)?)?;
 
@@ -68,15 +68,15 @@ impl<'o> Results<'o> {
         variables.add("reason", reasons, describe(py, None, Status::REASON_LONG_NAME)?)?;
 
         for column in Column::ALL.into_iter().filter(|column| self.output.limits || !column.is_limit()) {
-            let attributes = describe(py, Some(units(column.units())), column.long_name())?;
+            let attributes = describe(py, unit(column.units()), column.long_name())?;
             variables.add(column.name(), array(py, self.numbers(|it| it.numbers.values[column])), attributes)?;
         }
         for (i, column) in self.further.iter().enumerate() {
-            let attributes = describe(py, Some("1"), &column.long_name)?;
+            let attributes = describe(py, Some(Unit::ONE), &column.long_name)?;
             variables.add(&column.name, array(py, self.numbers(|it| it.numbers.more[i])), attributes)?;
         }
         for (field, rows) in &self.fields {
-            let attributes = describe(py, Some(units(field.units())), field.long_name())?;
+            let attributes = describe(py, unit(field.units()), field.long_name())?;
             variables.add_over_x(field.name(), array(py, rows.clone()), attributes)?;
         }
         Ok(variables.0)
@@ -87,11 +87,15 @@ impl<'o> Results<'o> {
         let coordinates = Variables::new(py);
         for (name, long_name, i) in [("alpha", Dimension::ALPHA, 1), ("beta", Dimension::BETA, 2)] {
             let values = array(py, self.numbers(|it| it.point.numbers[i]));
-            coordinates.add(name, values, describe(py, Some("1"), long_name)?)?;
+            coordinates.add(name, values, describe(py, Some(Unit::ONE), long_name)?)?;
         }
         for (i, (name, units, long_name)) in Scales::VARIABLES.into_iter().enumerate() {
             let value = |it: &PlacedCase| it.point.experiment.map_or(f64::NAN, |it| it.scales().values()[i]);
-            coordinates.add(name, array(py, self.numbers(value)), describe(py, Some(units), long_name)?)?;
+            coordinates.add(
+                name,
+                array(py, self.numbers(value)),
+                describe(py, Some(Unit { units, scale: None }), long_name)?,
+            )?;
         }
         Ok(coordinates.0)
     }
@@ -133,20 +137,25 @@ impl<'py> Variables<'py> {
 /// A dimension: (name, values, attributes).
 pub fn dimension<'py>(py: Python<'py>, dimension: &Dimension) -> PyResult<Bound<'py, PyTuple>> {
     let Dimension { name, units, long_name, values } = dimension;
-    let attributes = describe(py, Some(units), long_name)?;
+    let attributes = describe(py, None, long_name)?;
+    attributes.set_item("units", units)?;
     (name.as_str(), array(py, values.clone()), attributes).into_pyobject(py)
 }
 
 /// The dimension x of fields.
 pub fn dimension_x<'py>(py: Python<'py>, output: &Output) -> PyResult<Bound<'py, PyTuple>> {
-    dimension(py, &Dimension::new("x", Field::X_UNITS, Field::X_LONG_NAME, &output.x))
+    let attributes = describe(py, Some(Unit::of(Field::X_UNITS, false)), Field::X_LONG_NAME)?;
+    ("x", array(py, output.x.to_vec()), attributes).into_pyobject(py)
 }
 
 /// The attributes that say what a variable is.
-pub fn describe<'py>(py: Python<'py>, units: Option<&str>, long_name: &str) -> PyResult<Bound<'py, PyDict>> {
+pub fn describe<'py>(py: Python<'py>, unit: Option<Unit>, long_name: &str) -> PyResult<Bound<'py, PyDict>> {
     let attributes = PyDict::new(py);
-    if let Some(units) = units {
+    if let Some(Unit { units, scale }) = unit {
         attributes.set_item("units", units)?;
+        if let Some(scale) = scale {
+            attributes.set_item("scale", scale)?;
+        }
     }
     attributes.set_item("long_name", long_name)?;
     Ok(attributes)

@@ -169,6 +169,8 @@ fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<bool, StoreE
     let published = store.publish(&Publication {
         title: &sweep.title,
         sweep_text: &sweep.text,
+        method: "made up",
+        tolerance: 1e-5,
         dimensions: &dimensions,
         row: &row,
     })?;

@@ -38,6 +38,7 @@ mod plan;
 pub mod store;
 pub mod surface;
 mod sweep_file;
+mod unit;
 
 pub use axes::{Axes, Given, LaboratoryAxes, ModelLimits};
 pub use case_id::{CaseId, NotACaseId};
@@ -54,3 +55,4 @@ pub use sweep_file::{
     Method, RangeAxis, SolverSettings, SurfaceSweep, Sweep, read_axes, read_error, read_points, read_substrate,
     read_title,
 };
+pub use unit::Unit;

@@ -144,7 +144,7 @@ class Accessor:
             profile = case[name].squeeze()
             if profile.ndim != 1:
                 raise InputError(f"a profile is of one case, and {', '.join(map(str, profile.dims[:-1]))} are left")
-            ax.plot(case["x"], profile, label=f"{profile.attrs['long_name']} ({profile.attrs['units']})")
+            ax.plot(case["x"], profile, label=f"{profile.attrs['long_name']} ({_unit(profile)})")
         ax.set(xlabel="x (a₀)")
         ax.legend(loc="lower left", bbox_to_anchor=(0, 1), frameon=False)
         return ax
@@ -161,15 +161,19 @@ def _axes(ax: Any) -> Any:
 _SYMBOLS = {"alpha": "α", "beta": "β", "f": "f", "slide_roll": "S"}
 
 
+def _unit(array: xarray.DataArray) -> str:
+    """What the numbers are in: a unit of SI, or what they are over."""
+    return array.attrs.get("scale", array.attrs.get("units", "1"))
+
+
 def _label(array: xarray.DataArray) -> str:
     """Name and unit of a coordinate."""
     name = str(array.name)
     text = _SYMBOLS.get(name, name.replace("_", " "))
-    units = array.attrs.get("units", "1")
-    return text if units == "1" else f"{text} ({units})"
+    unit = _unit(array)
+    return text if unit == "1" else f"{text} ({unit})"
 
 
 def _friction(array: xarray.DataArray) -> str:
-    units = array.attrs.get("units", "1")
     name = str(array.name)
-    return name if units == "1" else f"{name} over a₀/R"
+    return name if _unit(array) == "1" else f"{name} over a₀/R"

@@ -23,5 +23,13 @@ pub fn published_point(sweep: &Sweep, plan: &Plan, place: GridIndex) -> Point {
 pub(super) fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
     let row = |row: usize| sweep.grid.shape().row(row).map(|place| published_point(sweep, plan, place)).collect();
     let dimensions = sweep.grid.dimensions();
-    store.publish(&Publication { title: &sweep.title, sweep_text: &sweep.text, dimensions: &dimensions, row: &row })
+    let (method, tolerance) = (sweep.solver.method.to_string(), sweep.solver.tolerance);
+    store.publish(&Publication {
+        title: &sweep.title,
+        sweep_text: &sweep.text,
+        method: &method,
+        tolerance,
+        dimensions: &dimensions,
+        row: &row,
+    })
 }

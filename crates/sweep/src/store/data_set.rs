@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use hdf5::types::{FixedAscii, VarLenUnicode};
+use hdf5::types::{FixedAscii, TypeDescriptor, VarLenUnicode};
 use hdf5::{Dataset, Hyperslab, SliceOrIndex};
 
 use super::claims::{Inspection, LogContent, fault, read_claims};
@@ -250,7 +250,11 @@ impl DataSet {
     /// [`StoreError`] if the file cannot be read.
     pub fn cases(&self) -> Result<Vec<String>, StoreError> {
         self.on_grid("case", |variable| {
-            Ok(variable.read_raw::<FixedAscii<16>>()?.iter().map(|case| case.as_str().to_owned()).collect())
+            // Files of earlier versions have texts of a fixed length.
+            if variable.dtype()?.to_descriptor()? == TypeDescriptor::FixedAscii(16) {
+                return Ok(variable.read_raw::<FixedAscii<16>>()?.iter().map(ToString::to_string).collect());
+            }
+            Ok(variable.read_raw::<VarLenUnicode>()?.iter().map(ToString::to_string).collect())
         })
     }
 

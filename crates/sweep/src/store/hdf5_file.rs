@@ -19,6 +19,11 @@ pub(super) const DEFLATE: u8 = 4;
 /// some parallel file systems refuse such locks. They would also outlive the file in every child process.
 const LOCKING: bool = false;
 
+/// Bytes of the blocks of a data set that stay in memory while it is read, and the slots to find them: some blocks of
+/// fields, so that neighbouring places are decompressed once.
+const CACHE: usize = 4 << 20;
+const SLOTS: usize = 521;
+
 /// A new file that is being written.
 ///
 /// When a write fails (a full disk), HDF5 must not be asked to close what it could not write: closing tries again,
@@ -75,6 +80,11 @@ impl NewFile {
         set_text(&self.file, name, value)
     }
 
+    /// Gives the file a number as an attribute.
+    pub(super) fn set_number(&self, name: &str, value: f64) -> Result<()> {
+        self.file.new_attr::<f64>().create(name)?.write_scalar(&value)
+    }
+
     /// Writes everything to the file, closes it, opens it again and compares it with what was written. Errors of the
     /// disk show here at the latest.
     ///
@@ -113,7 +123,9 @@ pub(super) fn open(path: &Path) -> Result<File> {
     if !path.is_file() {
         return Err("it is no file".into());
     }
-    File::with_options().with_fapl(|access| access.file_locking(LOCKING)).open(path)
+    let mut options = File::with_options();
+    options.with_fapl(|access| access.file_locking(LOCKING).chunk_cache(SLOTS, CACHE, 0.75));
+    options.open(path)
 }
 
 /// Text as HDF5 stores it.

@@ -27,6 +27,7 @@ mod dimension_scales;
 mod directory;
 mod entry;
 mod error;
+mod field_blocks;
 mod files;
 mod further_columns;
 mod hdf5_environment;

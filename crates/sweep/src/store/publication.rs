@@ -10,6 +10,10 @@ pub struct Publication<'a> {
     pub title: &'a str,
     /// The sweep file.
     pub sweep_text: &'a str,
+    /// The method that solved it.
+    pub method: &'a str,
+    /// The tolerance that it was solved to.
+    pub tolerance: f64,
     /// The dimensions of the grid, at least two, the one along the rows last.
     pub dimensions: &'a [Dimension],
     /// The places of a row, one for each value of the last dimension. Rows are counted with the last dimension before

@@ -5,22 +5,26 @@ use std::path::Path;
 
 use hdf5::types::VarLenUnicode;
 use hdf5::{Dataset, H5Type, Hyperslab, Result, SliceOrIndex};
-use ndarray::{Array2, arr0, aview1};
+use ndarray::{Array2, arr0};
 
 use super::dimension_scales::{attach, make_scale};
+use super::field_blocks::{FieldBlocks, places_in_block};
 use super::further_columns::FurtherColumn;
 use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
-use super::shard::{CaseText, case_text};
 use super::{PROGRAM, Status};
 use crate::grid_index::indices;
-use crate::{CaseId, Column, Dimension, Field, Note};
-use stribeck_lab::{Experiment, Scales, si_units};
+use crate::{CaseId, Column, Dimension, Field, Note, Unit};
+use stribeck_lab::{Experiment, Scales};
 use stribeck_solver::Output;
 
 /// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f,
 /// alpha, beta.
 pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
+
+/// The paper whose equations are solved.
+const REFERENCES: &str =
+    "Wu, Jagota and Hui (2022), Tribology Letters 70:1, https://doi.org/10.1007/s11249-021-01537-4";
 
 /// `results.h5` while it is written.
 pub(super) struct Results {
@@ -40,7 +44,7 @@ struct Variables {
     notes: Dataset,
     reason: Dataset,
     /// In the order of [`Field::ALL`].
-    fields: [Option<Dataset>; Field::ALL.len()],
+    fields: [Option<FieldBlocks>; Field::ALL.len()],
 }
 
 /// What follows from the quantities of the laboratory at each place.
@@ -71,12 +75,12 @@ impl Results {
 
         let mut layout = Layout { shape: publication.shape(), grid: Vec::new(), coordinates: None };
         for Dimension { name, units, long_name, values } in publication.dimensions {
-            layout.grid.push(coordinate(&mut file, name, units, long_name, values)?);
+            layout.grid.push(coordinate(&mut file, name, (units, None), long_name, values)?);
         }
         let laboratory = experiment.map(|experiment| layout.laboratory(&mut file, experiment, &names)).transpose()?;
-        let units = |units: &'static str| if experiment.is_some() { si_units(units) } else { units };
+        let unit = |scale: &'static str| Unit::of(scale, experiment.is_some());
 
-        let case = layout.variable::<CaseText>(&mut file, "case", None, CaseId::LONG_NAME)?;
+        let case = layout.variable::<VarLenUnicode>(&mut file, "case", None, CaseId::LONG_NAME)?;
         let status = layout.variable::<i8>(&mut file, "status", None, Status::LONG_NAME)?;
         status.new_attr_builder().with_data(&Status::ALL.map(Status::code)).create("flag_values")?;
         set_text(&status, "flag_meanings", &Status::ALL.map(Status::name).join(" "))?;
@@ -86,14 +90,14 @@ impl Results {
         let reason = layout.variable::<VarLenUnicode>(&mut file, "reason", None, Status::REASON_LONG_NAME)?;
         let mut columns = Vec::with_capacity(Column::ALL.len());
         for column in Column::ALL {
-            columns.push(layout.number(&mut file, column.name(), units(column.units()), column.long_name())?);
+            columns.push(layout.number(&mut file, column.name(), unit(column.units()), column.long_name())?);
         }
         let more = more
             .iter()
-            .map(|column| layout.number(&mut file, &column.name, "1", &column.long_name))
+            .map(|column| layout.number(&mut file, &column.name, Unit::ONE, &column.long_name))
             .collect::<Result<Vec<_>>>()?;
 
-        let fields = layout.fields(&mut file, output, units)?;
+        let fields = layout.fields(&mut file, output, unit)?;
         let variables = Variables { columns, more, notes, laboratory, case, status, reason, fields };
         Ok(Self { shape: layout.shape, variables, file })
     }
@@ -117,26 +121,26 @@ impl Results {
                 write.to(variable, places.iter().map(|place| values(place)[i]))?;
             }
         }
-        write.to(case, places.iter().map(|place| case_text(place.point.case)))?;
+        let ids = places.iter().map(|place| text(&place.point.case.to_string())).collect::<Result<Vec<_>>>()?;
+        write.to(case, ids.into_iter())?;
         write.to(notes, places.iter().map(|place| place.notes))?;
         write.to(status, places.iter().map(|place| place.status.code()))?;
         let reasons = places.iter().map(|place| text(&place.reason)).collect::<Result<Vec<_>>>()?;
         write.to(reason, reasons.into_iter())
     }
 
-    /// Writes a field of one place, counted with the last dimension fastest. Where this is not called the field is NaN.
+    /// Writes a field of one place, counted with the last dimension fastest; places come in their order. Where this is
+    /// not called the field is NaN.
     pub(super) fn field(&mut self, field: Field, place: usize, values: &[f64]) -> Result<()> {
-        let Some(variable) = &self.variables.fields[field as usize] else {
+        let Some(blocks) = &mut self.variables.fields[field as usize] else {
             return Err(format!("{} is not part of this publication", field.name()).into());
         };
-        let indices = indices(self.shape.iter().copied(), place);
-        let selection: Vec<SliceOrIndex> =
-            indices.into_iter().map(SliceOrIndex::Index).chain([all(values.len())]).collect();
-        variable.write_slice(aview1(values), Hyperslab::from(selection))
+        blocks.write(place, values)
     }
 
     /// Brings everything to the file and closes it.
-    pub(super) fn finish(self) -> Result<()> {
+    pub(super) fn finish(mut self) -> Result<()> {
+        self.variables.fields.iter_mut().flatten().try_for_each(FieldBlocks::flush)?;
         drop(self.variables);
         self.file.finish()
     }
@@ -151,6 +155,9 @@ fn describe_file(file: &NewFile, publication: &Publication<'_>) -> Result<()> {
         "source",
         "numerical solution of the lubricated sliding of a rigid cylinder on a viscoelastic half space",
     )?;
+    file.set_text("references", REFERENCES)?;
+    file.set_text("method", publication.method)?;
+    file.set_number("tolerance", publication.tolerance)?;
     file.set_text("sweep", publication.sweep_text)?;
     file.set_text("stribeck_version", env!("CARGO_PKG_VERSION"))
 }
@@ -180,11 +187,11 @@ impl Layout {
             set_text(&number, "long_name", quantity.long_name())?;
             names.push(quantity.name());
         }
-        let alpha = self.number(file, "alpha", "1", Dimension::ALPHA)?;
-        let beta = self.number(file, "beta", "1", Dimension::BETA)?;
+        let alpha = self.number(file, "alpha", Unit::ONE, Dimension::ALPHA)?;
+        let beta = self.number(file, "beta", Unit::ONE, Dimension::BETA)?;
         let mut scales = Vec::new();
         for (name, units, long_name) in Scales::VARIABLES {
-            scales.push(self.number(file, name, units, long_name)?);
+            scales.push(self.number(file, name, Unit { units, scale: None }, long_name)?);
             names.push(name);
         }
         self.coordinates = Some(names.join(" "));
@@ -196,14 +203,17 @@ impl Layout {
         &mut self,
         file: &mut NewFile,
         output: &Output,
-        units: impl Fn(&'static str) -> &'static str,
-    ) -> Result<[Option<Dataset>; Field::ALL.len()]> {
+        unit: impl Fn(&'static str) -> Unit,
+    ) -> Result<[Option<FieldBlocks>; Field::ALL.len()]> {
         let mut fields = [const { None }; Field::ALL.len()];
         if !output.fields.is_empty() {
-            self.grid.push(coordinate(file, "x", Field::X_UNITS, Field::X_LONG_NAME, &output.x)?);
+            let over = ("1", Some(Field::X_UNITS));
+            self.grid.push(coordinate(file, "x", over, Field::X_LONG_NAME, &output.x)?);
         }
         let shape: Vec<usize> = self.shape.iter().copied().chain([output.x.len()]).collect();
-        let chunk: Vec<usize> = self.shape.iter().map(|_| 1).chain([output.x.len()]).collect();
+        let (width, outer) = (output.x.len(), self.shape.len() - 1);
+        let places = places_in_block(self.shape[outer], width);
+        let chunk: Vec<usize> = std::iter::repeat_n(1, outer).chain([places, width]).collect();
         for field in Field::selected(output.fields) {
             let variable = file
                 .dataset()
@@ -215,18 +225,18 @@ impl Layout {
                 .shape(shape.as_slice())
                 .create(field.name())?;
             let variable = file.keep(variable);
-            self.describe(&variable, Some(units(field.units())), field.long_name())?;
+            self.describe(&variable, Some(unit(field.units())), field.long_name())?;
             set_fill(&variable)?;
-            fields[field as usize] = Some(variable);
+            fields[field as usize] = Some(FieldBlocks::new(variable, &self.shape, width));
         }
         Ok(fields)
     }
 
     /// A variable of numbers on the grid, NaN where none is written.
-    fn number(&self, file: &mut NewFile, name: &str, units: &str, long_name: &str) -> Result<Dataset> {
+    fn number(&self, file: &mut NewFile, name: &str, unit: Unit, long_name: &str) -> Result<Dataset> {
         let variable = file.dataset().fill_value(f64::NAN).empty::<f64>().shape(self.shape.as_slice()).create(name)?;
         let variable = file.keep(variable);
-        self.describe(&variable, Some(units), long_name)?;
+        self.describe(&variable, Some(unit), long_name)?;
         set_fill(&variable)?;
         Ok(variable)
     }
@@ -236,21 +246,21 @@ impl Layout {
         &self,
         file: &mut NewFile,
         name: &str,
-        units: Option<&str>,
+        unit: Option<Unit>,
         long_name: &str,
     ) -> Result<Dataset> {
         let variable = file.keep(file.dataset().empty::<T>().shape(self.shape.as_slice()).create(name)?);
-        self.describe(&variable, units, long_name)?;
+        self.describe(&variable, unit, long_name)?;
         Ok(variable)
     }
 
     /// Gives a variable its attributes, and each of its dimensions the coordinate that belongs to it.
-    fn describe(&self, variable: &Dataset, units: Option<&str>, long_name: &str) -> Result<()> {
+    fn describe(&self, variable: &Dataset, unit: Option<Unit>, long_name: &str) -> Result<()> {
         for (dimension, scale) in (0..).zip(&self.grid) {
             attach(variable, scale, dimension)?;
         }
-        if let Some(units) = units {
-            set_text(variable, "units", units)?;
+        if let Some(Unit { units, scale }) = unit {
+            set_unit(variable, units, scale)?;
         }
         if let Some(coordinates) = &self.coordinates {
             set_text(variable, "coordinates", coordinates)?;
@@ -285,12 +295,24 @@ fn all(length: usize) -> SliceOrIndex {
 }
 
 /// A coordinate: a one-dimensional variable that is the scale of the dimension of its name.
-fn coordinate(file: &mut NewFile, name: &str, units: &str, long_name: &str, values: &[f64]) -> Result<Dataset> {
+fn coordinate(
+    file: &mut NewFile,
+    name: &str,
+    (units, over): (&str, Option<&str>),
+    long_name: &str,
+    values: &[f64],
+) -> Result<Dataset> {
     let scale = file.write(name, values)?;
     make_scale(&scale, name)?;
-    set_text(&scale, "units", units)?;
+    set_unit(&scale, units, over)?;
     set_text(&scale, "long_name", long_name)?;
     Ok(scale)
+}
+
+/// The unit of a variable, and what a dimensionless number is over. Libraries of units know no a0.
+fn set_unit(variable: &Dataset, units: &str, scale: Option<&str>) -> Result<()> {
+    set_text(variable, "units", units)?;
+    scale.map_or(Ok(()), |scale| set_text(variable, "scale", scale))
 }
 
 /// NaN as the netCDF fill value; the HDF5 fill value of the data set says the same.

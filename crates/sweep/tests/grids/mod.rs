@@ -16,5 +16,6 @@ pub fn publish(
         points.map(|(case, beta)| Point::new(case, [f[i_f], alpha[i_alpha], *beta])).collect()
     };
     let dimensions = [Dimension::strength(f), Dimension::alpha(alpha), Dimension::beta(beta)];
-    store.publish(&Publication { title, sweep_text, dimensions: &dimensions, row: &row })
+    let (method, tolerance) = ("made up", 1e-5);
+    store.publish(&Publication { title, sweep_text, method, tolerance, dimensions: &dimensions, row: &row })
 }
