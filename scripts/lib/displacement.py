@@ -4,25 +4,33 @@ import numpy as np
 from scipy.special import exp1, expi
 
 
-def lag_twice_integrated(z):
-    """S(z) + ln|z| + z ln|z| - z + g(1 + z) of an array: S(z) = -e^z Ei(-z) twice integrated; g is Euler's constant."""
-    small, large = np.abs(z) < 2, np.abs(z) > 40
-    log = np.log(np.maximum(np.abs(z), 1e-300))
-    # By series: -(ln|z| + g)(e^z - 1 - z) + Σ H_k z^k/k! from k = 2 on, with H_k = 1 + 1/2 + … + 1/k.
-    inner = np.where(small, z, 0.0)
-    term, exponential, series, harmonic = inner, 0.0, 0.0, 1.0
+def by_series(z):
+    """-(ln|z| + g)(e^z - 1 - z) + Σ H_k z^k/k! from k = 2 on, with H_k = 1 + 1/2 + … + 1/k; for small z."""
+    term, exponential, sums, harmonic = z, 0.0, 0.0, 1.0
     for k in range(2, 30):
-        term, harmonic = term * inner / k, harmonic + 1 / k
-        exponential, series = exponential + term, series + harmonic * term
-    series = series - (log + np.euler_gamma) * exponential
-    # S itself, far out by its asymptotic series.
-    outer, middle = np.where(large, z, 100.0), np.where(small | large, 2.0, z)
-    far, term = 0.0, 1 / outer
+        term, harmonic = term * z / k, harmonic + 1 / k
+        exponential, sums = exponential + term, sums + harmonic * term
+    return sums - (np.log(np.maximum(np.abs(z), 1e-300)) + np.euler_gamma) * exponential
+
+
+def lag(z):
+    """S(z) = -e^z Ei(-z) for z that is not small, by its asymptotic series where that has all the digits."""
+    value, term, near = np.zeros_like(z), 1 / z, np.abs(z) < 40
     for k in range(1, 30):
-        far, term = far + term, -term * k / outer
-    near = -np.exp(middle) * np.where(middle > 0, -exp1(np.abs(middle)), expi(np.abs(middle)))
-    beyond = np.where(large, far, near) + log * (1 + z) - z + np.euler_gamma * (1 + z)
-    return np.where(small, series, beyond)
+        value, term = value + term, -term * k / z
+    ahead, behind = near & (z > 0), near & (z < 0)
+    value[ahead] = np.exp(z[ahead]) * exp1(z[ahead])
+    value[behind] = -np.exp(z[behind]) * expi(-z[behind])
+    return value
+
+
+def lag_twice_integrated(z):
+    """S(z) + ln|z| + z ln|z| - z + g(1 + z): S twice integrated, less a line; g is Euler's constant."""
+    small = np.abs(z) < 2
+    value, large = np.empty_like(z), z[~small]
+    value[small] = by_series(z[small])
+    value[~small] = lag(large) + np.log(np.abs(large)) * (1 + large) - large + np.euler_gamma * (1 + large)
+    return value
 
 
 def displacement_matrix(x, nodes, modes):
