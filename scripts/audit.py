@@ -224,7 +224,7 @@ def main():
     if not audited:
         fail(f"{path}: nothing to audit; `output.x` needs more places, from behind the outlet to far ahead of the film")
     print_table(worst, unexplained)
-    sys.exit(bool(unexplained))
+    sys.exit(1 if unexplained else 0)
 
 
 if __name__ == "__main__":

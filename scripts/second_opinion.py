@@ -210,7 +210,7 @@ def main():
         for name, *row in zip(QUANTITIES, theirs, ours, ours - theirs, errors, strict=True):
             print(f"| {place} | {name} | {row[0]:.9g} | {row[1]:.9g} | {row[2]:.1e} | {row[3]:.1e} |", flush=True)
     print("all differences are below the errors" if within else "a difference is larger than the errors")
-    sys.exit(not within)
+    sys.exit(0 if within else 1)
 
 
 if __name__ == "__main__":
