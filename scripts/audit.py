@@ -184,7 +184,8 @@ def is_resolved(case):
     x, u, c = case["x"], case["film_thickness"], case["c"]
     film = u[x > case["x_outlet"]]
     inlet = np.sum(film[np.flatnonzero(film < 1.2 * c)[-1] :] < 3 * c) if np.any(film < 1.2 * c) else 0
-    return 20 < film.size < x.size - 4 and film[-1] > 3 * c and inlet > 3 and np.argmax(np.diff(film) > 0) > 0
+    reaches = x[0] < 0 < x[-1] and 20 < film.size < x.size - 4 and film[-1] > 3 * c
+    return reaches and inlet > 3 and np.argmax(np.diff(film) > 0) > 0
 
 
 def print_table(worst, unexplained):
@@ -194,11 +195,8 @@ def print_table(worst, unexplained):
         print(f"{name:12} {deviation:9.1e} {claimed:9.1e} {grid:9.1e}  {place}")
     for name, deviation, claimed, grid, _, place in unexplained:
         print(f"not explained: {name} deviates by {deviation:.1e}, claimed {claimed:.1e}, grid {grid:.1e}, at {place}")
-    print(
-        f"{format_count(len(unexplained), 'deviation')} not explained"
-        if unexplained
-        else "every deviation is explained"
-    )
+    failed = format_count(len(unexplained), "deviation")
+    print(f"{failed} not explained" if unexplained else "every deviation is explained")
 
 
 def main():

@@ -15,7 +15,8 @@ Usage:
     uv run scripts/second_opinion.py
     uv run scripts/second_opinion.py --case 1,1e4,100 --points 200 --stribeck target/release/stribeck
 
-Exit code: 0; 1 if a difference is larger than the errors of both; 2 if the input is wrong.
+Exit code: 0; 1 if a difference is larger than the errors of both; 2 if the input is wrong or
+Newton's method fails.
 """
 
 import argparse
@@ -27,6 +28,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from lib.displacement import displacement_matrix
+from lib.messages import fail
 
 # α, β, f
 CASES = ["1,10,0", "1,1e5,0", "0.01,100,10", "0.1,1e3,10", "1,10,100", "1,1e3,100", "1,1e5,100", "10,1e4,10"]
@@ -102,12 +104,11 @@ class Film:
                 if abs(moved) < 1e-2 * self.grid.h[self.grid.outlet]:
                     return self
                 self.shift += moved
-        sys.exit(f"alpha = {self.alpha}, beta = {self.beta}, f = {self.f}: no convergence")
+        raise ArithmeticError(f"no convergence at beta = {self.beta:g}; take more --points")
 
     def flow(self):
         """c, the flow under the cylinder."""
-        u = self.u
-        k = np.argmax(self.p)
+        u, k = self.u, np.argmax(self.p)
         return self.beta * (self.p[k] - self.p[k - 1]) / self.grid.h[k - 1] * u[k - 1] ** 3 + u[k - 1]
 
     def outlet(self):
@@ -173,9 +174,12 @@ def of_program(program, case):
     """The same numbers by `stribeck solve`, and the errors that it estimates."""
     command = [program, "solve", "--json", "--tolerance", "1e-8"]
     command += [f"--{name}={value!r}" for name, value in zip(("alpha", "beta", "f"), case, strict=True)]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    try:
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+    except OSError as error:
+        fail(f"{program}: {error.strerror}; name the program by --stribeck")
     if run.returncode:
-        sys.exit(f"{' '.join(command)}: {run.stderr or run.stdout}")
+        fail(f"{' '.join(command)}: {run.stderr or run.stdout}")
     solved = json.loads(run.stdout)
     values = np.array([solved[name] for name in QUANTITIES])
     scale = np.maximum(np.abs(values), [1e-3 * solved["mu_tot"], 0, 0, 0])
@@ -204,7 +208,10 @@ def main():
     within = True
     for case in arguments.case or map(numbers, CASES):
         theirs, estimates = of_program(arguments.stribeck, case)
-        ours, errors = second_opinion(case, arguments.points)
+        try:
+            ours, errors = second_opinion(case, arguments.points)
+        except ArithmeticError as error:
+            fail(f"alpha, beta, f = {case}: {error}")
         within &= bool(np.all(np.abs(ours - theirs) <= errors + estimates))
         place = " | ".join(f"{value:g}" for value in case)
         for name, *row in zip(QUANTITIES, theirs, ours, ours - theirs, errors, strict=True):

@@ -5,15 +5,18 @@ import itertools
 import numpy as np
 from scipy.optimize import brentq
 
-PREFIXES = {"k": 1e3, "M": 1e6, "G": 1e9, "m": 1e-3, "u": 1e-6, "µ": 1e-6, "n": 1e-9}
+PREFIXES = {"": 1, "k": 1e3, "M": 1e6, "G": 1e9, "m": 1e-3, "u": 1e-6, "µ": 1e-6, "n": 1e-9}
 
 
 def in_si(value):
-    """A number with or without a unit, `"2.5 kPa"`."""
+    """A modulus or a time, with or without a unit: `"2.5 kPa"`; raises ValueError for other units than Pa and s."""
     if not isinstance(value, str):
         return float(value)
-    number, unit = value.split(maxsplit=1)
-    return float(number) * (PREFIXES[unit[0]] if len(unit) > 1 and unit[0] in PREFIXES and unit != "min" else 1)
+    number, _, unit = value.partition(" ")
+    prefix = unit.strip().removesuffix("Pa").removesuffix("s")
+    if prefix not in PREFIXES:
+        raise ValueError(f"the unit of `{value}` is not known here")
+    return float(number) * PREFIXES[prefix]
 
 
 def creep(material):
