@@ -298,12 +298,12 @@ fn an_audit_explains_what_was_solved_and_finds_a_pressure_that_was_changed() {
          [output]\nx = { from = -3.0, to = 3.0, points = 301 }\n",
     );
     let results = directory.path().join("results");
-    let said = check(&script("audit", &[&results], &[]));
+    let said = check(&script("audit", &[results.as_path()], &[]));
     assert!(said.contains("2 cases audited") && said.contains("every deviation is explained"), "{said}");
 
     let file = results.join("results.h5");
     check(&run_python("tests/python/scale_pressure.py", &[file.to_str().unwrap(), "1.001"]));
-    let run = script("audit", &[&results], &[]);
+    let run = script("audit", &[results.as_path()], &[]);
     let said = String::from_utf8_lossy(&run.stdout);
     assert_eq!(run.status.code(), Some(1), "{said}");
     for quantity in ["load", "film", "flow", "mu_drag", "energy"] {
@@ -316,7 +316,7 @@ fn an_audit_explains_what_was_solved_and_finds_a_pressure_that_was_changed() {
 #[test]
 fn an_audit_needs_pressure_and_film() {
     let directory = solved("1e-2");
-    let message = refuses("audit", &[&directory.path().join("results")], &[]);
+    let message = refuses("audit", &[directory.path().join("results").as_path()], &[]);
     assert!(message.contains("no pressure or no film_thickness") && message.contains("output.fields"), "{message}");
 }
 
