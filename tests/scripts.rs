@@ -165,7 +165,7 @@ fn sliders_and_clicks_take_another_case() {
 #[test]
 fn every_script_names_the_packages_that_it_imports() {
     let said = check(&run_python("tests/python/inline_metadata.py", &[]));
-    for name in ["surface.py", "profiles.py", "compare.py", "fit_film.py", "reference_dry.py"] {
+    for name in ["surface.py", "profiles.py", "compare.py", "audit.py", "fit_film.py", "reference_dry.py"] {
         assert!(said.contains(name), "{name} was not looked at: {said}");
     }
 }
@@ -239,13 +239,17 @@ fn places_that_one_sweep_has_alone_are_listed() {
 
 /// Solves a small sweep to a tolerance.
 fn solved(tolerance: &str) -> TempDir {
-    let directory = tempdir().unwrap();
-    let sweep = directory.path().join("small.toml");
-    let text = format!(
+    solved_as(&format!(
         "title = \"small\"\n[axes]\nf = [0.0, 100.0]\nalpha = [0.1, 1.0, 10.0, inf]\n\
          beta = {{ from = 10.0, to = 300.0, points = 5, scale = \"log\" }}\n\
          [solver]\ntolerance = {tolerance}\n[output]\nfields = []\n"
-    );
+    ))
+}
+
+/// Solves the sweep of a sweep file.
+fn solved_as(text: &str) -> TempDir {
+    let directory = tempdir().unwrap();
+    let sweep = directory.path().join("small.toml");
     std::fs::write(&sweep, text).unwrap();
     let mut run = Command::new(env!("CARGO_BIN_EXE_stribeck"));
     run.arg("run").arg(&sweep).arg("-o").arg(directory.path().join("results")).args(["--quiet", "--threads", "1"]);
@@ -285,4 +289,40 @@ fn two_tolerances_differ_by_what_they_estimate() {
         }
     }
     assert!(judged > 5 && differing > 60, "{judged} judged, {differing} differ");
+}
+
+#[test]
+fn an_audit_explains_what_was_solved_and_finds_a_pressure_that_was_changed() {
+    let directory = solved_as(
+        "title = \"small\"\n[axes]\nf = [10.0]\nalpha = [1.0]\nbeta = [10.0, 30.0]\n\
+         [output]\nx = { from = -3.0, to = 3.0, points = 301 }\n",
+    );
+    let results = directory.path().join("results");
+    let said = check(&script("audit", &[results.as_path()], &[]));
+    assert!(said.contains("2 cases audited") && said.contains("every deviation is explained"), "{said}");
+
+    let file = results.join("results.h5");
+    check(&run_python("tests/python/scale_pressure.py", &[file.to_str().unwrap(), "1.001"]));
+    let run = script("audit", &[results.as_path()], &[]);
+    let said = String::from_utf8_lossy(&run.stdout);
+    assert_eq!(run.status.code(), Some(1), "{said}");
+    for quantity in ["load", "film", "flow", "mu_drag", "energy"] {
+        assert!(said.contains(&format!("not explained: {quantity} deviates")), "{quantity} in {said}");
+    }
+    let mut lines = said.lines().filter(|line| line.starts_with("not explained"));
+    assert!(lines.all(|line| line.ends_with("beta = 30")), "the case that was not changed is explained: {said}");
+}
+
+#[test]
+fn an_audit_needs_pressure_and_film() {
+    let directory = solved("1e-2");
+    let message = refuses("audit", &[directory.path().join("results").as_path()], &[]);
+    assert!(message.contains("no pressure or no film_thickness") && message.contains("output.fields"), "{message}");
+}
+
+#[test]
+fn another_method_agrees_within_its_own_error() {
+    let options = ["--stribeck", env!("CARGO_BIN_EXE_stribeck"), "--case", "1,100,10", "--points", "48"];
+    let said = check(&script("second_opinion", &[], &options));
+    assert!(said.contains("all differences are below the errors") && said.lines().count() == 7, "{said}");
 }
