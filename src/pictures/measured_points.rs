@@ -18,7 +18,9 @@ pub(super) fn measured_points(
     colours: &[Colour],
     table: &mut Table,
 ) -> Vec<Curve> {
-    let Some(measured) = sweep.measured.as_ref().filter(|measured| measured.column == column.name()) else {
+    let Some((measured, label)) =
+        sweep.measured.as_ref().and_then(|measured| Some((measured, label(measured, column)?)))
+    else {
         return Vec::new();
     };
     let Some(along) = measured.coordinate(&sweep.axis(family.along).name) else { return Vec::new() };
@@ -48,9 +50,9 @@ pub(super) fn measured_points(
                     named.map_or(f64::NAN, |values| values[row])
                 })
                 .collect();
-            table.row(&[column.name(), "measured"], &[&coordinates[..], &[measured.friction[row]]].concat());
+            table.row(&[measured.column, "measured"], &[&coordinates[..], &[measured.friction[row]]].concat());
             if let Some(errors) = &measured.errors {
-                table.row(&[column.name(), "standard error"], &[&coordinates[..], &[errors[row]]].concat());
+                table.row(&[measured.column, "standard error"], &[&coordinates[..], &[errors[row]]].concat());
             }
             if let Some(errors) = &measured.errors {
                 let (x, mu, error) = (along[row], measured.friction[row], errors[row]);
@@ -58,13 +60,23 @@ pub(super) fn measured_points(
             }
         }
         let points = here.iter().map(|row| (along[*row], measured.friction[*row])).collect();
-        let label = if curves.iter().any(|curve: &Curve| !curve.label.is_empty()) { "" } else { "measured" };
+        let label = if curves.iter().any(|curve: &Curve| !curve.label.is_empty()) { "" } else { label };
         curves.push(curve(points, label, Stroke::Points, true));
         if !family_is_known {
             break;
         }
     }
     curves
+}
+
+/// What points are called in a picture of a column; none if they do not belong there. What an instrument reads is drawn
+/// over the paper's total as well, and called what it is.
+fn label(measured: &Measured, column: Column) -> Option<&'static str> {
+    match measured.column {
+        own if own == column.name() => Some("measured"),
+        drag if drag == Column::MuDrag.name() && column == Column::MuTot => Some("measured drag"),
+        _ => None,
+    }
 }
 
 /// True if the file says to which member of the family a point belongs.

@@ -123,7 +123,7 @@ fn nothing_is_lost() {
         (vec!["study", "two.toml", "-o", "taken"], 4, "which `stribeck study` has not written"),
         (vec!["study", "two.toml", "-o", "sweep"], 4, "which `stribeck study` has not written"),
         (vec!["study", "two.toml", "-o", "drawn"], 4, "which `stribeck study` has not written"),
-        (vec!["study", "two.toml", "-o", "file/below"], 4, "cannot create file/below"),
+        (vec!["study", "two.toml", "-o", "file/below"], 4, "cannot create file: not a directory; check the path"),
         (vec!["study", "two.toml", "--threads", "0"], 2, "from 1 to"),
     ] {
         let output = say(path, &arguments);

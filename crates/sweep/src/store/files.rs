@@ -130,6 +130,9 @@ pub fn create_directory(path: &Path) -> Result<(), StoreError> {
     if path.is_dir() {
         return Ok(());
     }
+    if path.exists() {
+        return Err(StoreError::file(path, "create")(ErrorKind::NotADirectory.into()));
+    }
     let above = directory_of(path);
     if above != path {
         create_directory(above)?;
