@@ -163,3 +163,56 @@ fn a_sweep_that_the_disk_has_no_room_for_is_warned_of() {
     assert_eq!(code(&plan), 0);
     assert!(err(&plan).starts_with("warning: the sweep takes about "), "{}{}", out(&plan), err(&plan));
 }
+
+/// The Makefile of docs/build-systems.md, as it stands there.
+#[test]
+fn make_asks_once_and_goes_on_after_failed_cases() {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/build-systems.md")).expect("there");
+    let (_, rest) = text.split_once("```make\n").expect("a Makefile");
+    let place = tempdir().expect("a temporary directory");
+    fs::write(place.path().join("Makefile"), rest.split("```").next().expect("its end")).expect("written");
+    fs::create_dir(place.path().join("sweeps")).expect("made");
+    // The second case is beyond what can be computed, and fails.
+    fs::write(place.path().join("sweeps/small.toml"), SWEEP.replace("100.0]", "1e60]")).expect("written");
+    let program = stribeck(place.path());
+    let home = Path::new(program.get_program()).parent().expect("a directory").to_owned();
+    let path = format!("{}:{}", home.display(), std::env::var("PATH").expect("a path"));
+    let make = || Command::new("make").current_dir(place.path()).env("PATH", &path).output().expect("make runs");
+    let first = make();
+    assert!(first.status.success(), "{}", err(&first));
+    assert!(place.path().join("results/small/report.html").exists());
+    assert!(out(&make()).contains("Nothing to be done"), "{}", out(&make()));
+    // The sweep file is younger, and says the same.
+    std::thread::sleep(Duration::from_millis(20));
+    fs::File::open(place.path().join("sweeps/small.toml"))
+        .and_then(|file| file.set_modified(std::time::SystemTime::now()))
+        .expect("touched");
+    assert!(out(&make()).contains("stribeck run"), "it is asked once");
+    assert!(out(&make()).contains("Nothing to be done"), "and not again");
+    assert_eq!(code(&say(place.path(), &["run", "sweeps/small.toml", "-o", "results/small", "-q"])), 3);
+}
+
+#[test]
+fn much_room_for_fields_is_told_with_the_line_that_saves_it() {
+    let many = SWEEP.replace("[1.0]", "{ from = 1.0, to = 10.0, points = 5000, scale = \"log\" }");
+    let place = place(&many.replace("[output]\nfields = []\n", ""));
+    let plan = say(place.path(), &["plan", "small.toml", "--threads", "1"]);
+    assert_eq!(code(&plan), 0, "{}", err(&plan));
+    assert!(err(&plan).contains("note: fields at 601 values of x take about "), "{}", err(&plan));
+    assert!(err(&plan).contains("fields = [] below [output]"), "{}", err(&plan));
+    fs::write(place.path().join("small.toml"), many).expect("written");
+    assert!(err(&say(place.path(), &["plan", "small.toml"])).is_empty());
+}
+
+#[test]
+fn a_data_set_is_named_by_its_file_as_well() {
+    let place = place(SWEEP);
+    assert_eq!(code(&say(place.path(), &["run", "small.toml", "-q"])), 0);
+    for command in ["plot", "report"] {
+        let shown = say(place.path(), &[command, "results/small/results.h5"]);
+        assert_eq!(code(&shown), 0, "{}", err(&shown));
+    }
+    assert!(place.path().join("results/small/report.html").exists());
+    let inside = say(&place.path().join("results/small"), &["report", "results.h5"]);
+    assert_eq!(code(&inside), 0, "{}", err(&inside));
+}

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::destination::destination;
+use super::run_report::about_fields;
 use super::{CliError, Exit, console, threads};
 use crate::format::{bytes, count, duration};
 use stribeck_input::shown;
@@ -58,6 +59,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         None => text += "to do      nothing to solve\n",
     }
     console::print(&text)?;
+    if let Some(note) = about_fields(&sweep).filter(|_| report.cost.is_some()) {
+        console::tell(&note);
+    }
     Ok(Exit::Success)
 }
 

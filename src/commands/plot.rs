@@ -99,7 +99,8 @@ pub fn at(text: &str) -> Result<(String, Vec<f64>), String> {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let data = published::open(&arguments.directory)?;
+    let home = published::directory(&arguments.directory);
+    let data = published::open(&home)?;
     let sweep = match Sweep::parse("sweep", &data.sweep_text) {
         Ok(sweep) if sweep.grid.dimensions() == data.dimensions => Some(sweep),
         _ => {
@@ -128,7 +129,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         bare: arguments.bare,
     };
     let pictures = pictures(&sweep, &request)?;
-    let directory = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("figures"));
+    let directory = arguments.output.clone().unwrap_or_else(|| home.join("figures"));
     if let Some(measured) = sweep.measured.as_ref().filter(|_| !pictures.iter().any(Picture::shows_points)) {
         console::tell(&format!(
             "note: no point of {} is drawn: no curve here is of {} along a column of it, at the other columns' values",

@@ -1,10 +1,24 @@
 //! The published data set of a results directory, for commands that show it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::{CliError, console};
 use stribeck_input::shown;
 use stribeck_sweep::store::DataSet;
+
+/// The results directory that a user names: itself, or by the data set in it.
+pub fn directory(named: &Path) -> PathBuf {
+    match (named.file_name(), named.parent()) {
+        (Some(name), Some(parent)) if name == "results.h5" && named.is_file() => {
+            if parent.as_os_str().is_empty() {
+                PathBuf::from(".")
+            } else {
+                parent.to_owned()
+            }
+        }
+        _ => named.to_owned(),
+    }
+}
 
 /// Opens it, and warns if cases were stored after it was published.
 ///

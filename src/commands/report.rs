@@ -33,9 +33,10 @@ pub struct Arguments {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let data = published::open(&arguments.directory)?;
-    let file = arguments.output.clone().unwrap_or_else(|| arguments.directory.join("report.html"));
-    let results = arguments.directory.join("results.h5");
+    let home = published::directory(&arguments.directory);
+    let data = published::open(&home)?;
+    let file = arguments.output.clone().unwrap_or_else(|| home.join("report.html"));
+    let results = home.join("results.h5");
     let inputs = arguments.measured.files().chain([results.as_path()]);
     let is_report = |beginning: &[u8]| beginning.starts_with(BEGINNING.as_bytes());
     let output = OutputFiles::new("report", inputs).check(&file, is_report)?;

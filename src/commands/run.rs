@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 
 use super::destination::destination;
-use super::run_report::{about_other_sweep, about_part, about_whole, how_to_resume};
+use super::run_report::{about_fields, about_other_sweep, about_part, about_whole, how_to_resume};
 use super::{CliError, Exit, console, threads};
 use crate::format::count;
 use stribeck_sweep::campaign::{CampaignError, Event, RunOptions, RunOutcome, notes, read_sweep, run};
@@ -37,6 +37,9 @@ pub struct Arguments {
     /// Solve the I-th of N parts only, in DIR/parts; `stribeck merge` publishes them together
     #[arg(long, value_name = "I/N", alias = "shard")]
     part: Option<Part>,
+    /// End with 0 also if cases failed, for build systems: what failed is in summary.csv
+    #[arg(long)]
+    accept_failures: bool,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
@@ -55,7 +58,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     {
         console::tell(&format!("note: {note}"));
     }
-    let mut display = Display { style: ProgressStyle::detect(arguments.quiet), progress: None };
+    let fields = about_fields(&sweep).filter(|_| !arguments.quiet);
+    let mut display = Display { style: ProgressStyle::detect(arguments.quiet), progress: None, fields };
     let report = run(&sweep, &directory, &options, &mut |event| display.tell(&event));
     drop(display);
     let report = report.map_err(|error| match error {
@@ -81,13 +85,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             done.failed
         }
     };
-    Ok(if failed == 0 { Exit::Success } else { Exit::CasesFailed })
+    Ok(if failed == 0 || arguments.accept_failures { Exit::Success } else { Exit::CasesFailed })
 }
 
 /// What a user sees while a sweep runs.
 struct Display {
     style: ProgressStyle,
     progress: Option<Progress>,
+    /// What is to be said of the fields, if cases are solved.
+    fields: Option<String>,
 }
 
 impl Display {
@@ -98,11 +104,14 @@ impl Display {
             Event::TookOver(joined) => {
                 console::tell(&format!("note: took over {} that parts of it have solved", count(joined.cases, "case")));
             }
-            Event::Solving { cases } => match Progress::start(*cases, "cases", self.style) {
-                Ok(progress) => self.progress = Some(progress),
-                // A run that no one can watch is a run all the same.
-                Err(error) => console::tell(&format!("warning: no progress is shown: {error}")),
-            },
+            Event::Solving { cases } => {
+                self.fields.take().iter().for_each(|note| console::tell(note));
+                match Progress::start(*cases, "cases", self.style) {
+                    Ok(progress) => self.progress = Some(progress),
+                    // A run that no one can watch is a run all the same.
+                    Err(error) => console::tell(&format!("warning: no progress is shown: {error}")),
+                }
+            }
             Event::Committed { converged, failed } => {
                 if let Some(progress) = &self.progress {
                     (0..*converged).for_each(|_| progress.count_case(true));

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use super::shell;
-use crate::format::{count, duration};
+use crate::format::{bytes, count, duration};
 use stribeck_input::shown;
-use stribeck_sweep::campaign::{FailedCase, Pending, RunReport};
+use stribeck_sweep::campaign::{FailedCase, Pending, RunReport, field_bytes};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::{Published, StoreError};
-use stribeck_sweep::{Note, NoteCounts, Part};
+use stribeck_sweep::{Note, NoteCounts, Part, Plan, Sweep};
 
 /// What becomes of the cases of a directory that was last run with another sweep file.
 pub fn about_other_sweep(directory: &Path, pending: &Pending) -> String {
@@ -21,6 +21,20 @@ pub fn about_other_sweep(directory: &Path, pending: &Pending) -> String {
         shown(directory),
         count(reused + pending.to_do(), "case"),
     )
+}
+
+/// From so many bytes of fields on a user is told what they take.
+const MANY_BYTES: u64 = 100_000_000;
+
+/// What the fields of a sweep take, and how to do without, if it is much.
+pub fn about_fields(sweep: &Sweep) -> Option<String> {
+    let taken = Some(field_bytes(sweep, &Plan::new(sweep))).filter(|taken| *taken >= MANY_BYTES)?;
+    Some(format!(
+        "note: fields at {} values of x take about {} on the disk; write fields = [] below [output] to leave them out, or \
+         x = {{ from = -3.0, to = 3.0, points = 101 }} for fewer values",
+        sweep.output.x.len(),
+        bytes(taken)
+    ))
 }
 
 /// What is saved, what is left, and the command that resumes.

@@ -6,7 +6,7 @@ use super::{MergedCatalog, Pending};
 use crate::engine::{GROUP_CASES, GROUP_WAIT};
 use crate::store::Catalog;
 use crate::{Field, Method, Plan, Sweep};
-use stribeck_solver::{Interrupt, Solver, relaxation};
+use stribeck_solver::{Interrupt, Output, Solver, relaxation};
 
 /// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
 const PRESSURE_VALUE: f64 = 4.4;
@@ -63,13 +63,23 @@ pub struct Size {
     pub published: u64,
 }
 
+/// Bytes that the fields of a sweep take, stored and published.
+pub fn field_bytes(sweep: &Sweep, plan: &Plan) -> u64 {
+    let of_case = fields_of_case(&sweep.output);
+    (of_case * (plan.problems() as f64 + FIELD_PUBLISHED * plan.cases() as f64)) as u64
+}
+
+/// Bytes of the fields of a case in a shard.
+fn fields_of_case(output: &Output) -> f64 {
+    let of_field = |field| if field == Field::Pressure { PRESSURE_VALUE } else { FIELD_VALUE };
+    let values = |field| FIELD + of_field(field) * output.x.len() as f64;
+    Field::selected(output.fields).map(values).sum()
+}
+
 impl Size {
     /// The size of `cases` stored cases in so many shards, and of the whole sweep published.
     fn of(sweep: &Sweep, plan: &Plan, cases: u64, shards: f64) -> Self {
-        let output = &sweep.output;
-        let of_field = |field| if field == Field::Pressure { PRESSURE_VALUE } else { FIELD_VALUE };
-        let values = |field| FIELD + of_field(field) * output.x.len() as f64;
-        let fields: f64 = Field::selected(output.fields).map(values).sum();
+        let fields = fields_of_case(&sweep.output);
         let stored = cases as f64 * (LOGGED_CASE + fields) + shards.ceil() * SHARD;
         let published = FRAME + plan.cases() as f64 * (PLACE + TABLE_ROW + FIELD_PUBLISHED * fields);
         Self { stored: stored as u64, published: published as u64 }

@@ -56,7 +56,7 @@ mod status;
 mod sweep_directory;
 
 pub use crate::store::{VerifyReport, verify};
-pub use cost::{CaseSeconds, Cost, Size};
+pub use cost::{CaseSeconds, Cost, Size, field_bytes};
 pub use entry::case_entry;
 pub use error::CampaignError;
 pub use event::{Event, Observer};
