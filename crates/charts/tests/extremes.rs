@@ -73,7 +73,7 @@ fn map() -> impl Strategy<Value = Map> {
     };
     let values = prop::collection::vec(any_number(), 30);
     let labels = |count| prop::collection::vec(text(), 1..count);
-    (text(), text(), labels(6), labels(3), axis(), axis(), values, scale()).prop_map(|given| {
+    (text(), text(), labels(3), labels(2), axis(), axis(), values, scale()).prop_map(|given| {
         let (title, x_label, columns, rows, x, y, values, scale) = given;
         let cell = |k: usize| match (values[k % values.len()], k % 11) {
             (_, 5) => Cell::Failed,

@@ -44,7 +44,11 @@ pub(crate) fn logarithmic(low: f64, high: f64, most: usize) -> Ticks {
     let decades: Vec<i32> = (first..=number::exponent(high)).filter(|e| inside(&power_of_ten(*e))).collect();
     if decades.len() >= 3 {
         let kept = thinned(&decades, most);
-        let minor = if kept.len() == decades.len() {
+        // More marks than this are a bar.
+        const MOST_MINOR: usize = 100;
+        let minor = if decades.len() > MOST_MINOR {
+            vec![]
+        } else if kept.len() == decades.len() {
             if decades.len() <= 7 { multiples(low, high, &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]) } else { vec![] }
         } else {
             decades.iter().filter(|e| !kept.contains(e)).map(|e| power_of_ten(*e)).collect()

@@ -75,7 +75,9 @@ mod tests {
             prop_assert_eq!(clipped(&corners, &whole), corners);
         }
 
-        fn what_comes_from_anywhere_is_cut_inside(corners in prop::collection::vec((any_number(), any_number()), 1..9)) {
+        fn what_comes_from_anywhere_is_cut_inside(
+            corners in prop::collection::vec((any_number(), any_number()), 1..9),
+        ) {
             let within = Area { left: 20.3, top: -0.7, right: 200.1, bottom: 150.9 };
             let found = clipped(&corners, &within);
             prop_assert!(found.iter().all(|point| within.grown(1e-9).contains(&Area::about(*point, 0.0))), "{found:?}");
