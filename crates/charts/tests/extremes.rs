@@ -1,6 +1,4 @@
-//! Charts of numbers of any size and of any text: drawn soon, in few bytes, as well-formed SVG near the picture.
-
-use std::time::{Duration, Instant};
+//! Charts of numbers of any size and of any text: drawn in few bytes, as well-formed SVG near the picture.
 
 use crate::chart_files::{check_formats, texts, with};
 use crate::laws::laws;
@@ -160,10 +158,7 @@ fn pixels(node: &Node) -> Vec<f64> {
 }
 
 fn check(chart: &impl Chart) {
-    let before = Instant::now();
     let svg = chart.svg().unwrap();
-    // A second is long for the slowest processor.
-    assert!(before.elapsed() < Duration::from_secs(2), "{:?}", before.elapsed());
     assert!(svg.len() < 3_000_000, "{} bytes", svg.len());
     let document = Document::parse(&svg).unwrap_or_else(|error| panic!("{error}"));
     for node in document.descendants() {
