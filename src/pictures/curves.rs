@@ -227,10 +227,11 @@ fn vertical_range(solved: &[Curve], known: &[Curve], logarithmic: bool) -> Optio
         return None;
     }
     let (low, high) = (low.min(known_low.max(least)) - 0.05 * span, high.max(known_high.min(most)) + 0.05 * span);
+    // Room may reach beyond all numbers.
     Some(if logarithmic {
-        (10_f64.powf(low), 10_f64.powf(high))
+        (10_f64.powf(low).max(0.0_f64.next_up()), 10_f64.powf(high).min(f64::MAX))
     } else {
-        (if low < 0.0 && ends(solved).0 >= 0.0 { 0.0 } else { low }, high)
+        (if low < 0.0 && ends(solved).0 >= 0.0 { 0.0 } else { low.max(f64::MIN) }, high.min(f64::MAX))
     })
 }
 

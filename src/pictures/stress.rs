@@ -50,6 +50,9 @@ pub(super) fn stress(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
     let range = request.x.unwrap_or((-1.6, 1.6));
     let inside = shown(sweep, &Request { x: Some(range), ..request.clone() }, Kind::Stress)?;
     let (first, last) = (inside[0], inside[inside.len() - 1]);
+    if !(DEPTH * (sweep.data.x[last] - sweep.data.x[first])).is_finite() {
+        return Err(Kind::Stress.missing("the x lie too far apart to be drawn; give nearer ones with --x"));
+    }
     let points = Points::between(sweep, first, last);
     let mut table =
         Table::new(&[&sweep.coordinate_names()[..], &["x", "depth", "surface", "cylinder", "stress"]].concat());

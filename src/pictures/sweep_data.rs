@@ -157,6 +157,8 @@ pub(super) fn rounded(value: f64) -> String {
         return "∞".to_owned();
     }
     let short: f64 = format!("{value:.3e}").parse().expect("{:e} writes a number");
+    // The largest numbers would round to infinity.
+    let short = if short.is_finite() { short } else { value };
     if short != 0.0 && !(1e-4..1e6).contains(&short.abs()) { format!("{short:e}") } else { shortest(short) }
 }
 
@@ -166,7 +168,8 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        let values = [31.622776601683793, 0.001, 1000.0, 0.0, f64::INFINITY, 2e-7];
-        assert_eq!(values.map(rounded), ["31.62", "0.001", "1000", "0", "∞", "2e-7"]);
+        let values = [31.622776601683793, 0.001, 1000.0, 0.0, f64::INFINITY, 2e-7, 1.7e308];
+        assert_eq!(values.map(rounded), ["31.62", "0.001", "1000", "0", "∞", "2e-7", "1.7e308"]);
+        assert_eq!(rounded(f64::MAX), "1.7976931348623157e308");
     }
 }

@@ -43,6 +43,9 @@ mod layout_laws;
 mod lines;
 mod map;
 mod median;
+#[cfg(test)]
+#[path = "../tests/numbers/mod.rs"]
+mod numbers;
 mod paint;
 mod surface3d;
 mod work_precision;

@@ -1,9 +1,8 @@
 //! The logarithmic axis of a map, cut into cells. 0 and ∞, which have no place on it, are cells of their own, set off
 //! at its ends.
 
-use crate::axes::Axis;
-use crate::axes::number;
 use crate::axes::ticks::{self, Tick, Ticks};
+use crate::axes::{Axis, number, place};
 
 /// From sorted values to cells, as shares of the axis's length.
 #[derive(Clone, Debug)]
@@ -13,8 +12,10 @@ pub(crate) struct CellAxis {
     cells: Vec<(f64, f64)>,
     /// Where the cells hang together: 0, the values between, ∞.
     blocks: Vec<(f64, f64)>,
-    /// The block of the values between, and the decimal logarithms of its ends.
+    /// The block of the values between, and its ends as decimal logarithms, or as `narrow` says.
     finite: Option<((f64, f64), (f64, f64))>,
+    /// The first and the last of the values between, where logarithms tell too little: they count as 0 and 1.
+    narrow: Option<(f64, f64)>,
 }
 
 /// Up to this many values are labelled one by one.
@@ -23,12 +24,17 @@ const FEW: usize = 5;
 impl CellAxis {
     /// The axis of strictly increasing values, 0 and ∞ allowed.
     pub(crate) fn new(values: &[f64]) -> Self {
-        let borders = borders(values);
-        let count = values.len() - values.iter().filter(|value| is_special(**value)).count();
+        let between: Vec<f64> = values.iter().copied().filter(|value| !is_special(*value)).collect();
+        let narrow = match between[..] {
+            [first, .., last] if place::is_narrow(first.log10(), last.log10()) => Some((first, last)),
+            _ => None,
+        };
+        let borders = borders(&between.iter().map(|value| counted(*value, narrow)).collect::<Vec<_>>());
+        let count = between.len();
         // The length of the values between is 1 for now.
         let special = if count == 0 { 1.0 } else { (1.0 / count as f64).clamp(0.07, 0.16) };
         const GAP: f64 = 0.03;
-        let mut axis = CellAxis { values: values.to_vec(), cells: vec![], blocks: vec![], finite: None };
+        let mut axis = CellAxis { values: values.to_vec(), cells: vec![], blocks: vec![], finite: None, narrow };
         let mut end = 0.0;
         let begin = |end: f64| if end > 0.0 { end + GAP } else { 0.0 };
         for (i, value) in values.iter().enumerate() {
@@ -73,7 +79,7 @@ impl Axis for CellAxis {
             return 0.5 * (self.cells[i].0 + self.cells[i].1);
         }
         let ((from, to), (low, high)) = self.finite.expect("only an axis with finite values is asked for one");
-        from + (to - from) * (value.log10() - low) / (high - low)
+        from + (to - from) * (counted(value, self.narrow) - low) / (high - low)
     }
 
     /// The ticks of an axis of `length` pixels, whose labels (of font size `em`) lie along it or, `upright`, across it.
@@ -101,7 +107,8 @@ impl Axis for CellAxis {
                 return one_by_one;
             }
         }
-        let decades = |most| with_special(ticks::logarithmic(10f64.powf(low), 10f64.powf(high), most));
+        let (least, largest) = self.narrow.unwrap_or_else(|| place::numbers_between(low, high));
+        let decades = |most| with_special(ticks::logarithmic(least, largest, most));
         let fitting = ticks::fitting(decades, &extent, gap);
         if ticks::fits(&fitting, &extent, gap) {
             return fitting;
@@ -123,10 +130,14 @@ fn is_special(value: f64) -> bool {
     value == 0.0 || value == f64::INFINITY
 }
 
-/// Decimal logarithms of the borders of the finite positive values' cells: midway between neighbours, and as far beyond
-/// the first and last value as before it. One value alone has half a decade on each side.
-fn borders(values: &[f64]) -> Vec<f64> {
-    let logarithms: Vec<f64> = values.iter().filter(|v| !is_special(**v)).map(|v| v.log10()).collect();
+/// A value as the axis counts: its decimal logarithm, or a share of a narrow axis.
+fn counted(value: f64, narrow: Option<(f64, f64)>) -> f64 {
+    narrow.map_or_else(|| value.log10(), |(first, last)| place::linear(value, first, last))
+}
+
+/// The borders of the cells of values, both as the axis counts: midway between neighbours, and as far beyond the first
+/// and last value as before it. One value alone has half a decade on each side.
+fn borders(logarithms: &[f64]) -> Vec<f64> {
     let (Some(first), Some(last)) = (logarithms.first(), logarithms.last()) else { return vec![] };
     let mut borders: Vec<f64> = logarithms.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
     let before = borders.first().map_or(first - 0.5, |border| 2.0 * first - border);
@@ -142,6 +153,7 @@ mod tests {
 
     use super::*;
     use crate::laws::laws;
+    use crate::numbers::{any_positive, increasing};
 
     laws! {
         seed: 2, cases: 256;
@@ -171,6 +183,19 @@ mod tests {
             let ticks = axis.ticks(1000.0, 40.0, false);
             prop_assert_eq!(ticks.major.iter().any(|tick| tick.label == "0"), zero);
             prop_assert_eq!(ticks.major.iter().any(|tick| tick.label == "∞"), infinity);
+        }
+
+        fn any_values_have_cells_side_by_side(values in increasing(any_positive(), 1..9), length in 20.0..1500.0f64) {
+            let axis = CellAxis::new(&values);
+            let shares: Vec<f64> = values.iter().map(|value| axis.share(*value)).collect();
+            for (i, share) in shares.iter().enumerate() {
+                let (from, to) = axis.cell(i);
+                prop_assert!(-1e-9 <= from && from <= *share && *share <= to && to <= 1.0 + 1e-9, "{axis:?}");
+                prop_assert!(i == 0 || axis.cell(i - 1).1 == from, "{axis:?}");
+            }
+            let inside = |tick: &Tick| (-1e-6..=1.0 + 1e-6).contains(&axis.share(tick.value));
+            let ticks = axis.ticks(length, 40.0, false);
+            prop_assert!(ticks.major.iter().all(inside), "{ticks:?}");
         }
     }
 

@@ -1,5 +1,6 @@
 //! From a value to a colour, and the bar that shows how.
 
+use crate::axes::place;
 use crate::axes::ticks::{self, Ticks};
 use crate::paint::font;
 use crate::paint::palette::{self, FRAME, Ink, TEXT};
@@ -29,19 +30,21 @@ impl ColourRange {
             Some(range) => range,
             None if least > most => return None,
             // A colour needs a range around it, at least a part in a thousand.
-            None if logarithmic && most < 1.001 * least => (least / 10f64.sqrt(), most * 10f64.sqrt()),
+            None if logarithmic && most / least < 1.001 => (least / 10f64.sqrt(), most * 10f64.sqrt()),
             None if !logarithmic && most - least <= 1e-3 * least.abs().max(most.abs()) => {
                 let room = 0.5 * least.abs().max(most.abs()).max(f64::MIN_POSITIVE.sqrt());
                 (least - room, most + room)
             }
             None => (least, most),
         };
+        let (low, high) = if wanted.is_none() { place::ends((low, high), logarithmic) } else { (low, high) };
         Some(ColourRange { low, high, logarithmic, below: least < low, above: most > high, bands: None })
     }
 
-    /// The same scale in about this many bands, whose boundaries are round values.
+    /// The same scale in about this many bands, whose boundaries are round values. The eye parts no more than a
+    /// hundred.
     pub(crate) fn in_bands(self, count: usize) -> Self {
-        ColourRange { bands: Some(count), ..self }
+        ColourRange { bands: Some(count.min(100)), ..self }
     }
 
     /// The values that part the bands, between the ends of the scale; none if colours change smoothly.
@@ -73,11 +76,8 @@ impl ColourRange {
 
     /// 0 at the lower end, 1 at the upper; beyond for values beyond.
     pub(crate) fn share(&self, value: f64) -> f64 {
-        if self.logarithmic {
-            (value.log10() - self.low.log10()) / (self.high.log10() - self.low.log10())
-        } else {
-            (value - self.low) / (self.high - self.low)
-        }
+        let share = if self.logarithmic { place::logarithmic } else { place::linear };
+        share(value, self.low, self.high)
     }
 
     /// The colour of a value.
@@ -161,6 +161,14 @@ mod tests {
 
     use super::*;
     use crate::laws::laws;
+    use crate::numbers::{any_number, any_positive, range_of};
+
+    fn check_bands(range: &ColourRange) {
+        let ends = range.band_ends();
+        assert!(ends.windows(2).all(|pair| pair[0] <= pair[1]), "{range:?}: {ends:?}");
+        assert_eq!(range.band_inks().len(), range.boundaries().len() + 1);
+        assert!(!range.ticks(900.0, 40.0).major.is_empty());
+    }
 
     laws! {
         seed: 3, cases: 256;
@@ -174,6 +182,22 @@ mod tests {
             prop_assert!(shares.windows(2).all(|pair| pair[0] <= pair[1]));
             prop_assert!(shares.iter().all(|share| (-1e-9..=1.0 + 1e-9).contains(share)));
             prop_assert!(!range.below && !range.above);
+        }
+
+        fn any_numbers_have_a_scale(
+            mut values in prop::collection::vec(any_number(), 1..9), logarithmic: bool, bands in 1usize..101,
+        ) {
+            if logarithmic {
+                values.iter_mut().for_each(|value| *value = value.abs().max(5e-324));
+            }
+            let range = ColourRange::of(&values, logarithmic, None).unwrap().in_bands(bands);
+            prop_assert!(values.iter().all(|value| (-1e-9..=1.0 + 1e-9).contains(&range.share(*value))), "{range:?}");
+            check_bands(&range);
+        }
+
+        fn any_range_has_bands(linear in range_of(any_number()), logarithmic in range_of(any_positive())) {
+            check_bands(&ColourRange::of(&[], false, Some(linear)).unwrap().in_bands(usize::MAX));
+            check_bands(&ColourRange::of(&[], true, Some(logarithmic)).unwrap().in_bands(usize::MAX));
         }
     }
 

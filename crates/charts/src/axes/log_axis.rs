@@ -1,5 +1,6 @@
 //! A logarithmic axis whose ends follow from what it shows.
 
+use crate::axes::place;
 use crate::axes::ticks::{self, Ticks};
 
 /// From positive numbers to shares of the axis's length.
@@ -8,6 +9,8 @@ pub(crate) struct LogAxis {
     /// Decimal logarithms of the ends, low < high.
     low: f64,
     high: f64,
+    /// The ends as numbers, where logarithms tell too little.
+    narrow: Option<(f64, f64)>,
 }
 
 impl LogAxis {
@@ -22,30 +25,56 @@ impl LogAxis {
             return None;
         }
         let lacking = (0.5 * (1.0 - (high - low))).max(ROOM * (high - low));
-        Some(LogAxis { low: low - lacking, high: high + lacking })
+        Some(LogAxis { low: low - lacking, high: high + lacking, narrow: None })
     }
 
     /// The axis from one positive number to a larger one.
     pub(crate) fn between(low: f64, high: f64) -> Self {
-        LogAxis { low: low.log10(), high: high.log10() }
+        let (start, end) = (low.log10(), high.log10());
+        LogAxis { low: start, high: end, narrow: place::is_narrow(start, end).then_some((low, high)) }
     }
 
     /// 0 at the lower end, 1 at the upper.
     pub(crate) fn share(&self, value: f64) -> f64 {
-        (value.log10() - self.low) / (self.high - self.low)
+        match self.narrow {
+            Some((low, high)) => place::linear(value, low, high),
+            None => place::linear(value.log10(), self.low, self.high),
+        }
     }
 
     /// At most `most` labels.
     pub(crate) fn ticks(&self, most: usize) -> Ticks {
         // A decade at the very end must not be lost to rounding.
         const SLACK: f64 = 1e-9;
-        ticks::logarithmic(10f64.powf(self.low - SLACK), 10f64.powf(self.high + SLACK), most)
+        let numbers = || place::numbers_between(self.low - SLACK, self.high + SLACK);
+        let (low, high) = self.narrow.unwrap_or_else(numbers);
+        ticks::logarithmic(low, high, most)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::laws::laws;
+    use crate::numbers::{any_positive, range_of};
+
+    laws! {
+        seed: 33, cases: 256;
+
+        fn any_numbers_have_an_axis(
+            (low, high) in range_of(any_positive()), values in prop::collection::vec(any_positive(), 1..9),
+        ) {
+            let around = LogAxis::around(values.iter().copied()).unwrap();
+            prop_assert!(values.iter().all(|value| (0.0..=1.0).contains(&around.share(*value))), "{around:?}");
+            for axis in [around, LogAxis::between(low, high)] {
+                let shares: Vec<f64> = axis.ticks(9).major.iter().map(|tick| axis.share(tick.value)).collect();
+                prop_assert!(shares.len() >= 2 && shares.windows(2).all(|pair| pair[0] < pair[1]), "{axis:?}");
+                prop_assert!(shares.iter().all(|share| (-0.01..=1.01).contains(share)), "{axis:?}: {shares:?}");
+            }
+        }
+    }
 
     #[test]
     fn places_grow_with_the_value_and_stay_inside() {

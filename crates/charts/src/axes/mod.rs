@@ -4,6 +4,7 @@ pub(crate) mod cell_axis;
 pub(crate) mod colour_scale;
 pub(crate) mod log_axis;
 pub(crate) mod number;
+pub(crate) mod place;
 pub(crate) mod scaled_axis;
 pub(crate) mod ticks;
 

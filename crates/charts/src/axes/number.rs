@@ -18,7 +18,7 @@ pub(crate) fn decade(exponent: i32) -> String {
     format!("10{}", superscript(exponent))
 }
 
-/// The largest power of ten not above `value` > 0, as exponent; exact for powers of ten.
+/// The largest power of ten not above a finite `value` > 0, as exponent; exact for powers of ten.
 pub(crate) fn exponent(value: f64) -> i32 {
     format!("{value:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).expect("{:e} writes an exponent")
 }
@@ -38,44 +38,41 @@ pub(crate) enum Notation {
 }
 
 impl Notation {
-    /// What suits numbers up to this size, told apart by steps of this size.
-    pub(crate) fn of(largest: f64, step: f64) -> Self {
-        if (1e-4..1e5).contains(&largest) && step >= 1e-5 { Notation::Plain } else { Notation::Scientific }
+    /// What suits numbers up to this size, whose last digit counts this power of ten.
+    pub(crate) fn of(largest: f64, last: i32) -> Self {
+        if (1e-4..1e5).contains(&largest) && last >= -5 { Notation::Plain } else { Notation::Scientific }
     }
 }
 
-/// The value, told apart from its neighbours `step` away.
-pub(crate) fn stepped(value: f64, step: f64, notation: Notation) -> String {
-    let last = exponent(step);
-    // What rounding leaves of zero is not a number of its own.
-    if value.abs() < 0.01 * step {
-        return "0".to_string();
-    }
-    let text = match notation {
-        Notation::Plain => format!("{value:.*}", (-last).max(0) as usize),
+/// The value to the digit that counts ten to the power `last`.
+pub(crate) fn stepped(value: f64, last: i32, notation: Notation) -> String {
+    match notation {
+        _ if value == 0.0 => "0".to_string(),
+        Notation::Plain => format!("{value:.*}", (-last).max(0) as usize).replace('-', "−"),
         Notation::Scientific => {
-            let power = exponent(value.abs() + 0.01 * step);
-            let digits = (power - last).max(0) as usize;
-            let mantissa = format!("{:.digits$}", value / power_of_ten(power));
-            if mantissa == "1" { decade(power) } else { format!("{mantissa}·{}", decade(power)) }
+            let digits = (exponent(value.abs()) - last).max(0) as usize;
+            scientific(&format!("{value:.digits$e}"))
         }
-    };
-    text.replace('-', "−")
+    }
+}
+
+/// The value in as many digits as tell it from all other numbers.
+pub(crate) fn exact(value: f64) -> String {
+    if value == 0.0 { "0".to_string() } else { scientific(&format!("{value:e}")) }
+}
+
+/// "2.5e-3" as a reader writes it.
+fn scientific(text: &str) -> String {
+    let (mantissa, power) = text.split_once('e').expect("{:e} writes an exponent");
+    let power = decade(power.parse().expect("{:e} writes an exponent"));
+    if mantissa == "1" { power } else { format!("{}·{power}", mantissa.replace('-', "−")) }
 }
 
 /// Positive numbers to three digits, without zeros at the end: all plain if their size allows it.
 pub(crate) fn short(values: &[f64]) -> Vec<String> {
-    let rounded: Vec<f64> =
-        values.iter().map(|value| format!("{value:.2e}").parse().expect("{:e} writes a number")).collect();
+    // The largest numbers would round to infinity.
+    let round = |value: &f64| format!("{value:.2e}").parse::<f64>().expect("{:e} writes a number").min(1.79e308);
+    let rounded: Vec<f64> = values.iter().map(round).collect();
     let plain = rounded.iter().all(|value| (1e-2..2e4).contains(value));
-    let write = |value: f64| {
-        if plain {
-            return value.to_string();
-        }
-        let scientific = format!("{value:e}");
-        let (mantissa, power) = scientific.split_once('e').expect("{:e} writes an exponent");
-        let power = decade(power.parse().expect("{:e} writes an exponent"));
-        if mantissa == "1" { power } else { format!("{mantissa}·{power}") }
-    };
-    rounded.into_iter().map(write).collect()
+    rounded.into_iter().map(|value| if plain { value.to_string() } else { exact(value) }).collect()
 }

@@ -1,7 +1,7 @@
 //! An axis of a chart of curves: from numbers to shares of its length.
 
-use crate::axes::Axis;
 use crate::axes::ticks::{self, Tick, Ticks};
+use crate::axes::{Axis, place};
 
 /// A linear or a logarithmic axis; a logarithmic one may have places for 0 and ∞ beyond its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +37,7 @@ impl ScaledAxis {
                 (least, most) = (least.min(value), most.max(value));
             }
         }
-        let (low, high) = range.unwrap_or_else(|| around(least, most, logarithmic, room));
+        let (low, high) = range.unwrap_or_else(|| place::ends(around(least, most, logarithmic, room), logarithmic));
         let span = (if zero { SPECIAL } else { 0.0 }, if infinity { 1.0 - SPECIAL } else { 1.0 });
         Self { logarithmic, low, high, span, zero, infinity }
     }
@@ -65,9 +65,8 @@ impl Axis for ScaledAxis {
         if self.is_special(value) {
             return if value == 0.0 { 0.5 * (self.span.0 - 0.01) } else { 1.0 - 0.5 * (1.0 - self.span.1 - 0.01) };
         }
-        let place = |value: f64| if self.logarithmic { value.log10() } else { value };
-        let share = (place(value) - place(self.low)) / (place(self.high) - place(self.low));
-        self.span.0 + (self.span.1 - self.span.0) * share
+        let share = if self.logarithmic { place::logarithmic } else { place::linear };
+        self.span.0 + (self.span.1 - self.span.0) * share(value, self.low, self.high)
     }
 
     /// The ticks of an axis of `length` pixels, whose labels (of font size `em`) lie along it or, `upright`, across it.
@@ -90,7 +89,7 @@ impl Axis for ScaledAxis {
     }
 }
 
-/// Ends around the values from `least` to `most`, which may be one number or none.
+/// Ends around the values from `least` to `most`, which may be one number or none. They may be beyond all numbers.
 fn around(least: f64, most: f64, logarithmic: bool, room: f64) -> (f64, f64) {
     if least > most {
         return if logarithmic { (0.1, 10.0) } else { (0.0, 1.0) };
@@ -106,7 +105,8 @@ fn around(least: f64, most: f64, logarithmic: bool, room: f64) -> (f64, f64) {
         let half = if size == 0.0 { 1.0 } else { 0.5 * size };
         return (least - half, most + half);
     }
-    let room = room * (most - least);
+    let width = most - least;
+    let room = if width.is_finite() { room * width } else { room * most - room * least };
     (least - room, most + room)
 }
 
@@ -116,6 +116,7 @@ mod tests {
 
     use super::*;
     use crate::laws::laws;
+    use crate::numbers::any_number;
 
     laws! {
         seed: 8, cases: 256;
@@ -137,6 +138,22 @@ mod tests {
             let ticks = axis.ticks(1000.0, 40.0, upright);
             let inside = |tick: &Tick| (-1e-9..=1.0 + 1e-9).contains(&axis.share(tick.value));
             prop_assert!(ticks.major.len() >= 2 && ticks.major.iter().all(inside), "{ticks:?}");
+        }
+
+        fn any_numbers_have_an_axis_around_them(
+            mut values in prop::collection::vec(any_number(), 1..9), logarithmic: bool, from_zero: bool, marked: bool,
+        ) {
+            if logarithmic {
+                values.iter_mut().for_each(|value| *value = value.abs());
+            }
+            values.sort_by(f64::total_cmp);
+            let room = if marked { 0.02 } else { 0.0 };
+            let axis = ScaledAxis::new(values.iter().copied(), logarithmic, None, room);
+            let axis = if from_zero { axis.begun_at_zero(values.iter().copied()) } else { axis };
+            let shares: Vec<f64> = values.iter().map(|value| axis.share(*value)).collect();
+            prop_assert!(shares.windows(2).all(|pair| pair[0] <= pair[1]), "{shares:?}");
+            prop_assert!(shares.iter().all(|share| (-1e-9..=1.0 + 1e-9).contains(share)), "{shares:?}");
+            prop_assert!(axis.ticks(1000.0, 40.0, true).major.len() >= 2);
         }
     }
 

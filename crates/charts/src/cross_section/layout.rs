@@ -100,7 +100,7 @@ fn draw_field(scene: &mut Scene, layout: &Layout, panel: &CrossSectionPanel, are
     let columns = panel.x.len();
     let place =
         |k: usize| layout.at(area, (panel.x[k % columns], panel.surface[k % columns] - panel.depth[k / columns]));
-    let places: Vec<Point> = (0..panel.values.len()).map(place).collect();
+    let places: Vec<Point> = (0..panel.values.len()).map(|k| within_reach(place(k))).collect();
     let values: Vec<f64> = panel.values.iter().map(|value| shown(*value)).collect();
     let boundaries: Vec<f64> = layout.colours.boundaries().into_iter().map(shown).collect();
     let inks = layout.colours.band_inks();
@@ -115,6 +115,12 @@ fn draw_field(scene: &mut Scene, layout: &Layout, panel: &CrossSectionPanel, are
     for line in boundaries.iter().flat_map(|level| grid.contours(*level)) {
         polyline::clipped(&line, &area).into_iter().for_each(|piece| scene.path(piece, 1.5, faded(PAPER, 0.6)));
     }
+}
+
+/// A point not so far away that areas reckoned with it lose all digits; values change little from there to the panel.
+fn within_reach((x, y): Point) -> Point {
+    const REACH: f64 = 1e12;
+    (x.clamp(-REACH, REACH), y.clamp(-REACH, REACH))
 }
 
 /// Draws the cylinder above its lower side, and the surface.

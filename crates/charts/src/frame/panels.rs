@@ -69,7 +69,8 @@ impl Panels {
             let out = overhang(x, &x.ticks(panels.width, em, false), panels.width, em);
             panels.gap = (out.0 + out.1 + 0.5 * em).max(0.9 * em).max(panels.gap);
             let bar = demand.colours.map_or(0.0, |(scale, name)| scale.width(panels.bar_length, em, name) + 0.8 * em);
-            panels.width = (RIGHT - bar - out.1 - panels.left - (columns - 1.0) * panels.gap) / columns;
+            // Where labels leave no room a panel stays a panel, and the picture is cut.
+            panels.width = ((RIGHT - bar - out.1 - panels.left - (columns - 1.0) * panels.gap) / columns).max(em);
         }
         panels.x_ticks = x.ticks(panels.width, em, false);
         panels.y_ticks = y.ticks(panels.height, em, true);

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::axes::place;
 use crate::paint::scene::Point;
 
 /// Values at the nodes of a grid, and where the nodes lie.
@@ -67,7 +68,7 @@ impl Grid<'_> {
     fn crossing(&self, (from, to): Edge, level: f64) -> Point {
         let value = |node: usize| self.values[node].expect("a line meets nodes with a value");
         let (start, end) = (value(from), value(to));
-        let share = if start.is_infinite() { 1.0 } else { (level - start) / (end - start) };
+        let share = if start.is_infinite() { 1.0 } else { place::linear(level, start, end).clamp(0.0, 1.0) };
         let ((x, y), (to_x, to_y)) = (self.places[from], self.places[to]);
         (x + share * (to_x - x), y + share * (to_y - y))
     }
@@ -83,7 +84,7 @@ fn segments(square: [(usize, f64); 4], level: f64) -> Vec<(Edge, Edge)> {
     // Around the square, lines leave from edges where the value falls, for edges where it rises.
     let falls: Vec<usize> = (0..4).filter(|corner| high(*corner) && !high(corner + 1)).collect();
     // At a saddle the two higher corners are joined if the middle is as high, else the two lower ones.
-    let joined = 0.25 * square.iter().map(|corner| corner.1).sum::<f64>() >= level;
+    let joined = square.iter().map(|corner| 0.25 * corner.1).sum::<f64>() >= level;
     let rise = |fall: usize| {
         let rises = (1..4).map(|step| fall + step).filter(|corner| !high(*corner) && high(corner + 1));
         let mut found = rises.collect::<Vec<usize>>().into_iter();
@@ -98,6 +99,7 @@ mod tests {
 
     use super::*;
     use crate::laws::laws;
+    use crate::numbers::any_number;
 
     /// The places of the nodes of a grid whose squares are of size 1.
     fn even(columns: usize, nodes: usize) -> Vec<Point> {
@@ -196,6 +198,14 @@ mod tests {
                         prop_assert!(found.iter().any(|point| (point.0 - at.0).hypot(point.1 - at.1) < 1e-9), "{at:?}");
                     }
                 }
+            }
+        }
+
+        fn lines_stay_inside_whatever_the_values_are(
+            values in prop::collection::vec(prop::option::weighted(0.9, any_number()), 12), level in any_number(),
+        ) {
+            for (x, y) in lines(4, &values, level).concat() {
+                prop_assert!((0.0..=3.0).contains(&x) && (0.0..=2.0).contains(&y), "({x}, {y})");
             }
         }
 

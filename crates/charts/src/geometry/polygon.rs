@@ -9,22 +9,24 @@ pub(crate) fn area(corners: &[Point]) -> f64 {
 }
 
 /// The part of a polygon inside a rectangle (Sutherland and Hodgman's method). Parts that hang together outside only
-/// stay joined by lines along its border. Empty if nothing is inside.
+/// stay joined by lines along its border. Corners that are no numbers are left out. Empty if nothing is inside.
 pub(crate) fn clipped(corners: &[Point], within: &Area) -> Vec<Point> {
-    // How far a point lies inside each side.
-    let sides: [&dyn Fn(Point) -> f64; 4] =
-        [&|point| point.0 - within.left, &|point| within.right - point.0, &|point| point.1 - within.top, &|point| {
-            within.bottom - point.1
-        }];
-    let mut kept = corners.to_vec();
-    for inside in sides {
+    // How far a point lies inside each side, in quarters; and the point of a side beside another one.
+    type Side<'a> = (&'a dyn Fn(Point) -> f64, &'a dyn Fn(Point) -> Point);
+    let sides: [Side; 4] = [
+        (&|(x, _)| 0.25 * x - 0.25 * within.left, &|(_, y)| (within.left, y)),
+        (&|(x, _)| 0.25 * within.right - 0.25 * x, &|(_, y)| (within.right, y)),
+        (&|(_, y)| 0.25 * y - 0.25 * within.top, &|(x, _)| (x, within.top)),
+        (&|(_, y)| 0.25 * within.bottom - 0.25 * y, &|(x, _)| (x, within.bottom)),
+    ];
+    let mut kept: Vec<Point> = corners.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+    for (inside, beside) in sides {
         let mut next = Vec::with_capacity(kept.len() + 4);
         for (i, to) in kept.iter().enumerate() {
             let from = kept[(i + kept.len() - 1) % kept.len()];
             let (start, end) = (inside(from), inside(*to));
             if (start < 0.0) != (end < 0.0) {
-                let share = start / (start - end);
-                next.push((from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1)));
+                next.push(beside(crossing((from, start), (*to, end))));
             }
             if end >= 0.0 {
                 next.push(*to);
@@ -35,12 +37,26 @@ pub(crate) fn clipped(corners: &[Point], within: &Area) -> Vec<Point> {
     kept
 }
 
+/// Where a segment crosses a side, of which its ends lie so far inside and outside.
+fn crossing((from, start): (Point, f64), (to, end): (Point, f64)) -> Point {
+    // From the nearer end: what lies far away has no digits for pixels.
+    if start.abs() > end.abs() {
+        return crossing((to, end), (from, start));
+    }
+    let share = start / (start - end);
+    // In quarters, which are exact: the whole may be longer than the largest number.
+    let along =
+        |from: f64, to: f64| (4.0 * (0.25 * from + share * (0.25 * to - 0.25 * from))).clamp(f64::MIN, f64::MAX);
+    (along(from.0, to.0), along(from.1, to.1))
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
     use crate::laws::laws;
+    use crate::numbers::any_number;
 
     laws! {
         seed: 12, cases: 256;
@@ -57,6 +73,14 @@ mod tests {
             }
             prop_assert!((area(&halves[0]) + area(&halves[1]) - area(&corners)).abs() < 1e-6);
             prop_assert_eq!(clipped(&corners, &whole), corners);
+        }
+
+        fn what_comes_from_anywhere_is_cut_inside(
+            corners in prop::collection::vec((any_number(), any_number()), 1..9),
+        ) {
+            let within = Area { left: 20.3, top: -0.7, right: 200.1, bottom: 150.9 };
+            let found = clipped(&corners, &within);
+            prop_assert!(found.iter().all(|point| within.grown(1e-9).contains(&Area::about(*point, 0.0))), "{found:?}");
         }
     }
 

@@ -20,33 +20,74 @@ pub(crate) fn clipped(points: &[Point], area: &Area) -> Vec<Vec<Point>> {
     pieces
 }
 
-/// The part of a segment inside an area (Liang and Barsky's method).
+/// The part of a segment inside an area; none of one whose ends are no numbers.
 pub(crate) fn clipped_segment(from: Point, to: Point, area: &Area) -> Option<(Point, Point)> {
-    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let (mut enter, mut leave) = (0.0, 1.0);
-    let sides =
-        [(-dx, from.0 - area.left), (dx, area.right - from.0), (-dy, from.1 - area.top), (dy, area.bottom - from.1)];
-    for (speed, room) in sides {
+    if ![from.0, from.1, to.0, to.1].iter().all(|place| place.is_finite()) {
+        return None;
+    }
+    // Reckoned from the nearer end: what lies far away has no digits for pixels.
+    if beyond(from, area) > beyond(to, area) {
+        return clipped_from_nearer(to, from, area).map(|(to, from)| (from, to));
+    }
+    clipped_from_nearer(from, to, area)
+}
+
+/// How far a point lies outside an area, along one of the axes.
+fn beyond((x, y): Point, area: &Area) -> f64 {
+    (area.left - x).max(x - area.right).max(area.top - y).max(y - area.bottom).max(0.0)
+}
+
+/// Where a segment is cut: the share of its length, and the side of the area that it meets there.
+type Cut = (f64, (Option<f64>, Option<f64>));
+
+/// Liang and Barsky's method.
+fn clipped_from_nearer(from: Point, to: Point, area: &Area) -> Option<(Point, Point)> {
+    // In quarters, which are exact: the whole may be longer than the largest number.
+    let (start, end) = ((0.25 * from.0, 0.25 * from.1), (0.25 * to.0, 0.25 * to.1));
+    let (dx, dy) = (end.0 - start.0, end.1 - start.1);
+    let (mut enter, mut leave): (Cut, Cut) = ((0.0, (None, None)), (1.0, (None, None)));
+    let sides = [
+        (-dx, start.0 - 0.25 * area.left, (Some(area.left), None)),
+        (dx, 0.25 * area.right - start.0, (Some(area.right), None)),
+        (-dy, start.1 - 0.25 * area.top, (None, Some(area.top))),
+        (dy, 0.25 * area.bottom - start.1, (None, Some(area.bottom))),
+    ];
+    for (speed, room, side) in sides {
+        let share = room / speed;
         if speed == 0.0 {
             if room < 0.0 {
                 return None;
             }
-        } else if speed < 0.0 {
-            enter = f64::max(enter, room / speed);
-        } else {
-            leave = f64::min(leave, room / speed);
+        } else if speed < 0.0 && share > enter.0 {
+            enter = (share, side);
+        } else if speed > 0.0 && share < leave.0 {
+            leave = (share, side);
         }
     }
-    if enter > leave {
+    if enter.0 > leave.0 {
         return None;
     }
-    let at = |share: f64| (from.0 + share * dx, from.1 + share * dy);
+    // On the side itself, and inside the others, whatever rounding makes of a point far away.
+    let at = |(share, (x, y)): Cut| {
+        let along = |start: f64, d: f64, (low, high)| (4.0 * (start + share * d)).max(low).min(high);
+        let inside = ((area.left, area.right), (area.top, area.bottom));
+        (x.unwrap_or_else(|| along(start.0, dx, inside.0)), y.unwrap_or_else(|| along(start.1, dy, inside.1)))
+    };
     // The ends themselves, not what rounding makes of them, so that pieces can be joined again.
-    Some((if enter == 0.0 { from } else { at(enter) }, if leave == 1.0 { to } else { at(leave) }))
+    Some((if enter.0 == 0.0 { from } else { at(enter) }, if leave.0 == 1.0 { to } else { at(leave) }))
 }
 
-/// Dashes of length `dash`, `gap` apart, along a polyline.
+/// The length of a polyline.
+pub(crate) fn length(points: &[Point]) -> f64 {
+    points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
+}
+
+/// Dashes of length `dash`, `gap` apart, along a polyline; the polyline itself if it is so long that nobody would see
+/// that many dashes.
 pub(crate) fn dashes(points: &[Point], dash: f64, gap: f64) -> Vec<Vec<Point>> {
+    if !has_room_for_dashes(length(points), dash, gap) {
+        return vec![points.to_vec()];
+    }
     let mut pieces = Vec::new();
     let mut piece: Vec<Point> = points.first().copied().into_iter().collect();
     let (mut drawing, mut left) = (true, dash);
@@ -77,16 +118,19 @@ pub(crate) fn dashes(points: &[Point], dash: f64, gap: f64) -> Vec<Vec<Point>> {
     pieces
 }
 
+/// Whether a line of this length is drawn in dashes.
+pub(crate) fn has_room_for_dashes(length: f64, dash: f64, gap: f64) -> bool {
+    const MOST_DASHES: f64 = 5000.0;
+    length < MOST_DASHES * (dash + gap)
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
     use super::*;
     use crate::laws::laws;
-
-    fn length(points: &[Point]) -> f64 {
-        points.windows(2).map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1)).sum()
-    }
+    use crate::numbers::any_number;
 
     fn polyline() -> impl Strategy<Value = Vec<Point>> {
         prop::collection::vec((-100.0..300.0f64, -100.0..300.0f64), 2..20)
@@ -109,6 +153,34 @@ mod tests {
             prop_assert_eq!(clipped(&points, &everywhere), vec![points]);
         }
 
+        fn what_comes_from_anywhere_is_cut_inside(points in prop::collection::vec((any_number(), any_number()), 2..9)) {
+            let area = Area { left: 20.3, top: -0.7, right: 200.1, bottom: 150.9 };
+            let grown = area.grown(1e-9);
+            for piece in clipped(&points, &area) {
+                prop_assert!(piece.iter().all(|point| grown.contains(&Area::about(*point, 0.0))), "{piece:?}");
+                let drawn = dashes(&piece, 5.0, 9.0);
+                prop_assert!(drawn.len() <= 20 * points.len());
+            }
+        }
+
+        /// However far away its end is, a line that leaves the area does so where it should.
+        fn a_line_keeps_its_direction(
+            from in (0.0..200.0f64, 0.0..150.0f64), angle in 0.0..std::f64::consts::TAU, power in 0.0..305.0f64,
+            turned: bool,
+        ) {
+            let area = Area { left: 0.0, top: 0.0, right: 200.0, bottom: 150.0 };
+            let (sin, cos) = angle.sin_cos();
+            let to = (from.0 + cos * 10f64.powf(power), from.1 + sin * 10f64.powf(power));
+            let found = if turned { clipped_segment(to, from, &area) } else { clipped_segment(from, to, &area) };
+            let (one, other) = found.unwrap();
+            let (start, end) = if turned { (other, one) } else { (one, other) };
+            prop_assert_eq!(start, from);
+            let off_line = (end.0 - from.0) * sin - (end.1 - from.1) * cos;
+            prop_assert!(off_line.abs() < 1e-9, "{end:?} is {off_line} beside the line");
+            let at_side = [end.0, 200.0 - end.0, end.1, 150.0 - end.1].contains(&0.0);
+            prop_assert!(end == to || at_side, "{end:?} is not at a side");
+        }
+
         fn dashes_take_their_share_of_the_length(points in polyline(), dash in 1.0..30.0f64, gap in 1.0..30.0f64) {
             let pieces = dashes(&points, dash, gap);
             let (whole, drawn) = (length(&points), pieces.iter().map(|piece| length(piece)).sum::<f64>());
@@ -117,6 +189,27 @@ mod tests {
             let rest = whole - periods * (dash + gap);
             prop_assert!((drawn - periods * dash - rest.min(dash)).abs() < 1e-6 * whole.max(1.0));
         }
+    }
+
+    #[test]
+    fn a_line_across_from_far_to_far_stays_one() {
+        let area = Area { left: 0.0, top: 0.0, right: 10.0, bottom: 10.0 };
+        for far in [1e10, 1e45, 1e300, f64::MAX] {
+            assert_eq!(clipped_segment((5.0, far), (5.0, -far), &area), Some(((5.0, 10.0), (5.0, 0.0))));
+            assert_eq!(clipped_segment((-far, 3.0), (far, 3.0), &area), Some(((0.0, 3.0), (10.0, 3.0))));
+        }
+        for nowhere in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(
+                clipped(&[(1.0, 1.0), (2.0, nowhere), (3.0, 1.0), (4.0, 1.0)], &area),
+                [[(3.0, 1.0), (4.0, 1.0)]]
+            );
+        }
+    }
+
+    #[test]
+    fn a_line_without_end_has_no_dashes() {
+        let line = [(0.0, 0.0), (1e12, 0.0)];
+        assert_eq!(dashes(&line, 5.0, 9.0), [line]);
     }
 
     #[test]

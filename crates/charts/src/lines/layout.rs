@@ -6,7 +6,7 @@ use crate::axes::scaled_axis::ScaledAxis;
 use crate::axes::ticks::Ticks;
 use crate::frame::legend::{Entry, Swatch};
 use crate::frame::{self, MARGIN, RIGHT, Side, Style};
-use crate::geometry::polyline::{clipped, dashes};
+use crate::geometry::polyline::{self, clipped, dashes};
 use crate::paint::marker::{self, Form};
 use crate::paint::palette::{self, FAILED_CROSS, FRAME, Ink, TEXT};
 use crate::paint::scene::{Area, Point, Scene};
@@ -60,9 +60,8 @@ impl Layout {
 
 /// The axes that show all points.
 fn axes(chart: &Lines) -> (ScaledAxis, ScaledAxis) {
-    let failed = chart.curves.iter().flat_map(|curve| &curve.failed).copied();
     let x_room = if chart.curves.iter().any(|curve| curve.marked) { 0.02 } else { 0.0 };
-    let x_values = chart.shown().map(|point| point.0).chain(failed);
+    let x_values = chart.shown().map(|point| point.0).chain(chart.failed());
     let x = ScaledAxis::new(x_values, chart.x.logarithmic, chart.x.range, x_room);
     // What lies outside the horizontal range does not stretch the vertical one.
     let inside = |value: f64| x.is_special(value) || (-1e-9..=1.0 + 1e-9).contains(&x.share(value));
@@ -134,10 +133,13 @@ fn is_joined(chart: &Lines, layout: &Layout, point: &Point) -> bool {
 /// Draws the line of a curve, and the points that are joined to no other one.
 fn draw_line(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
     let (ink, plot) = (ink(curve.colour), layout.plot);
-    for run in curve.points.split(|point| !is_joined(chart, layout, point)) {
-        let places: Vec<Point> = run.iter().map(|point| layout.at(*point)).collect();
+    let runs = curve.points.split(|point| !is_joined(chart, layout, point));
+    let runs: Vec<Vec<Point>> = runs.map(|run| run.iter().map(|point| layout.at(*point)).collect()).collect();
+    let length: f64 = runs.iter().flat_map(|places| clipped(places, &plot)).map(|piece| polyline::length(&piece)).sum();
+    let has_room = |(dash, gap): &(f64, f64)| polyline::has_room_for_dashes(length, *dash, *gap);
+    for places in runs {
         for piece in clipped(&places, &plot).into_iter().filter(|_| curve.stroke != Stroke::Points) {
-            match pattern(curve.stroke) {
+            match pattern(curve.stroke).filter(has_room) {
                 None => scene.path(piece, STROKE, ink),
                 Some((dash, gap)) => {
                     dashes(&piece, dash, gap).into_iter().for_each(|dash| scene.path(dash, STROKE, ink));
@@ -158,8 +160,9 @@ fn draw_line(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
 fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, (curve, form): (&Curve, Form)) {
     let (ink, plot) = (ink(curve.colour), layout.plot);
     // A known value at 0 or ∞ is a dash there, a solution a marker.
-    for point in curve.points.iter().filter(|point| chart.has_place(**point) && layout.x.is_special(point.0)) {
-        let (x, y) = layout.at(*point);
+    let inside = |at: &Point| plot.grown(1e-6).contains(&Area::about(*at, 0.0));
+    let special = curve.points.iter().filter(|point| chart.has_place(**point) && layout.x.is_special(point.0));
+    for (x, y) in special.map(|point| layout.at(*point)).filter(inside) {
         if matches!(curve.stroke, Stroke::Solid | Stroke::Points) {
             marker::rimmed(scene, form, (x, y), MARKER, ink);
         } else {
@@ -174,8 +177,9 @@ fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, (curve, form)
             marker::rimmed(scene, form, place, MARKER, ink);
         }
     }
-    for x in &curve.failed {
-        marker::cross(scene, (layout.x(*x), plot.bottom - 0.45 * EM), 0.2 * EM, 0.09 * EM, FAILED_CROSS);
+    let failed = curve.failed.iter().map(|x| (layout.x(*x), plot.bottom - 0.45 * EM));
+    for at in failed.filter(inside) {
+        marker::cross(scene, at, 0.2 * EM, 0.09 * EM, FAILED_CROSS);
     }
 }
 

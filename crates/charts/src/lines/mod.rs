@@ -43,7 +43,7 @@ pub struct Curve {
     pub label: String,
     /// What is joined, in this order. A y that is NaN, or has no place on a logarithmic axis, leaves a gap.
     pub points: Vec<(f64, f64)>,
-    /// Where cases failed, on the horizontal axis.
+    /// Where cases failed, on the horizontal axis. What has no place there is left out.
     pub failed: Vec<f64>,
     /// How it is drawn.
     pub stroke: Stroke,
@@ -90,18 +90,25 @@ impl Lines {
         self.curves.iter().flat_map(|curve| &curve.points).copied().filter(|point| self.has_place(*point))
     }
 
+    /// Where cases failed, as far as that has a place on the horizontal axis.
+    pub(crate) fn failed(&self) -> impl Iterator<Item = f64> {
+        self.curves.iter().flat_map(|curve| &curve.failed).copied().filter(|x| self.has_place_across(*x))
+    }
+
     /// True if a point can be shown, as far as the kinds of the axes say.
     pub(crate) fn has_place(&self, (x, y): (f64, f64)) -> bool {
-        let x_fits = if self.x.logarithmic { x >= 0.0 } else { x.is_finite() };
-        x_fits && y.is_finite() && (y > 0.0 || !self.y.logarithmic)
+        self.has_place_across(x) && y.is_finite() && (y > 0.0 || !self.y.logarithmic)
+    }
+
+    fn has_place_across(&self, x: f64) -> bool {
+        if self.x.logarithmic { x >= 0.0 } else { x.is_finite() }
     }
 
     fn check(&self) -> Result<(), ChartError> {
         for axis in [&self.x, &self.y] {
             checks::range(&self.title, &axis.label, axis.range, axis.logarithmic)?;
         }
-        let failed = self.curves.iter().any(|curve| !curve.failed.is_empty());
-        if self.shown().next().is_none() && !failed {
+        if self.shown().chain(self.failed().map(|x| (x, 0.0))).next().is_none() {
             return Err(ChartError::Empty { chart: self.title.clone(), what: "point with a place on its axes" });
         }
         Ok(())

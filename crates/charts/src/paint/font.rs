@@ -47,10 +47,18 @@ pub(crate) fn width(text: &str, em: f64) -> f64 {
     f64::from(right - left) * em / MEASURED
 }
 
-/// The text in lines of at most `room` pixels, broken at spaces, and inside a word only if the word alone is longer.
+/// No text of a picture has more letters or lines than these.
+const MOST_LETTERS: usize = 1000;
+const MOST_LINES: usize = 24;
+
+/// The text in lines of at most `room` pixels, broken at spaces, and inside a word only if the word alone is longer. A
+/// text that is too long ends in "…".
 pub(crate) fn wrap(text: &str, em: f64, room: f64) -> Vec<String> {
+    const REST: &str = "…";
+    let shown = text.char_indices().nth(MOST_LETTERS).map_or(text, |(end, _)| &text[..end]);
+    let rest = (shown.len() < text.len()).then_some(REST);
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    for word in shown.split_whitespace().chain(rest) {
         if let Some(line) = lines.last_mut() {
             let longer = format!("{line} {word}");
             if width(&longer, em) <= room {
@@ -66,6 +74,10 @@ pub(crate) fn wrap(text: &str, em: f64, room: f64) -> Vec<String> {
             piece.push(letter);
         }
         lines.push(piece);
+    }
+    if lines.len() > MOST_LINES {
+        lines.truncate(MOST_LINES);
+        lines[MOST_LINES - 1] = REST.to_owned();
     }
     lines
 }

@@ -74,7 +74,9 @@ pub(crate) fn png(scene: &Scene) -> Result<Vec<u8>, ChartError> {
 }
 
 fn paint<B: DrawingBackend>(scene: &Scene, mut backend: B, units: &Units) -> Result<(), ChartError> {
-    let place = |(x, y): Point| ((x * units.scale).round() as i32, (y * units.scale).round() as i32);
+    // Nothing reaches far out of a picture, whose height is that of its texts and panels.
+    let pixel = |place: f64| (place * units.scale).round().clamp(-1e6, 1e6) as i32;
+    let place = |(x, y): Point| (pixel(x), pixel(y));
     let whole = backend.get_size();
     let filled = |ink: RGBAColor| ShapeStyle { color: ink, filled: true, stroke_width: 0 };
     backend.draw_rect((0, 0), (whole.0 as i32, whole.1 as i32), &filled(PAPER), true).map_err(refused)?;

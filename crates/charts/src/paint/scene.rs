@@ -100,6 +100,15 @@ pub(crate) enum Shape {
     Text(Text),
 }
 
+impl Shape {
+    /// A text. Characters that XML forbids, which no picture can hold, become U+FFFD.
+    pub(crate) fn text(text: Text) -> Self {
+        let is_allowed = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{FFFD}' | '\u{10000}'..);
+        let words = text.words.chars().map(|c| if is_allowed(c) { c } else { char::REPLACEMENT_CHARACTER }).collect();
+        Shape::Text(Text { words, ..text })
+    }
+}
+
 /// A picture: its height and its shapes in the order of painting.
 #[derive(Debug, Default)]
 pub struct Scene {
@@ -138,7 +147,7 @@ impl Scene {
     pub(crate) fn text(&mut self, at: Point, anchor: Anchor, em: f64, ink: Ink, words: impl Into<String>) {
         let words = words.into();
         if !words.is_empty() {
-            self.shapes.push(Shape::Text(Text { at, anchor, em, ink, turned: false, words }));
+            self.shapes.push(Shape::text(Text { at, anchor, em, ink, turned: false, words }));
         }
     }
 
@@ -168,7 +177,7 @@ impl Scene {
         let mut right = left;
         for words in font::wrap(words, em, room) {
             let at = (right + LEADING * em - DESCENT * em, centre);
-            self.shapes.push(Shape::Text(Text { at, anchor: Anchor::Middle, em, ink, turned: true, words }));
+            self.shapes.push(Shape::text(Text { at, anchor: Anchor::Middle, em, ink, turned: true, words }));
             right += LEADING * em;
         }
         right

@@ -149,7 +149,7 @@ impl Axes {
         let (origin, corner) = (space.at((0.0, 0.0, 0.0)), space.at((1.0, 0.0, 0.0)));
         let room = corner.0 - left;
         let half = 0.5 * texts.size(name, room).0;
-        let middle = space.at((0.5, 0.0, 0.0)).0.clamp(left + half, corner.0 - half);
+        let middle = space.at((0.5, 0.0, 0.0)).0.min(corner.0 - half).max(left + half);
         // Below the lowest label above it, which is at its right.
         let across = (middle + half - origin.0) / (corner.0 - origin.0);
         let top = space.at((across.min(1.0), 0.0, 0.0)).1 + (BELOW + 0.2) * self.em;

@@ -52,7 +52,8 @@ impl Layout {
             left = MARGIN + (axes.height_name_width(name_room, &chart.z_label) + 0.3 * em + of_heights).max(of_x);
             (gap, beside) = (of_y + of_x.max(0.4 * em) + 0.4 * em, of_y);
             let bar = axes.z.width(bar_length, em, &chart.z_label) + 0.8 * em;
-            width = (RIGHT - bar - beside - left - (count - 1.0) * gap) / count;
+            // Where labels leave no room the box stays a box, and the picture is cut.
+            width = ((RIGHT - bar - beside - left - (count - 1.0) * gap) / count).max(em);
         }
         let ticks = axes.ticks(width);
         Layout { style, axes, ticks, left, width, gap, beside, name_room, bar_length }

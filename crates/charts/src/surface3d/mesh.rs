@@ -146,7 +146,7 @@ impl Surface {
             return here;
         }
         let (from, to) = (self.at(space, i.max(run.from + 1) - 1, j), self.at(space, (i + 1).min(run.to), j));
-        let by = if run.upper == Some(true) { OVERLAP } else { -OVERLAP } / (to.0 - from.0).hypot(to.1 - from.1);
+        let by = if run.upper == Some(true) { overlap(from, to) } else { -overlap(from, to) };
         (here.0 - by * (to.1 - from.1), here.1 + by * (to.0 - from.0))
     }
 
@@ -183,6 +183,12 @@ impl Surface {
 
 /// The point moved a little towards another one.
 fn towards(from: Point, to: Point) -> Point {
-    let share = OVERLAP / (to.0 - from.0).hypot(to.1 - from.1);
+    let share = overlap(from, to);
     (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
+}
+
+/// How far neighbours overlap, over the distance of two points; not at all if these are one.
+fn overlap(from: Point, to: Point) -> f64 {
+    let distance = (to.0 - from.0).hypot(to.1 - from.1);
+    if distance < 1e-9 { 0.0 } else { OVERLAP / distance }
 }

@@ -290,7 +290,8 @@ fn setting_labels(chart: &WorkPrecision, layout: &Layout, wording: Wording) -> V
         }
         for point in line.points.iter().filter(|point| point.failures() > 0 && point.medians().is_none()) {
             let logarithms = point.failed().map(f64::log10);
-            let middle = 10f64.powf(logarithms.sum::<f64>() / point.failures() as f64);
+            let middle =
+                10f64.powf(logarithms.sum::<f64>() / point.failures() as f64).clamp(0.0_f64.next_up(), f64::MAX);
             add(point, (layout.x(middle), layout.plot.top), Effort::Far);
         }
     }

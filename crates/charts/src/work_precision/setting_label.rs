@@ -48,7 +48,7 @@ impl SettingLabel {
         };
         let text = |(i, words): (usize, &String)| {
             let baseline = area.top + 2.0 + LEADING * em * (i as f64 + 1.0) - 0.28 * em;
-            Shape::Text(Text { at: (x, baseline), anchor, em, ink: self.ink, turned: false, words: words.clone() })
+            Shape::text(Text { at: (x, baseline), anchor, em, ink: self.ink, turned: false, words: words.clone() })
         };
         self.words.iter().enumerate().map(text).collect()
     }

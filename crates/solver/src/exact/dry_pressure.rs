@@ -55,7 +55,7 @@ impl DryContact {
         if self.elastic {
             return (self.centre(), self.half_width().recip());
         }
-        let nearest = -0.5 * (1e3 * (1.0 + self.k)).ln();
+        let nearest = -0.5 * (1e3 * (1.0 + self.k)).min(f64::MAX).ln();
         let row = |i: u32| nearest + 0.1 * f64::from(i);
         let (mut right, mut right_pressure) = (Position::LEADING_EDGE, 0.0);
         let (mut best, mut highest) = (0, 0.0);
