@@ -12,6 +12,7 @@ mod faults;
 mod fit;
 #[path = "../crates/sweep/tests/grids/mod.rs"]
 mod grids;
+mod hostile_sweeps;
 mod in_python;
 mod instrument_files;
 mod laboratory;

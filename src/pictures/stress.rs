@@ -59,6 +59,11 @@ pub(super) fn stress(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
     let (mut panels, mut highest) = (Vec::new(), 0.0_f64);
     for indices in &cases.indices {
         let panel = panel(sweep, *indices, &points, cases.label(sweep, *indices))?;
+        let numbers = [&panel.values, &panel.surface, &panel.cylinder];
+        if numbers.into_iter().flatten().any(|number| !number.is_finite()) {
+            let what = format!("the numbers of {} lie beyond what can be drawn; choose other cases", panel.label);
+            return Err(Kind::Stress.missing(what));
+        }
         let coordinates = sweep.coordinates(*indices);
         for (i, value) in panel.values.iter().enumerate() {
             let (column, row) = (i % ACROSS, i / ACROSS);

@@ -12,7 +12,7 @@ mod damage;
 mod disk;
 mod faults;
 pub(crate) mod place;
-mod random;
+pub(crate) mod random;
 mod room;
 mod rounds;
 mod stops;
