@@ -216,3 +216,35 @@ fn a_data_set_is_named_by_its_file_as_well() {
     let inside = say(&place.path().join("results/small"), &["report", "results.h5"]);
     assert_eq!(code(&inside), 0, "{}", err(&inside));
 }
+
+/// What an unfinished sweep has can be shown, and the finished one has the bytes of one that nobody looked at.
+#[test]
+fn an_unfinished_sweep_is_published_in_part_and_says_so() {
+    let sweep = SWEEP.replace("f = [10.0]", "f = [1.0, 10.0]").replace("fields = []", "fields = [\"pressure\"]");
+    let (undisturbed, unfinished) = (place(&sweep), place(&sweep));
+    assert_eq!(code(&say(undisturbed.path(), &["run", "small.toml", "-q"])), 0);
+    let here = unfinished.path();
+    assert_eq!(code(&say(here, &["run", "small.toml", "-q", "--part", "1/2"])), 0);
+    let refused = say(here, &["publish", "results/small"]);
+    assert_eq!(code(&refused), 4, "{}", err(&refused));
+    assert!(err(&refused).contains("2 of 4 places of the sweep have no case yet"), "{}", err(&refused));
+    assert!(!here.join("results/small/results.h5").exists());
+
+    let published = say(here, &["publish", "results/small", "--partial"]);
+    assert_eq!(code(&published), 0, "{}", err(&published));
+    assert!(out(&published).contains("2 not solved yet: these files are partial"), "{}", out(&published));
+    let summary = fs::read_to_string(here.join("results/small/summary.csv")).expect("published");
+    assert_eq!(summary.matches("failed,not solved yet,").count(), 2, "{summary}");
+    for command in ["plot", "report"] {
+        let shown = say(here, &[command, "results/small"]);
+        assert_eq!(code(&shown), 0, "{}", err(&shown));
+        assert!(err(&shown).contains("is partial: 2 of 4 places are not solved yet"), "{}", err(&shown));
+    }
+
+    assert_eq!(code(&say(here, &["run", "small.toml", "-q"])), 0);
+    assert!(results(here) == results(undisturbed.path()));
+    let whole = say(here, &["publish", "results/small"]);
+    assert!(code(&whole) == 0 && out(&whole).contains("in place already"), "{}{}", out(&whole), err(&whole));
+    assert_eq!(code(&say(here, &["publish", "nowhere"])), 2);
+    assert!(!here.join("nowhere").exists());
+}

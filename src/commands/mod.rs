@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `slurm`, `verify` | commands: sweeps and cases |
+//! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `publish`, `slurm`, `verify` | commands: sweeps and cases |
 //! | `surface`, `evaluate` | commands: friction as a function |
 //! | `curve`, `fit`, `material`, `plot`, `report`, `study` | commands: experiments, pictures and methods |
 //! | `destination` | the results directory of a sweep |
@@ -39,6 +39,7 @@ mod output_file;
 mod plan;
 mod plot;
 mod prony_material;
+mod publish;
 mod published;
 mod report;
 mod run;
@@ -109,6 +110,8 @@ enum Command {
     Solve(solve::Arguments),
     /// Join the parts of a sweep, or the runs of one in several directories, and publish
     Merge(merge::Arguments),
+    /// Publish what is stored again, or what there is of an interrupted run
+    Publish(publish::Arguments),
     /// Write the scripts that solve a sweep on a cluster with Slurm, and submit them
     Slurm(slurm::Arguments),
     /// Say why a case is as it is: seed, way and residuals, and the command that repeats it
@@ -168,6 +171,7 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Status(arguments) => status::execute(arguments),
         Command::Solve(arguments) => solve::execute(arguments),
         Command::Merge(arguments) => merge::execute(arguments),
+        Command::Publish(arguments) => publish::execute(arguments),
         Command::Slurm(arguments) => slurm::execute(arguments),
         Command::Explain(arguments) => explain::execute(arguments),
         Command::Verify(arguments) => verify::execute(arguments),

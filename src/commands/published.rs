@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{CliError, console};
-use stribeck_input::shown;
+use stribeck_input::{printable, shown};
 use stribeck_sweep::store::DataSet;
 
 /// The results directory that a user names: itself, or by the data set in it.
@@ -30,6 +30,13 @@ pub fn open(directory: &Path) -> Result<DataSet, CliError> {
         console::tell(&format!(
             "warning: cases were solved after {} was published, and are not shown; run the sweep to its end",
             shown(&directory.join("results.h5"))
+        ));
+    }
+    if let Some(partial) = &data.partial {
+        console::tell(&format!(
+            "warning: {} is partial: {}, and are shown as failed",
+            shown(&directory.join("results.h5")),
+            printable(partial)
         ));
     }
     Ok(data)

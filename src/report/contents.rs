@@ -59,6 +59,7 @@ impl Contents {
             vec!["Numbers are shown to at most seven digits; summary.csv and results.h5 have all.".to_owned()];
         let (grid, axes) = (Grid::of(data), AxisWords::of(data, &[]));
         notes.extend(grid.note(data, &axes));
+        notes.extend(data.partial.iter().map(|partial| format!("Partial: {partial}, and stand among the failed.")));
         let (masks, all) = (data.notes()?, data.shape().places());
         for (note, count) in NoteCounts::of_masks(masks.into_iter().flatten()).iter() {
             notes.push(format!("{} at {count} of {all} places: {}.", note.name(), note.sentence()));

@@ -171,6 +171,7 @@ fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<bool, StoreE
         sweep_text: &sweep.text,
         method: "made up",
         tolerance: 1e-5,
+        partial: false,
         dimensions: &dimensions,
         row: &row,
     })?;

@@ -201,6 +201,9 @@ impl Values {
         }))
     }
 
+    /// No numbers at all.
+    pub const NONE: Self = Self([f64::NAN; Column::ALL.len()]);
+
     /// The numbers of a case that failed: its limits alone.
     pub fn failed(limits: &Limits) -> Self {
         Self(Column::DECLARATIONS.map(|column| match column.source {

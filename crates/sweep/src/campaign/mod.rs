@@ -68,7 +68,7 @@ pub(crate) use open_store::open_store;
 pub use parts::{PartActivity, PartState};
 pub use pending::{Pending, StaleCases};
 pub use plan::{DirectoryState, PlanOptions, PlanReport, plan};
-pub use publication::published_point;
+pub use publication::{publish_stored, published_point};
 pub use run::{RunOptions, RunOutcome, RunReport, available_threads, run};
 pub use solve_command::solve_command;
 pub use solving::{InMemory, solve_in_memory};

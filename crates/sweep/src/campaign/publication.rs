@@ -1,6 +1,11 @@
 //! From the stored cases of a sweep to the files for the user.
 
-use crate::store::{Point, Publication, Published, Store, StoreError};
+use std::path::Path;
+
+use super::merge::join_all;
+use super::sweep_directory::part_directories;
+use super::{CampaignError, Observer, SweepDirectory, open_store, read_sweep, sweep_file};
+use crate::store::{Inspection, Point, Publication, Published, Store, StoreError};
 use crate::{Grid, GridIndex, Plan, Sweep};
 
 /// A place of the grid of a sweep as it is published.
@@ -19,8 +24,38 @@ pub fn published_point(sweep: &Sweep, plan: &Plan, place: GridIndex) -> Point {
     }
 }
 
+/// Publishes what a results directory and its parts have of a sweep, of an interrupted run too if a `partial`
+/// publication will do: then places that are not solved yet have no numbers, and every file says so.
+///
+/// # Errors
+/// [`StoreError::Unfinished`] in [`CampaignError::Store`] if places are not solved and that will not do, others if the
+/// directory cannot be read or written, or a run works there.
+pub fn publish_stored(
+    directory: &Path,
+    partial: bool,
+    observe: &mut Observer<'_>,
+) -> Result<(Sweep, Published), CampaignError> {
+    let sweep = read_sweep(&sweep_file(directory)?)?;
+    let plan = Plan::new(&sweep);
+    // A directory that is none is not to become one.
+    SweepDirectory::read_existing(directory, &sweep.output, Inspection::Size)?;
+    let mut store = open_store(directory, &sweep, &plan, observe)?;
+    join_all(
+        part_directories(directory)?.into_iter().filter(|part| part.join("log").is_dir()),
+        &sweep,
+        &mut store,
+        observe,
+    )?;
+    let published = publish_places(&sweep, &plan, &mut store, partial)?;
+    Ok((sweep, published))
+}
+
 /// Publishes a sweep whose cases are all stored.
 pub(super) fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<Published, StoreError> {
+    publish_places(sweep, plan, store, false)
+}
+
+fn publish_places(sweep: &Sweep, plan: &Plan, store: &mut Store, partial: bool) -> Result<Published, StoreError> {
     let row = |row: usize| sweep.grid.shape().row(row).map(|place| published_point(sweep, plan, place)).collect();
     let dimensions = sweep.grid.dimensions();
     let (method, tolerance) = (sweep.solver.method.to_string(), sweep.solver.tolerance);
@@ -29,6 +64,7 @@ pub(super) fn publish(sweep: &Sweep, plan: &Plan, store: &mut Store) -> Result<P
         sweep_text: &sweep.text,
         method: &method,
         tolerance,
+        partial,
         dimensions: &dimensions,
         row: &row,
     })

@@ -9,7 +9,7 @@ use super::claims::{Inspection, LogContent, fault, read_claims};
 use super::directory::{Directory, PUBLISHED};
 use super::files::open_file;
 use super::hdf5_file::{get_text, open};
-use super::results::DIMENSIONS;
+use super::results::{DIMENSIONS, PARTIAL};
 use super::{Status, StoreError};
 use crate::grid_index::indices;
 use crate::{Column, Dimension, Field, GridIndex, GridShape};
@@ -35,6 +35,8 @@ pub struct DataSet {
     pub version: String,
     /// True if cases were stored after the file was published.
     pub outdated: bool,
+    /// How many places are not solved yet, in words, of a partial publication.
+    pub partial: Option<String>,
     /// The dimensions but x, in their order: f, α and β, or f, quantities of the laboratory and the speed.
     pub dimensions: Vec<Dimension>,
     /// True if numbers are in SI units and quantities of the laboratory given.
@@ -104,7 +106,10 @@ impl DataSet {
         // Asked for once: a single question for a name takes an error of the disk for a no.
         let held = file.member_names()?;
         let has = |name: &str| held.iter().any(|held| held == name);
-        let laboratory = file.attr_names()?.iter().any(|name| name == DIMENSIONS);
+        let attributes = file.attr_names()?;
+        let is_marked = |mark: &str| attributes.iter().any(|name| name == mark);
+        let laboratory = is_marked(DIMENSIONS);
+        let partial = is_marked(PARTIAL).then(|| get_text(&file, PARTIAL)).transpose()?;
         let names = match laboratory {
             true => get_text(&file, DIMENSIONS)?,
             false if has(Dimension::SLIDE_ROLL) => format!("{} f alpha beta", Dimension::SLIDE_ROLL),
@@ -131,6 +136,7 @@ impl DataSet {
             sweep_text: get_text(&file, "sweep")?,
             version: get_text(&file, "stribeck_version")?,
             outdated,
+            partial,
             dimensions,
             laboratory,
             fixed,

@@ -14,6 +14,8 @@ pub struct Publication<'a> {
     pub method: &'a str,
     /// The tolerance that it was solved to.
     pub tolerance: f64,
+    /// True if places without a case are published as such; else they are an error.
+    pub partial: bool,
     /// The dimensions of the grid, at least two, the one along the rows last.
     pub dimensions: &'a [Dimension],
     /// The places of a row, one for each value of the last dimension. Rows are counted with the last dimension before

@@ -14,7 +14,7 @@ use super::further_columns;
 use super::open_shards::OpenShards;
 use super::placed::PlacedNumbers;
 use super::publication::{Place, Point, Publication};
-use super::record::{FileRecord, Record};
+use super::record::{CaseRecord, FileRecord, Record};
 use super::replacement::put_in_place;
 use super::results::Results;
 use super::tables::{Summary, Timings};
@@ -23,6 +23,9 @@ use crate::{CaseId, Field, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
 const PLACES_AT_ONCE: usize = 4096;
+
+/// The reason of a place that has no case yet.
+const NOT_SOLVED: &str = "not solved yet";
 
 /// What was published.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,6 +38,8 @@ pub struct Published {
     pub converged: u64,
     /// Places of the grid that failed.
     pub failed: u64,
+    /// Places of the grid without a case: 0 but for a partial publication.
+    pub missing: u64,
 }
 
 impl Store {
@@ -45,10 +50,10 @@ impl Store {
     /// through the grid row by row; memory does not depend on its size.
     ///
     /// # Errors
-    /// [`StoreError::Unfinished`] if places of the grid have no case (nothing is written then),
+    /// [`StoreError::Unfinished`] if places of the grid have no case and all should (nothing is written then),
     /// [`StoreError::Publication`] if a row does not have a case for each β, others if the disk fails.
     pub fn publish(&mut self, publication: &Publication<'_>) -> Result<Published, StoreError> {
-        let Survey { key, converged, failed } = survey(self, publication)?;
+        let Survey { key, converged, failed, missing } = survey(self, publication)?;
         let files = PUBLISHED.map(|name| self.directory.published(name));
         if is_in_place(self, &key) {
             if self.history.unpublished {
@@ -57,10 +62,10 @@ impl Store {
                 self.append(&Record::Published { key, files, time: clock() })?;
             }
             touch(&files)?;
-            return Ok(Published { files, rewritten: false, converged, failed });
+            return Ok(Published { files, rewritten: false, converged, failed, missing });
         }
         let staged = files.clone().map(Staged::new);
-        write(self, publication, &staged)?;
+        write(self, publication, missing, &staged)?;
         let mut records = Vec::new();
         for (name, file) in PUBLISHED.iter().zip(&staged) {
             let (bytes, hash) = file.synchronise()?;
@@ -69,7 +74,7 @@ impl Store {
         put_in_place(staged.into())?;
         self.append(&Record::Published { key: key.clone(), files: records.clone(), time: clock() })?;
         self.catalog_mut().published = Some(LastPublished { key, files: records });
-        Ok(Published { files, rewritten: true, converged, failed })
+        Ok(Published { files, rewritten: true, converged, failed, missing })
     }
 }
 
@@ -96,6 +101,7 @@ struct Survey {
     key: String,
     converged: u64,
     failed: u64,
+    missing: u64,
 }
 
 /// Looks up every place of the grid before anything is written.
@@ -119,6 +125,7 @@ fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, Stor
         for Point { case: id, .. } in publication.places(row)? {
             let Some(slot) = store.index.complete(id) else {
                 missing += 1;
+                hasher.update(b"no case");
                 continue;
             };
             hasher.update(&id.0.to_le_bytes()).update(store.index.shard(slot.shard).hash.as_bytes());
@@ -128,14 +135,19 @@ fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, Stor
             }
         }
     }
-    if missing > 0 {
+    if missing > 0 && !publication.partial {
         return Err(StoreError::Unfinished { missing, places: missing + converged + failed });
     }
-    Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed })
+    Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed, missing })
 }
 
-fn write(store: &Catalog, publication: &Publication<'_>, staged: &[Staged; 3]) -> Result<(), StoreError> {
+fn write(store: &Catalog, publication: &Publication<'_>, missing: u64, staged: &[Staged; 3]) -> Result<(), StoreError> {
     let mut files = Files::create(store, publication, staged)?;
+    if missing > 0 {
+        let places: usize = publication.shape().iter().product();
+        let marked = files.results.set_partial(&format!("{missing} of {places} places are not solved yet"));
+        marked.map_err(StoreError::hdf5(files.results_path, "write"))?;
+    }
     let shape = publication.shape();
     let &[.., neighbours, length] = &shape[..] else {
         return Err(StoreError::Publication { what: "results have at least two dimensions".to_owned() });
@@ -201,7 +213,7 @@ impl<'a> Files<'a> {
     fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
         let swapped = point.swapped.map(|case| self.values(case, -point.slide_roll)).transpose()?;
         let output = &self.store.output;
-        let slot = self.store.index.complete(point.case).expect("the survey found every case");
+        let Some(slot) = self.store.index.complete(point.case) else { return self.missing_place(point) };
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
@@ -225,9 +237,20 @@ impl<'a> Files<'a> {
         Ok(place)
     }
 
-    /// The numbers of a case at a slide-to-roll ratio.
+    /// A place without a case, of a partial publication.
+    fn missing_place(&mut self, point: Point) -> Result<Place, StoreError> {
+        let output = &self.store.output;
+        let numbers = point.numbers_of(&Values::NONE, None, point.swapped.map(|_| Values::NONE).as_ref(), output);
+        let PlacedNumbers { values, more, notes, .. } = numbers;
+        let place = Place { point, status: Status::Failed, reason: NOT_SOLVED.to_owned(), values, more, notes };
+        self.summary.row(&place)?;
+        self.timings.row(&place, &CaseRecord::unsolved(place.point.case))?;
+        Ok(place)
+    }
+
+    /// The numbers of a case at a slide-to-roll ratio; none if it is not stored.
     fn values(&mut self, case: CaseId, slide_roll: f64) -> Result<Values, StoreError> {
-        let slot = self.store.index.complete(case).expect("the survey found every case");
+        let Some(slot) = self.store.index.complete(case) else { return Ok(Values::NONE) };
         let (shard, row) = self.open.case(case, slot)?;
         Ok(shard.reader.values(row).at_slide_roll(slide_roll))
     }

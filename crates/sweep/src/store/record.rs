@@ -108,6 +108,14 @@ pub(super) struct CaseRecord {
 }
 
 impl CaseRecord {
+    /// What is said of a case that nobody has solved.
+    pub(super) fn unsolved(case: CaseId) -> Self {
+        let (reason, seed) = (String::new(), String::new());
+        let (failure_kind, time_limit) = (None, None);
+        let (seconds, iterations, factorisations, status) = (0.0, 0, 0, Status::Failed);
+        Self { case, status, reason, failure_kind, seconds, iterations, factorisations, seed, time_limit }
+    }
+
     pub(super) fn of(entry: &CaseEntry) -> Self {
         let Timing { seconds, iterations, factorisations, seed, time_limit } = entry.timing;
         let seed = seed.map_or_else(String::new, |seed| seed.to_string());

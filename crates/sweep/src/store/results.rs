@@ -22,6 +22,9 @@ use stribeck_solver::Output;
 /// alpha, beta.
 pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
 
+/// Attribute of a file that lacks cases: how many.
+pub(super) const PARTIAL: &str = "partial";
+
 /// The paper whose equations are solved.
 const REFERENCES: &str =
     "Wu, Jagota and Hui (2022), Tribology Letters 70:1, https://doi.org/10.1007/s11249-021-01537-4";
@@ -136,6 +139,11 @@ impl Results {
             return Err(format!("{} is not part of this publication", field.name()).into());
         };
         blocks.write(place, values)
+    }
+
+    /// Marks the file as one of a sweep that is not solved to its end.
+    pub(super) fn set_partial(&self, what: &str) -> Result<()> {
+        self.file.set_text(PARTIAL, what)
     }
 
     /// Brings everything to the file and closes it.

@@ -17,5 +17,6 @@ pub fn publish(
     };
     let dimensions = [Dimension::strength(f), Dimension::alpha(alpha), Dimension::beta(beta)];
     let (method, tolerance) = ("made up", 1e-5);
-    store.publish(&Publication { title, sweep_text, method, tolerance, dimensions: &dimensions, row: &row })
+    let partial = false;
+    store.publish(&Publication { title, sweep_text, method, tolerance, partial, dimensions: &dimensions, row: &row })
 }
