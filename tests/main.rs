@@ -3,6 +3,7 @@
 mod bad_input;
 #[path = "../crates/sweep/tests/bad_sweeps/mod.rs"]
 mod bad_sweeps;
+mod batch;
 mod bodies;
 mod cli;
 mod dependencies;

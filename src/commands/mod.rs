@@ -10,6 +10,7 @@
 //! | `run_report`, `trace_report` | what a run tells of itself; how a case was reached |
 //! | `slurm_script` | the job scripts of `slurm` |
 //! | `terminal_plot` | a small plot of characters |
+//! | `solve_batch` | a list of cases to the rows of a summary |
 //! | `solution` | one solved case as a table and as JSON |
 //! | `fitted_material`, `fitted_friction` | a fit as a table, as JSON and as charts |
 //! | `prony_material` | a Prony series that was read, likewise |
@@ -53,6 +54,7 @@ mod slurm;
 mod slurm_script;
 mod solution;
 mod solve;
+mod solve_batch;
 mod status;
 mod study;
 mod surface;

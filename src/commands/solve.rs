@@ -1,10 +1,12 @@
 //! `stribeck solve`: one case to the terminal.
 
+use std::path::PathBuf;
+
 use clap::{ArgAction, Args};
 
 use super::number::number;
 use super::solution::SolvedProblem;
-use super::{CliError, Exit, console};
+use super::{CliError, Exit, console, solve_batch};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::relaxation::{Acceleration, Domain};
@@ -26,6 +28,7 @@ Examples:
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0        pure rolling
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0 --modes 0.5:1 --roller-modes 0.5:1
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
+  stribeck solve --batch cases.csv --tolerance 1e-7 > solved.csv
 
 Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
 summary.csv and slide_roll, seed, path, iterations, factorisations, unknowns, seconds; path has the points that were solved on the
@@ -34,14 +37,18 @@ dmu_v_dln_alpha and the like.
 Exit code 3: the case failed.")]
 pub struct Arguments {
     /// Slide time over retardation time, at least 0, or inf
-    #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
-    alpha: f64,
+    #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true, required_unless_present = "batch")]
+    alpha: Option<f64>,
     /// Inverse Hersey number, above 0
-    #[arg(long, value_name = "B", value_parser = beta, allow_negative_numbers = true)]
-    beta: f64,
+    #[arg(long, value_name = "B", value_parser = beta, allow_negative_numbers = true, required_unless_present = "batch")]
+    beta: Option<f64>,
     /// Strength of retardation E0/Einf - 1, at least 0
-    #[arg(long, value_name = "F", value_parser = strength, allow_negative_numbers = true)]
-    f: f64,
+    #[arg(long, value_name = "F", value_parser = strength, allow_negative_numbers = true, required_unless_present = "batch")]
+    f: Option<f64>,
+    /// Solve the cases of a CSV with f, alpha, beta, and where it has them modes and slide_roll; prints the rows of a
+    /// summary.csv in its order
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["alpha", "beta", "f", "sensitivities", "json"])]
+    batch: Option<PathBuf>,
     /// Method of solution: collocation or relaxation
     #[arg(long, default_value_t, value_parser = method)]
     method: Method,
@@ -151,9 +158,10 @@ fn domain(text: &str) -> Result<Domain, String> {
 
 /// The modes of a body, as one argument.
 #[derive(Clone, Debug)]
-struct Modes(Vec<RetardationMode>);
+pub struct Modes(pub Vec<RetardationMode>);
 
-fn modes(text: &str) -> Result<Modes, String> {
+/// Reads modes.
+pub fn modes(text: &str) -> Result<Modes, String> {
     let mode = |part: &str| {
         let (share, time) = part.split_once(':')?;
         Some(RetardationMode { share: number(share)?, time: number(time)? })
@@ -235,15 +243,21 @@ impl Arguments {
         }
     }
 
+    /// f, α and β of the case; those of a list are in its file.
+    fn case(&self) -> [f64; 3] {
+        [self.f, self.alpha, self.beta].map(|given| given.unwrap_or(1.0))
+    }
+
     /// The case as a sweep, so that it is the same as in a sweep, id included.
     fn sweep(&self) -> Result<Sweep, CliError> {
+        let [f, alpha, beta] = self.case();
         Ok(Sweep {
             title: String::new(),
             grid: Grid::Dimensionless(Axes {
                 slide_roll: Some(vec![self.slide_roll]),
-                f: vec![self.f],
-                alpha: vec![self.alpha],
-                beta: vec![self.beta],
+                f: vec![f],
+                alpha: vec![alpha],
+                beta: vec![beta],
             }),
             substrate: self.substrate()?,
             solver: self.settings()?,
@@ -261,7 +275,11 @@ impl Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sweep = arguments.sweep()?;
-    if arguments.slide_roll == -1.0 && arguments.f > 0.0 && arguments.alpha != f64::INFINITY {
+    if let Some(file) = &arguments.batch {
+        return solve_batch::execute(file, &sweep, arguments.slide_roll);
+    }
+    let [f, alpha, beta] = arguments.case();
+    if arguments.slide_roll == -1.0 && f > 0.0 && alpha != f64::INFINITY {
         return Err(CliError::FlatAtRest);
     }
     let settings = &sweep.solver;
@@ -276,7 +294,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
     let mut entry = case_entry(&plan, &parameters, case);
     entry.values = entry.values.at_slide_roll(arguments.slide_roll);
-    let asked = Parameters { alpha: arguments.alpha, beta: arguments.beta, f: arguments.f, ..parameters };
+    let asked = Parameters { alpha, beta, f, ..parameters };
     let slide_roll = arguments.slide_roll;
     let problem = SolvedProblem { asked: &asked, slide_roll, settings, entry: &entry, path: &path, unknowns };
     console::print(&if arguments.json { problem.json() } else { problem.table() })?;
