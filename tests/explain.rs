@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::program::{code, err, out, paths, say};
+use crate::program::{code, err, out, paths, say, with_results};
 use tempfile::{TempDir, tempdir};
 
 const SMALL: &str = r#"
@@ -135,4 +135,32 @@ fn what_is_not_solved_or_not_known_is_said() {
     let absent = say(here, &["explain", "out", "0123456789abcdef"]);
     assert_eq!(code(&absent), 2);
     assert!(err(&absent).contains("ids stand in the column `case` of summary.csv"), "{}", err(&absent));
+}
+
+#[test]
+fn a_case_is_named_by_the_values_of_axes_and_the_nearest_one_says_so() {
+    const LABORATORY: &str = "\
+[laboratory]
+radius = \"10 mm\"
+load = [300.0, 600.0]
+relaxed_modulus = \"1.5 MPa\"
+poisson_ratio = 0.5
+viscosity = \"80 mPa s\"
+retardation_time = \"5 ms\"
+speed = [0.01, 0.1]
+f = 3.0
+[output]
+fields = []
+";
+    let results = with_results(LABORATORY);
+    let explained = |case: &str| say(results.path(), &["explain", "results/small", case, "--stored"]);
+    let exact = explained("speed=0.1,load=600");
+    assert_eq!(code(&exact), 0, "{}", err(&exact));
+    assert!(out(&exact).contains("load = 600 N/m") && !out(&exact).contains("the nearest one"), "{}", out(&exact));
+    let near = explained("load=580,speed=0.02");
+    assert!(out(&near).contains("the nearest one to load = 580, speed = 0.02, which is no place of the sweep"));
+    assert!(out(&near).contains("load = 600 N/m") && out(&near).contains("speed = 0.01 m/s"), "{}", out(&near));
+    let unknown = explained("colour=1");
+    assert_eq!(code(&unknown), 2, "{}", err(&unknown));
+    assert!(err(&unknown).contains("the sweep has no axis \"colour\""), "{}", err(&unknown));
 }

@@ -248,3 +248,17 @@ fn an_unfinished_sweep_is_published_in_part_and_says_so() {
     assert_eq!(code(&say(here, &["publish", "nowhere"])), 2);
     assert!(!here.join("nowhere").exists());
 }
+
+#[test]
+fn a_sweep_comes_from_the_standard_input_as_well() {
+    let (file, place) = (place(SWEEP), tempdir().expect("a temporary directory"));
+    assert_eq!(code(&say(file.path(), &["run", "small.toml", "-q", "-o", "out"])), 0);
+    let mut run = assert_cmd::Command::from_std(stribeck(place.path()));
+    let output = run.args(["run", "-", "-o", "out", "-q"]).write_stdin(SWEEP).output().expect("it starts");
+    assert_eq!(code(&output), 0, "{}", err(&output));
+    let summary = |place: &Path| fs::read(place.join("out/summary.csv")).expect("published");
+    assert!(summary(place.path()) == summary(file.path()));
+    let mut run = assert_cmd::Command::from_std(stribeck(place.path()));
+    let output = run.args(["plan", "-"]).write_stdin("[axes]\nalpha = [-1.0]\n").output().expect("it starts");
+    assert!(code(&output) == 2 && err(&output).contains("stdin:2:10: "), "{}", err(&output));
+}

@@ -385,6 +385,7 @@ impl CliError {
                 | CampaignError::Threads(_)
                 | CampaignError::NothingToMerge
                 | CampaignError::OtherSweep { .. }
+                | CampaignError::NoSuchAxis { .. }
                 | CampaignError::NoSuchCase { .. } => 2,
                 CampaignError::Store(_)
                 | CampaignError::NotADirectory { .. }

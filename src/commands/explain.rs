@@ -26,6 +26,7 @@ const IN_MEMORY: &str = "writing to memory does not fail";
 Examples:
   stribeck explain results/quick 100,1,1000             the place of the sweep nearest to these f, alpha and beta
   stribeck explain results/quick 4f0c2b9e61d3a785       by the id in the column `case` of summary.csv
+  stribeck explain results/rubber speed=0.01,load=300   likewise, of a sweep over quantities of the laboratory
   stribeck explain results/quick 100,1,1000 --stored    what is stored only; nothing is solved
 
 Shows where a case stands in the sweep, what is stored of it and how it came there. Then its chain is solved again up to
@@ -35,7 +36,7 @@ pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]
     directory: PathBuf,
-    /// A case: its id, or its place as F,ALPHA,BETA
+    /// A case: its id, or its place as F,ALPHA,BETA or as AXIS=VALUE,… in SI units
     #[arg(value_name = "CASE", value_parser = case_name, allow_hyphen_values = true)]
     case: CaseName,
     /// Tell what is stored; solve nothing again
@@ -47,23 +48,29 @@ fn case_name(text: &str) -> Result<CaseName, String> {
     if let Ok(id) = text.parse() {
         return Ok(CaseName::Id(id));
     }
+    let pair =
+        |pair: &str| pair.split_once('=').and_then(|(name, value)| Some((name.trim().to_owned(), number(value)?)));
+    if let Some(wanted) = text.split(',').map(pair).collect::<Option<Vec<_>>>() {
+        return Ok(CaseName::At(wanted));
+    }
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     match numbers.as_deref() {
         Some(&[f, alpha, beta]) if [f, alpha, beta].iter().all(|number| *number >= 0.0) => {
             Ok(CaseName::Near([f, alpha, beta]))
         }
         _ => Err("give the id of a case (16 hexadecimal digits, as in the column `case` of summary.csv), or f, alpha \
-                  and beta with commas between them, as in 100,1,1000"
+                  and beta with commas between them, as in 100,1,1000, or values of axes, as in speed=0.01,load=100"
             .to_owned()),
     }
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let report = explain(&arguments.directory, arguments.case)?;
+    let report = explain(&arguments.directory, &arguments.case)?;
     for warning in &report.warnings {
         console::tell(&format!("warning: {warning}"));
     }
     let mut text = heading(&report);
+    text += &report.place.as_ref().map_or_else(String::new, |place| nearest(&arguments.case, place));
     text += &match &report.place {
         Some(place) => describe_place(place),
         None => "  it has no place in the present sweep.toml, so its f, alpha and beta are not known here\n".to_owned(),
@@ -94,6 +101,25 @@ fn heading(report: &CaseReport) -> String {
         CaseStorage::Stored { entry, .. } => format!("case {id}: {}\n", entry.outcome.name()),
         CaseStorage::Missing { .. } => format!("case {id}: not solved yet\n"),
     }
+}
+
+/// That the case is not quite the one that was asked for.
+fn nearest(asked: &CaseName, place: &CasePlace) -> String {
+    const SAME: f64 = 1e-9;
+    let [f, alpha, beta] = ["f", "alpha", "beta"].map(str::to_owned);
+    let asked = match asked {
+        CaseName::Id(_) => return String::new(),
+        CaseName::Near(numbers) => [f, alpha, beta].into_iter().zip(*numbers).collect(),
+        CaseName::At(wanted) => wanted.clone(),
+    };
+    let is_there = |(name, wanted): &(String, f64)| {
+        place.coordinate(name).is_some_and(|value| value == *wanted || (value - wanted).abs() <= SAME * wanted.abs())
+    };
+    if asked.iter().all(is_there) {
+        return String::new();
+    }
+    let words: Vec<String> = asked.iter().map(|(name, value)| format!("{name} = {}", shortest(*value))).collect();
+    format!("  the nearest one to {}, which is no place of the sweep\n", words.join(", "))
 }
 
 /// Where a case is in the sweep, and in its chain.

@@ -1,7 +1,7 @@
 //! From a path to the text of a TOML file, and from there to a document.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 
 use toml::Spanned;
@@ -16,15 +16,18 @@ const LARGEST_FILE: u64 = 8 << 20;
 /// What kind of file it is, in words, as in `sweep file`.
 pub type Kind = &'static str;
 
-/// Reads a file and makes of its stem and text what `interpret` does.
+/// Reads a file, or the standard input if the path is `-`, and makes of its stem and text what `interpret` does.
 ///
 /// # Errors
 /// [`InputError`] if the file cannot be read, is larger than 8 MiB, is not UTF-8, or `interpret` finds a fault.
 pub fn read<T>(kind: Kind, path: &Path, interpret: impl Fn(&str, &str) -> Result<T, Fault>) -> Result<T, InputError> {
     let unreadable = |cause| InputError::Unreadable { kind, path: path.to_owned(), cause };
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(unreadable)?;
-    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    let source: Box<dyn Read> = match path.to_str() {
+        Some("-") => Box::new(io::stdin()),
+        _ => Box::new(File::open(path).map_err(unreadable)?),
+    };
+    source.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(InputError::TooLarge { kind, path: path.to_owned(), limit: LARGEST_FILE });
     }
@@ -32,6 +35,7 @@ pub fn read<T>(kind: Kind, path: &Path, interpret: impl Fn(&str, &str) -> Result
         let valid_up_to = error.utf8_error().valid_up_to();
         InputError::not_text(kind, path.to_owned(), error.as_bytes(), valid_up_to)
     })?;
+    let path = if path.to_str() == Some("-") { Path::new("stdin") } else { path };
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     interpret(&name, &text).map_err(|fault| fault.located(&path.display().to_string(), &text))
 }

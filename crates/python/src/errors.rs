@@ -50,6 +50,7 @@ pub fn campaign(error: &CampaignError) -> PyErr {
         CampaignError::Threads(_)
         | CampaignError::NothingToMerge
         | CampaignError::OtherSweep { .. }
+        | CampaignError::NoSuchAxis { .. }
         | CampaignError::NoSuchCase { .. } => input(error),
         CampaignError::Store(_)
         | CampaignError::NotADirectory { .. }

@@ -63,6 +63,12 @@ pub enum CampaignError {
         /// One that differs.
         other: PathBuf,
     },
+    /// An axis that a sweep has not got.
+    #[error("the sweep has no axis {name:?}; name axes of it, with values in SI units, as in speed=0.01,load=100")]
+    NoSuchAxis {
+        /// The name.
+        name: String,
+    },
     /// A results directory does not know a case.
     #[error(
         "{} has no case of this id: ids stand in the column `case` of summary.csv; or give f, alpha and beta, as in \

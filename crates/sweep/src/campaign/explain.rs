@@ -6,16 +6,18 @@ use super::stale::{CaseState, Survey};
 use super::{CampaignError, MergedCatalog, StaleReason, SweepDirectory, read_sweep, sweep_file};
 use crate::store::{CaseEntry, Catalog, Inspection, Origin, Status, StoreError, Warning};
 use crate::{CaseId, Column, Grid, GridIndex, Plan, Sweep, Values};
-use stribeck_lab::Experiment;
+use stribeck_lab::{Experiment, LaboratoryQuantity};
 use stribeck_solver::{Failure, Parameters, SolvedCase, Solver};
 
 /// How a case is named.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum CaseName {
     /// By its id.
     Id(CaseId),
     /// As the one nearest to these f, α and β.
     Near([f64; 3]),
+    /// As the one nearest to these values of axes, by their names, in SI units.
+    At(Vec<(String, f64)>),
 }
 
 /// What a results directory tells of a case.
@@ -100,20 +102,22 @@ pub enum Comparison {
 /// Finds a case in a results directory and its parts, and tells what is stored of it. Solves nothing, writes nothing.
 ///
 /// # Errors
-/// [`CampaignError::NoSuchCase`] if the directory does not know the case, others if it cannot be read.
-pub fn explain(directory: &Path, name: CaseName) -> Result<CaseReport, CampaignError> {
+/// [`CampaignError::NoSuchCase`] if the directory does not know the case, [`CampaignError::NoSuchAxis`] if the sweep has
+/// no axis of a name, others if it cannot be read.
+pub fn explain(directory: &Path, name: &CaseName) -> Result<CaseReport, CampaignError> {
     let sweep = read_sweep(&sweep_file(directory)?)?;
     let plan = Plan::new(&sweep);
     let found = SweepDirectory::read_existing(directory, &sweep.output, Inspection::Bytes)?;
     let stored = found.merged();
     let place = match name {
-        CaseName::Near(numbers) => Some(nearest(&sweep, numbers)),
-        CaseName::Id(id) => plan.find(id),
+        CaseName::Near(numbers) => Some(nearest(&sweep, *numbers)),
+        CaseName::At(wanted) => Some(nearest_at(&sweep, wanted)?),
+        CaseName::Id(id) => plan.find(*id),
     };
     let place = place.map(|place| CasePlace::new(&sweep, &plan, place));
     let id = match (&place, name) {
         (Some(place), _) => plan.id(&place.parameters),
-        (None, CaseName::Id(id)) if stored.holder(id).is_some() => id,
+        (None, CaseName::Id(id)) if stored.holder(*id).is_some() => *id,
         (None, _) => return Err(CampaignError::NoSuchCase { directory: directory.to_owned() }),
     };
     let survey = Survey::new(&sweep, &plan, &stored);
@@ -182,10 +186,58 @@ impl CasePlace {
     }
 }
 
+impl CasePlace {
+    /// The value of an axis there, in SI units; none if the sweep has no such axis.
+    pub fn coordinate(&self, name: &str) -> Option<f64> {
+        let [f, alpha, beta] = self.numbers;
+        coordinate(name, [self.slide_roll, f, alpha, beta], self.experiment.as_ref())
+    }
+}
+
+fn coordinate(name: &str, [slide_roll, f, alpha, beta]: [f64; 4], experiment: Option<&Experiment>) -> Option<f64> {
+    match name {
+        "slide_roll" => Some(slide_roll),
+        "f" => Some(f),
+        "alpha" => Some(alpha),
+        "beta" => Some(beta),
+        name => Some(experiment?.value(LaboratoryQuantity::named(name)?)).filter(|value| value.is_finite()),
+    }
+}
+
+/// The place nearest to values of axes, by their ratios; the first of several.
+fn nearest_at(sweep: &Sweep, wanted: &[(String, f64)]) -> Result<GridIndex, CampaignError> {
+    let shape = sweep.grid.shape();
+    let value = |place: GridIndex, name: &str| {
+        let [f, alpha, beta] = sweep.grid.numbers(place);
+        let numbers = [sweep.grid.slide_roll(place), f, alpha, beta];
+        coordinate(name, numbers, sweep.grid.experiment(place).as_ref())
+    };
+    let mut nearest = (f64::INFINITY, shape.index(0));
+    for place in (0..shape.places()).map(|place| shape.index(place)) {
+        let mut sum = 0.0;
+        for (name, wanted) in wanted {
+            let value = value(place, name).ok_or_else(|| CampaignError::NoSuchAxis { name: name.clone() })?;
+            sum += distance(value, *wanted);
+        }
+        if sum < nearest.0 {
+            nearest = (sum, place);
+        }
+    }
+    Ok(nearest.1)
+}
+
+/// How far magnitudes are apart; the ends, 0 and infinity, are near to themselves alone.
+fn distance(value: f64, wanted: f64) -> f64 {
+    match value == wanted {
+        true => 0.0,
+        // Slide-to-roll ratios may be below 0.
+        false if value < 0.0 || wanted < 0.0 => (value - wanted).abs(),
+        false => (value.ln() - wanted.ln()).abs(),
+    }
+}
+
 /// The place whose f, α and β are nearest by their ratios, f first, then α, then β.
 fn nearest(sweep: &Sweep, wanted: [f64; 3]) -> GridIndex {
-    // These are magnitudes; the ends, 0 and infinity, are near to themselves alone.
-    let distance = |value: f64, wanted: f64| if value == wanted { 0.0 } else { (value.ln() - wanted.ln()).abs() };
     match &sweep.grid {
         Grid::Dimensionless(axes) => {
             let near = |axis: &[f64], wanted| {
