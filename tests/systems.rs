@@ -259,6 +259,6 @@ fn a_sweep_comes_from_the_standard_input_as_well() {
     let summary = |place: &Path| fs::read(place.join("out/summary.csv")).expect("published");
     assert!(summary(place.path()) == summary(file.path()));
     let mut run = assert_cmd::Command::from_std(stribeck(place.path()));
-    let output = run.args(["plan", "-"]).write_stdin("[axes]\nalpha = [-1.0]\n").output().expect("it starts");
-    assert!(code(&output) == 2 && err(&output).contains("stdin:2:10: "), "{}", err(&output));
+    let output = run.args(["plan", "-"]).write_stdin("[axes]\nf = [-1.0]\n").output().expect("it starts");
+    assert!(code(&output) == 2 && err(&output).contains("stdin:2:6: "), "{}", err(&output));
 }

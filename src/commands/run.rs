@@ -1,12 +1,15 @@
 //! `stribeck run`: plans, resumes what is there, solves, publishes.
 
+use std::fs::File;
+use std::io::ErrorKind;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
-use std::time::Instant;
+use std::path::{Path, PathBuf};
+use std::time::{Instant, SystemTime};
 
 use clap::Args;
 
 use super::destination::destination;
+use super::output_file::unwritten;
 use super::run_report::{about_fields, about_other_sweep, about_part, about_whole, how_to_resume};
 use super::{CliError, Exit, console, threads};
 use crate::format::count;
@@ -77,6 +80,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             return Ok(Exit::Interrupted);
         }
         RunOutcome::Published(published) => {
+            if !published.rewritten {
+                be_younger(&published.files, &arguments.sweep)?;
+            }
             console::print(&about_whole(&report, published, &notes(&report.directory)?, seconds))?;
             published.failed
         }
@@ -86,6 +92,21 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
     };
     Ok(if failed == 0 || arguments.accept_failures { Exit::Success } else { Exit::CasesFailed })
+}
+
+/// Gives published files the present time if the sweep file is younger, though it asks for nothing new: build systems
+/// would ask for them again and again.
+fn be_younger(published: &[PathBuf], sweep: &Path) -> Result<(), CliError> {
+    let time = |path: &Path| path.metadata().and_then(|metadata| metadata.modified()).ok();
+    let Some(wanted) = time(sweep) else { return Ok(()) };
+    for file in published.iter().filter(|file| time(file).is_some_and(|time| time < wanted)) {
+        match File::open(file).and_then(|open| open.set_modified(SystemTime::now())) {
+            // Files of somebody else keep their times: they are as they should be all the same.
+            Err(error) if error.kind() == ErrorKind::PermissionDenied => {}
+            touched => touched.map_err(unwritten(file))?,
+        }
+    }
+    Ok(())
 }
 
 /// What a user sees while a sweep runs.

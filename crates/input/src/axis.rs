@@ -105,7 +105,7 @@ impl Values for Quantity {
     }
 }
 
-/// Reads an axis: a list or a range.
+/// Reads an axis: a number, a list or a range.
 ///
 /// # Errors
 /// [`Fault`] if the entry is neither, its values do not ascend, or one of them is not allowed.
@@ -114,14 +114,13 @@ pub fn read(entry: &Entry<'_>, quantity: impl Values) -> Result<Vec<f64>, Fault>
         read_list(entry, items, &quantity)
     } else if entry.is_section() {
         read_range(&entry.section(&RANGE_KEYS, |_| None)?, entry, &quantity)
+    } else if entry.is_number() {
+        Ok(vec![quantity.read(entry)?])
     } else {
-        let help = match entry.number() {
-            Ok(value) => format!("a single value is a list too: write [{value:?}]"),
-            Err(_) => "write a list as in [10.0, 100.0], or { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }"
-                .to_owned(),
-        };
-        let what = format!("`{}` must be a list or a range {{ from, to, points, scale }}", entry.path());
-        Err(entry.fault(what, "neither list nor range", help))
+        let help =
+            "write a number, a list as in [10.0, 100.0], or { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }";
+        let what = format!("`{}` must be a number, a list or a range {{ from, to, points, scale }}", entry.path());
+        Err(entry.fault(what, "neither number nor list nor range", help))
     }
 }
 

@@ -183,6 +183,11 @@ impl<'t> Entry<'t> {
         matches!(self.value, DeValue::String(_))
     }
 
+    /// True if the value is a number.
+    pub fn is_number(&self) -> bool {
+        matches!(self.value, DeValue::Float(_) | DeValue::Integer(_))
+    }
+
     /// True if the value is a table.
     pub fn is_section(&self) -> bool {
         matches!(self.value, DeValue::Table(_))

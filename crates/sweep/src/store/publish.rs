@@ -1,10 +1,7 @@
 //! From shards to the files of the user.
 
-use std::fs::File;
-use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
 
 use super::claims::{Inspection, LastPublished, fault};
 use super::contents::field_names;
@@ -61,7 +58,6 @@ impl Store {
                 let files = self.published.as_ref().map_or_else(Vec::new, |last| last.files.clone());
                 self.append(&Record::Published { key, files, time: clock() })?;
             }
-            touch(&files)?;
             return Ok(Published { files, rewritten: false, converged, failed, missing });
         }
         let staged = files.clone().map(Staged::new);
@@ -76,18 +72,6 @@ impl Store {
         self.catalog_mut().published = Some(LastPublished { key, files: records });
         Ok(Published { files, rewritten: true, converged, failed, missing })
     }
-}
-
-/// Gives files the present time: for build systems, which ask whether they are younger than the sweep file.
-fn touch(files: &[PathBuf]) -> Result<(), StoreError> {
-    for file in files {
-        match File::open(file).and_then(|open| open.set_modified(SystemTime::now())) {
-            // Files of somebody else keep their times: they are as they should be all the same.
-            Err(error) if error.kind() == ErrorKind::PermissionDenied => {}
-            touched => touched.map_err(StoreError::file(file, "touch"))?,
-        }
-    }
-    Ok(())
 }
 
 /// True if the files of a publication with this key are there, byte for byte.

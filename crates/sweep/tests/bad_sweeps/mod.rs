@@ -77,8 +77,8 @@ pub fn bad_files() -> Vec<Row> {
         (with_alpha("{ from = 1.0, to = 2.0, points = 3, step = 1 }"), "3:45", "`step`", "one of `from`"),
         // Types.
         ("axes = 3\n".into(), "1:8", "`axes` must be a table, found `3`", "`f`, `alpha`, `beta`"),
-        (with_f("100.0"), "2:5", "list or a range", "write [100.0]"),
-        (with_f("\"100\""), "2:5", "list or a range", "[10.0, 100.0]"),
+        (with_f("-100.0"), "2:5", "finite and at least 0", "positive for a viscoelastic one"),
+        (with_f("\"100\""), "2:5", "number, a list or a range", "[10.0, 100.0]"),
         (with_beta("[\"10\"]"), "4:9", "must be a number, found `\"10\"`", "without quotes"),
         (with_beta("[1979-05-27]"), "4:9", "must be a number", "plain number"),
         (with_axes("[output]\nlimits = \"yes\"\n"), "6:10", "must be true or false", "without quotes"),
