@@ -97,6 +97,8 @@ pub fn estimate(
         drag: (after.drag / before.drag - 1.0).abs(),
         pressure: (after.pressure / before.pressure - 1.0).abs(),
         shear: (after.shear() / before.shear() - 1.0).abs(),
+        film_min: film_change * FILM_SLACK,
+        p_max: pressure_change * PRESSURE_SLACK,
     };
     let extremes = [pressure_change, film_change].into_iter().fold(0.0, larger);
     Estimate { quantities: solution, errors, extremes }

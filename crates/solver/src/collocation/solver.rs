@@ -57,6 +57,8 @@ pub struct CollocationSolver {
     pub(super) settings: Settings,
     /// A fixed number of panels, or as many as the tolerance takes.
     pub(super) panels: Option<usize>,
+    /// How many times as far as it takes meshes reach.
+    pub(super) farther: f64,
     pub(super) coarse: Arc<ReferencePanel>,
     pub(super) fine: Arc<ReferencePanel>,
 }
@@ -73,9 +75,22 @@ impl CollocationSolver {
         Self {
             settings,
             panels: None,
+            farther: 1.0,
             coarse: Arc::new(ReferencePanel::new(settings.degree)),
             fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
         }
+    }
+
+    /// The same solver with meshes that reach so many times as far ahead as the tolerance takes: to study what they leave
+    /// out, not to use it.
+    #[must_use]
+    pub fn reaching(self, times: f64) -> Self {
+        Self { farther: times, ..self }
+    }
+
+    /// How far a mesh reaches.
+    pub(super) fn reach(&self, scaling: Scaling) -> f64 {
+        self.farther * scaling.reach(self.settings.tolerance)
     }
 
     /// Newton's method on the mesh of a state.
@@ -149,7 +164,7 @@ impl CaseSolver for CollocationSolver {
         context: &mut SolveContext,
     ) -> Result<(State, Seed), SolveError> {
         workspace.enter(parameters);
-        let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
         let Settings { degree, tolerance } = self.settings;
         let growth = growth_behind(degree, BEHIND * tolerance);
         let mesh = thick_film::mesh(degree, growth, parameters.beta, reach);
@@ -173,7 +188,7 @@ impl CaseSolver for CollocationSolver {
             let back = if back.mesh.film == near.mesh.film { back } else { back.on(&self.coarse, &near.mesh) };
             guess.add_difference(secant(far_parameters, near_parameters, parameters), near, &back);
         }
-        let reach = to.reach(self.settings.tolerance);
+        let reach = self.reach(to);
         match near.error {
             Some(error) if !(IDLE..=CLOSE).contains(&error) => {
                 let panels = Panels::Number(self.panels(near.mesh.panels(), error));
@@ -196,7 +211,7 @@ impl CaseSolver for CollocationSolver {
         context: &mut SolveContext,
     ) -> Result<State, SolveError> {
         workspace.enter(parameters);
-        let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
         let mut state = guess;
         for _ in 0..ROUGH_MESHES {
             self.correct(workspace, parameters.beta, &mut state, context)?;
@@ -220,7 +235,7 @@ impl CaseSolver for CollocationSolver {
         context: &mut SolveContext,
     ) -> Result<Solution, SolveError> {
         let beta = parameters.beta;
-        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), beta));
         if self.panels.is_some() {
             return self.evaluate_on_fixed_panels(workspace, parameters, state, output, context);
         }

@@ -183,6 +183,8 @@ impl RelaxationSolver {
             drag: relative(found.drag, before.drag),
             pressure: relative(found.pressure, before.pressure),
             shear: relative(found.shear(), before.shear()),
+            film_min: relative(fine.film_min, coarse.film_min),
+            p_max: relative(fine.p_max, coarse.p_max),
         })
     }
 
