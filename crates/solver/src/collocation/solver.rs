@@ -6,6 +6,7 @@ use faer::Mat;
 
 use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, tension};
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
+use super::bounds::ROUNDING;
 use super::estimate::ENRICHMENT;
 use super::mesh::growth_behind;
 use super::reference::ReferencePanel;
@@ -41,6 +42,8 @@ const CLOSE: f64 = 0.45;
 /// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what
 /// lies beyond a mesh.
 const SHORT: f64 = 0.8;
+/// Part of the tolerance that what lies beyond a mesh may have in the errors before the next mesh reaches further.
+const SHORT_INLET: f64 = 0.3;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
@@ -48,10 +51,6 @@ const MOST_PANELS: usize = *Settings::PANELS.end();
 /// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
 /// thousand times at a steep inlet.
 const THINNEST: f64 = 1e-11;
-/// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be
-/// trusted, for they may happen to be alike on two meshes.
-const ROUNDING: f64 = 5e-17;
-
 /// The collocation solver with given settings.
 pub struct CollocationSolver {
     pub(super) settings: Settings,
@@ -252,6 +251,7 @@ impl CaseSolver for CollocationSolver {
             context.note_error(unknowns(workspace.coarse.displacement()), acceptance.error);
             check_tension(acceptance.tension)?;
             if acceptance.is_accepted() {
+                let solution = solution.accepted(ACCEPTED * self.settings.tolerance);
                 return Ok(complete(workspace, (beta, state), solution, output, context));
             }
             stalled = if acceptance.excess() > GAIN * least { stalled + 1 } else { 0 };
@@ -294,6 +294,7 @@ impl CollocationSolver {
         if acceptance.error > ACCEPTED {
             panels = self.panels(state.mesh.panels(), acceptance.error).max(panels);
         }
-        self.remeshed(parameters, &state, Panels::Number(panels), reach)
+        let longer = (acceptance.cut / SHORT_INLET).cbrt().max(1.0);
+        self.remeshed(parameters, &state, Panels::Number(panels), longer * reach)
     }
 }

@@ -42,6 +42,16 @@ impl Sensitivities {
         sensitivities.row().iter().all(|value| !value.is_nan()).then_some(sensitivities)
     }
 
+    /// The absolute differences to other ones, derivative by derivative.
+    pub fn distance(&self, other: &Self) -> Self {
+        let apart = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| (a[i] - b[i]).abs());
+        Self {
+            viscoelastic: apart(self.viscoelastic, other.viscoelastic),
+            hydrodynamic: apart(self.hydrodynamic, other.hydrodynamic),
+            pressure: apart(self.pressure, other.pressure),
+        }
+    }
+
     /// Derivatives of F_v + P + S C at the slide-to-roll ratio S, which is F_tot for S = 1.
     pub fn total_at(&self, slide_roll: f64) -> [f64; 3] {
         std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic_at(slide_roll)[i])

@@ -359,6 +359,6 @@ impl CaseSolver for RelaxationSolver {
         let Quantities { c, x_outlet: outlet, .. } = quantities;
         let lubricant = Lubricant { beta: parameters.beta, c, outlet, cavity_shear: output.cavity_shear };
         let fields = fields(&fine, &lubricant, &workspace.beyond, output);
-        Ok(Solution { quantities, errors, fields, sensitivities: None })
+        Ok(Solution { quantities, errors, fields, sensitivities: None, sensitivity_errors: None })
     }
 }

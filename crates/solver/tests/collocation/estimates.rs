@@ -104,8 +104,10 @@ fn summarise(name: &str, pairs: &[Pair], cases: &[Parameters]) -> (f64, f64) {
     let over: Vec<f64> = pairs.iter().map(|&(error, estimate, _)| estimate / error.max(ROUNDING)).collect();
     let median = |of: fn(&Pair) -> f64| quantile(&pairs.iter().map(of).collect::<Vec<_>>(), 0.5);
     println!(
-        "| {name} | {:.1} % | {largest:.2} | {:.2} | {:.1e} | {:.1e} |",
+        "| {name} | {:.1} % | {:.2} | {:.2} | {largest:.2} | {:.2} | {:.1e} | {:.1e} |",
         100.0 * within,
+        quantile(&ratios, 0.95),
+        quantile(&ratios, 0.99),
         quantile(&over, 0.5),
         median(|pair| pair.0),
         median(|pair| pair.1)
@@ -152,6 +154,11 @@ fn every_estimate_is_a_bound_for_its_own_column() {
                 of_derivatives[i / 3].push(((here - there).abs() / scales[i / 3], f64::NAN, place));
             }
         }
+        for limit in [0.5, 0.9, 1.0, 2.0, 4.0] {
+            let over = found.iter().flatten().filter(|s| [s.errors.mu_v, s.errors.mu_h, s.errors.c].iter().any(|e| *e > limit * tolerance)).count();
+            print!("{over} over {limit} T; ");
+        }
+        println!();
         for (name, pairs) in COLUMNS.iter().zip(&pairs) {
             summarise(name, pairs, &cases);
         }
