@@ -6,9 +6,15 @@ fn main() {
     let p = Parameters::new(a[0], a[1], a[2]);
     for d in 5..=16 {
         for t in [1e-6, 1e-9] {
-        let s = CollocationSolver::new(Settings { tolerance: t, degree: d });
-        let c = solve_chain(&s, &[p.clone()], &Output::numbers(), &Interrupt::new()).unwrap().remove(0);
-        if let Ok(o) = c.outcome { let q = o.quantities; println!("{t:e} d={d} n={} c={:.13e} P={:.12e} load {:.2e}", c.effort.unknowns, q.c, q.friction.pressure, q.load_residual); }
+            let s = CollocationSolver::new(Settings { tolerance: t, degree: d });
+            let c = solve_chain(&s, &[p.clone()], &Output::numbers(), &Interrupt::new()).unwrap().remove(0);
+            if let Ok(o) = c.outcome {
+                let q = o.quantities;
+                println!(
+                    "{t:e} d={d} n={} c={:.13e} P={:.12e} load {:.2e}",
+                    c.effort.unknowns, q.c, q.friction.pressure, q.load_residual
+                );
+            }
         }
     }
 }

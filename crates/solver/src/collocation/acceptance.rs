@@ -55,7 +55,7 @@ pub(super) fn complete(
     context: &mut SolveContext,
 ) -> Solution {
     context.effort.unknowns = unknowns(workspace.coarse.displacement());
-    let Estimate { quantities, errors, richer, .. } = estimate;
+    let Estimate { quantities, errors, richer, beyond, .. } = estimate;
     let cavity_shear = output.cavity_shear;
     let (corrector, displacement) = workspace.coarse.parts();
     let fields = fields(displacement, beta, state, output);
@@ -64,7 +64,7 @@ pub(super) fn complete(
         let here = corrector.sensitivities(displacement, beta, state, cavity_shear, &mut context.effort);
         let (corrector, displacement) = workspace.fine.parts();
         let better = corrector.sensitivities(displacement, beta, &richer, cavity_shear, &mut context.effort);
-        sensitivity_errors = Some(better.distance(&here));
+        sensitivity_errors = Some(better.errors_beside(&here, &beyond.of_sensitivities()));
         sensitivities = Some(better);
     }
     Solution { quantities, errors, fields, sensitivities, sensitivity_errors }

@@ -10,8 +10,10 @@ pub const ROUNDING: f64 = 5e-17;
 /// What counts of the differences panel by panel, beside that of the whole. Errors of panels may cancel on both
 /// degrees, and on the richer one in another way than in the truth.
 const OF_SPREAD: f64 = 0.5;
-/// The same for the largest pressure, which lies on one panel.
-const OF_LOAD: f64 = 0.25;
+/// The same for the largest pressure, which lies on one panel, and what counts of its own change: it is published as the
+/// richer panels have it.
+const OF_LOAD: f64 = 0.15;
+const OF_LARGEST: f64 = 0.5;
 
 /// What is known of the errors of a solution.
 pub struct Sources {
@@ -49,7 +51,7 @@ impl Sources {
             pressure: pressure / before.pressure.abs(),
             shear: shear / shear_scale,
             film_min: change(|numbers| numbers.film_min) + 2.0 * of_shear / shear_scale + remainder,
-            p_max: change(|numbers| numbers.p_max) + OF_LOAD * spread.load + remainder,
+            p_max: OF_LARGEST * change(|numbers| numbers.p_max) + OF_LOAD * spread.load + remainder + 3.0 * rounding,
         }
     }
 
@@ -69,9 +71,6 @@ impl Sources {
     pub fn cut_of_controlled(&self, solution: &Quantities) -> [f64; 2] {
         let friction = &solution.friction;
         let of_film = self.cut.pressure + self.cut.shear;
-        [
-            self.cut.viscoelastic.abs() / friction.viscoelastic_error_scale(),
-            of_film.abs() / friction.hydrodynamic(),
-        ]
+        [self.cut.viscoelastic.abs() / friction.viscoelastic_error_scale(), of_film.abs() / friction.hydrodynamic()]
     }
 }

@@ -20,6 +20,9 @@ pub const ENRICHMENT: usize = 2;
 /// richer value is the one that is published, and is better by far.
 const PRESSURE_SLACK: f64 = 50.0;
 const FILM_SLACK: f64 = 500.0;
+/// The same of friction behind the outlet over itself, and of the outlet over its distance from the largest pressure:
+/// where the cavity is a small part of F_h no other error tells of them.
+const OUTLET_SLACK: f64 = 5.0;
 /// Part of the tolerance that the nonlinearity may hide in an estimate.
 const REMAINDER: f64 = 0.01;
 
@@ -58,11 +61,13 @@ pub struct Estimate {
     controlled: [f64; 3],
     /// The largest part of them that a longer mesh would mend.
     pub cut: f64,
-    /// The change of the largest pressure and the smallest film on richer panels, over the change that is accepted:
-    /// they lie between the points, and converge more slowly than integrals and flow.
+    /// The change of the largest pressure, the smallest film, the outlet and the friction behind it on richer panels, over
+    /// the change that is accepted: extremes lie between the points, and converge more slowly than integrals and flow.
     pub extremes: f64,
     /// The solution on the richer panels.
     pub richer: State,
+    /// What lies beyond the mesh.
+    pub beyond: Truncation,
 }
 
 impl Estimate {
@@ -114,16 +119,25 @@ pub fn estimate(
     };
     let pressure_change = (solution.p_max / corrected.p_max - 1.0).abs() / PRESSURE_SLACK;
     let film_change = (solution.film_min / corrected.film_min - 1.0).abs() / FILM_SLACK;
+    let outlet_change = outlet_change(&solution, &corrected) / OUTLET_SLACK;
     // extremes lie between the points: the richer polynomials know them better
     let Quantities { film_min, p_max, x_p_max, .. } = corrected;
     Estimate {
         errors: sources.errors(&solution, &corrected),
         controlled: sources.controlled(&solution, &corrected),
         cut: sources.cut_of_controlled(&solution).into_iter().fold(0.0, larger),
-        extremes: [pressure_change, film_change].into_iter().fold(0.0, larger),
+        extremes: [pressure_change, film_change, outlet_change].into_iter().fold(0.0, larger),
         quantities: Quantities { film_min, p_max, x_p_max, ..solution },
         richer,
+        beyond: sources.cut,
     }
+}
+
+/// The relative change of what lies at the outlet and behind it.
+fn outlet_change(solution: &Quantities, richer: &Quantities) -> f64 {
+    let outlet = (richer.x_outlet - solution.x_outlet).abs() / (solution.x_p_max - solution.x_outlet);
+    let (before, after) = (solution.friction.hydrodynamic_cavity, richer.friction.hydrodynamic_cavity);
+    if before == 0.0 { outlet } else { outlet.max((after / before - 1.0).abs()) }
 }
 
 /// The larger of two numbers; infinite if the second is NaN.
