@@ -12,8 +12,8 @@ pub const ROUNDING: f64 = 5e-17;
 const OF_SPREAD: f64 = 0.5;
 /// The same for the largest pressure, which lies on one panel, and what counts of its own change: it is published as the
 /// richer panels have it.
-const OF_LOAD: f64 = 0.15;
-const OF_LARGEST: f64 = 0.5;
+const OF_LOAD: f64 = 0.22;
+const OF_LARGEST: f64 = 0.7;
 
 /// What is known of the errors of a solution.
 pub struct Sources {
