@@ -8,7 +8,7 @@ use crate::model::kernel::retarded_log;
 use crate::model::{CavityShear, Sensitivities, gauss, retarded_mode};
 
 /// By how much friction changes, over N a₀/R, when what lies beyond the mesh is counted, to leading order in its distance
-/// (T60).
+/// (T60), (T61).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Truncation {
     /// Of F_v: what the pressure on the mesh and that ahead of it do to each other.
