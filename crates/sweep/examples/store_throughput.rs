@@ -126,7 +126,13 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         p_max: film * 8e-6,
     };
     SolvedCase {
-        outcome: Ok(Solution { quantities, errors, fields: Fields::default(), sensitivities: None, sensitivity_errors: None }),
+        outcome: Ok(Solution {
+            quantities,
+            errors,
+            fields: Fields::default(),
+            sensitivities: None,
+            sensitivity_errors: None,
+        }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
         path: stribeck_solver::continuation::Path::default(),
