@@ -49,6 +49,8 @@ const fn words(column: Column) -> &'static str {
         Column::ErrorMuDrag => "estimated relative error of the drag",
         Column::ErrorMuPressure => "estimated relative error of P",
         Column::ErrorMuShear => "estimated relative error of C",
+        Column::ErrorFilmMin => "estimated relative error of uₘᵢₙ",
+        Column::ErrorPMax => "estimated relative error of pₘₐₓ",
         Column::Dissipation => "dissipation of the pressure-driven flow",
     }
 }

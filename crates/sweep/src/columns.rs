@@ -114,6 +114,8 @@ columns! {
     ErrorMuShear, "error_mu_shear", NUMBER, false, "estimated relative error of mu_shear", Error(|it| it.shear);
     Dissipation, "dissipation", FRICTION, false, "power that the pressure-driven flow dissipates, over load and speed",
         Quantity(|it, _| it.dissipation);
+    ErrorFilmMin, "error_film_min", NUMBER, false, "estimated relative error of film_min", Error(|it| it.film_min);
+    ErrorPMax, "error_p_max", NUMBER, false, "estimated relative error of p_max", Error(|it| it.p_max);
 }
 
 impl Column {
@@ -160,6 +162,8 @@ impl Column {
             Self::MuDrag => Some(Self::ErrorMuDrag),
             Self::MuPressure => Some(Self::ErrorMuPressure),
             Self::MuShear => Some(Self::ErrorMuShear),
+            Self::FilmMin => Some(Self::ErrorFilmMin),
+            Self::PMax => Some(Self::ErrorPMax),
             _ => None,
         }
     }
@@ -322,7 +326,8 @@ mod tests {
         drag: 18.0,
         pressure: 19.0,
         shear: 20.0,
-        ..RelativeErrors::UNKNOWN
+        film_min: 21.0,
+        p_max: 22.0,
     };
 
     /// Each number stands under its name, and a failed case has those of the limits alone.
@@ -357,6 +362,8 @@ mod tests {
             ("error_mu_drag", 18.0),
             ("error_mu_pressure", 19.0),
             ("error_mu_shear", 20.0),
+            ("error_film_min", 21.0),
+            ("error_p_max", 22.0),
             ("dry_mu_v", 16.0),
             ("approx_mu_h", 17.0),
         ];
