@@ -122,9 +122,17 @@ fn solved(parameters: &Parameters, steps: u64) -> SolvedCase {
         drag: film * 4e-6,
         pressure: film * 5e-6,
         shear: film * 6e-6,
+        film_min: film * 7e-6,
+        p_max: film * 8e-6,
     };
     SolvedCase {
-        outcome: Ok(Solution { quantities, errors, fields: Fields::default(), sensitivities: None }),
+        outcome: Ok(Solution {
+            quantities,
+            errors,
+            fields: Fields::default(),
+            sensitivities: None,
+            sensitivity_errors: None,
+        }),
         limits: Limits { dry_mu_v: mu_v * 1.01, approx_mu_h: film.sqrt() / 2.9 },
         seed: Seed::Hertz,
         path: stribeck_solver::continuation::Path::default(),

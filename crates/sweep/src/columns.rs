@@ -312,8 +312,15 @@ mod tests {
         }
     }
 
-    const ERRORS: RelativeErrors =
-        RelativeErrors { mu_v: 13.0, mu_h: 14.0, c: 15.0, drag: 18.0, pressure: 19.0, shear: 20.0 };
+    const ERRORS: RelativeErrors = RelativeErrors {
+        mu_v: 13.0,
+        mu_h: 14.0,
+        c: 15.0,
+        drag: 18.0,
+        pressure: 19.0,
+        shear: 20.0,
+        ..RelativeErrors::UNKNOWN
+    };
 
     /// Each number stands under its name, and a failed case has those of the limits alone.
     #[test]

@@ -55,13 +55,19 @@ pub(super) fn complete(
     context: &mut SolveContext,
 ) -> Solution {
     context.effort.unknowns = unknowns(workspace.coarse.displacement());
+    let Estimate { quantities, errors, richer, beyond, .. } = estimate;
+    let cavity_shear = output.cavity_shear;
     let (corrector, displacement) = workspace.coarse.parts();
     let fields = fields(displacement, beta, state, output);
-    let mut derivatives =
-        || corrector.sensitivities(displacement, beta, state, output.cavity_shear, &mut context.effort);
-    let sensitivities = output.sensitivities.then(&mut derivatives);
-    let Estimate { quantities, errors, .. } = estimate;
-    Solution { quantities, errors, fields, sensitivities }
+    let (mut sensitivities, mut sensitivity_errors) = (None, None);
+    if output.sensitivities {
+        let here = corrector.sensitivities(displacement, beta, state, cavity_shear, &mut context.effort);
+        let (corrector, displacement) = workspace.fine.parts();
+        let better = corrector.sensitivities(displacement, beta, &richer, cavity_shear, &mut context.effort);
+        sensitivity_errors = Some(better.errors_beside(&here, &beyond.of_sensitivities()));
+        sensitivities = Some(better);
+    }
+    Solution { quantities, errors, fields, sensitivities, sensitivity_errors }
 }
 
 /// Refuses a film under so much tension that it is not even good enough to go on from.
@@ -76,6 +82,8 @@ pub(super) fn check_tension(tension: f64) -> Result<(), SolveError> {
 pub(super) struct Acceptance {
     /// Over the tolerance: the largest of the estimated errors, the extremes and the coarseness.
     pub(super) error: f64,
+    /// The part of it that a longer mesh would mend.
+    pub(super) cut: f64,
     /// Which of them is the largest.
     measure: ErrorMeasure,
     /// The smallest pressure over the largest.
@@ -104,7 +112,7 @@ impl Acceptance {
         let larger = |a: (f64, ErrorMeasure), b: (f64, ErrorMeasure)| if b.0 > a.0 { b } else { a };
         let (error, measure) = measures.into_iter().fold((0.0, ErrorMeasure::Estimate), larger);
         let (tension, place) = tension(reference, state);
-        (Self { error, measure, tension, place }, estimate)
+        (Self { error, cut: estimate.cut / tolerance, measure, tension, place }, estimate)
     }
 
     pub(super) fn is_accepted(&self) -> bool {

@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
+use super::bounds::Sources;
 use super::displacement::Displacement;
-use super::quantities::quantities;
+use super::parts::Parts;
+use super::quantities::{Integrands, inlet, quantities_of};
 use super::reference::evaluate;
 use super::state::State;
+use super::truncation::Truncation;
 use super::workspace::Workspace;
 use crate::continuation::Effort;
 use crate::model::{CavityShear, Quantities, RelativeErrors};
@@ -17,6 +20,9 @@ pub const ENRICHMENT: usize = 2;
 /// richer value is the one that is published, and is better by far.
 const PRESSURE_SLACK: f64 = 50.0;
 const FILM_SLACK: f64 = 500.0;
+/// The same of friction behind the outlet over itself, and of the outlet over its distance from the largest pressure:
+/// where the cavity is a small part of F_h no other error tells of them.
+const OUTLET_SLACK: f64 = 5.0;
 /// Part of the tolerance that the nonlinearity may hide in an estimate.
 const REMAINDER: f64 = 0.01;
 
@@ -51,24 +57,42 @@ pub struct Estimate {
     pub quantities: Quantities,
     /// Their estimated errors.
     pub errors: RelativeErrors,
-    /// The change of the largest pressure and the smallest film on richer panels, over the change that is accepted:
-    /// they lie between the points, and converge more slowly than integrals and flow.
+    /// The errors of μ_v, μ_h and c that the tolerance is about.
+    controlled: [f64; 3],
+    /// The largest part of them that a longer mesh would mend.
+    pub cut: f64,
+    /// The change of the largest pressure, the smallest film, the outlet and the friction behind it on richer panels,
+    /// over the change that is accepted: extremes lie between the points, and converge more slowly than integrals.
     pub extremes: f64,
+    /// The solution on the richer panels.
+    pub richer: State,
+    /// What lies beyond the mesh.
+    pub beyond: Truncation,
 }
 
 impl Estimate {
     /// The largest error of μ_v, μ_h and c; infinite if one is not a number.
     pub fn worst(&self) -> f64 {
-        let RelativeErrors { mu_v, mu_h, c, .. } = self.errors;
-        [mu_v, mu_h, c].into_iter().fold(0.0, larger)
+        self.controlled.into_iter().fold(0.0, larger)
+    }
+
+    /// No error of μ_v, μ_h and c is above what was accepted: the parts of the estimate that are there because errors
+    /// may cancel do not make it larger than the tolerance, which is kept.
+    #[must_use]
+    pub fn accepted(mut self, most: f64) -> Self {
+        let RelativeErrors { mu_v, mu_h, c, .. } = &mut self.errors;
+        for error in [mu_v, mu_h, c] {
+            *error = error.min(most);
+        }
+        self
     }
 }
 
 /// Estimates the errors of a solution.
 ///
 /// The solution is interpolated to degree d + 2 on its own panels, a Newton step is taken there, and what that changes
-/// in μ_v, μ_h and c is reported. These are known much better than the film at a point: where the square of the step
-/// would be seen in them, chord steps follow.
+/// is compared, panel by panel too. Friction and flow are known much better than the film at a point: where the square
+/// of the step would be seen in them, chord steps follow.
 pub fn estimate(
     workspace: &mut Workspace,
     (beta, state): (f64, &State),
@@ -79,27 +103,41 @@ pub fn estimate(
     workspace.prepare_fine(&state.mesh, effort);
     let coarse = workspace.coarse.displacement();
     let (corrector, fine) = workspace.fine.parts();
-    let solution = quantities(coarse, beta, state, cavity_shear);
-    let mut better = enriched(coarse, fine, state);
-    corrector.refine(fine, beta, &mut better, REMAINDER * tolerance, effort);
-    let corrected = quantities(fine, beta, &better, cavity_shear);
+    let numbers = |displacement: &Displacement, state: &State| {
+        let integrands = Integrands::of(displacement, state, cavity_shear);
+        let parts = Parts::of(displacement, beta, state, &integrands, cavity_shear);
+        (quantities_of(displacement, beta, state, &integrands, cavity_shear), parts)
+    };
+    let (solution, parts) = numbers(coarse, state);
+    let mut richer = enriched(coarse, fine, state);
+    let remainder = corrector.refine(fine, beta, &mut richer, REMAINDER * tolerance, effort);
+    let (corrected, richer_parts) = numbers(fine, &richer);
+    let sources = Sources {
+        spread: parts.spread(&richer_parts),
+        cut: Truncation::new(coarse, beta, &inlet(coarse, beta, state), cavity_shear),
+        remainder,
+    };
+    let pressure_change = (solution.p_max / corrected.p_max - 1.0).abs() / PRESSURE_SLACK;
+    let film_change = (solution.film_min / corrected.film_min - 1.0).abs() / FILM_SLACK;
+    let outlet_change = outlet_change(&solution, &corrected) / OUTLET_SLACK;
     // extremes lie between the points: the richer polynomials know them better
     let Quantities { film_min, p_max, x_p_max, .. } = corrected;
-    let pressure_change = (solution.p_max / p_max - 1.0).abs() / PRESSURE_SLACK;
-    let film_change = (solution.film_min / film_min - 1.0).abs() / FILM_SLACK;
-    let solution = Quantities { film_min, p_max, x_p_max, ..solution };
-    let (before, after) = (&solution.friction, &corrected.friction);
-    let scale = before.viscoelastic_error_scale();
-    let errors = RelativeErrors {
-        mu_v: (after.viscoelastic - before.viscoelastic).abs() / scale,
-        mu_h: (after.hydrodynamic() / before.hydrodynamic() - 1.0).abs(),
-        c: (corrected.c / solution.c - 1.0).abs(),
-        drag: (after.drag / before.drag - 1.0).abs(),
-        pressure: (after.pressure / before.pressure - 1.0).abs(),
-        shear: (after.shear() / before.shear() - 1.0).abs(),
-    };
-    let extremes = [pressure_change, film_change].into_iter().fold(0.0, larger);
-    Estimate { quantities: solution, errors, extremes }
+    Estimate {
+        errors: sources.errors(&solution, &corrected),
+        controlled: sources.controlled(&solution, &corrected),
+        cut: sources.cut_of_controlled(&solution).into_iter().fold(0.0, larger),
+        extremes: [pressure_change, film_change, outlet_change].into_iter().fold(0.0, larger),
+        quantities: Quantities { film_min, p_max, x_p_max, ..solution },
+        richer,
+        beyond: sources.cut,
+    }
+}
+
+/// The relative change of what lies at the outlet and behind it.
+fn outlet_change(solution: &Quantities, richer: &Quantities) -> f64 {
+    let outlet = (richer.x_outlet - solution.x_outlet).abs() / (solution.x_p_max - solution.x_outlet);
+    let (before, after) = (solution.friction.hydrodynamic_cavity, richer.friction.hydrodynamic_cavity);
+    if before == 0.0 { outlet } else { outlet.max((after / before - 1.0).abs()) }
 }
 
 /// The larger of two numbers; infinite if the second is NaN.

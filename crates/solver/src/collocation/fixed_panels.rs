@@ -39,7 +39,7 @@ impl CollocationSolver {
     ) -> Result<Solution, SolveError> {
         let panels = self.panels.expect("a solver with a fixed number of panels");
         let beta = parameters.beta;
-        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), beta));
         for _ in 0..FIXED_MESHES {
             *state = self.remeshed(parameters, state, Panels::Number(panels), reach);
             let least = state.mesh.panels();

@@ -16,7 +16,8 @@
 //! | `inlet.rs` | the film ahead of the mesh |
 //! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
 //! | `adaptation.rs` | where panels are wanted |
-//! | `estimate.rs`, `acceptance.rs` | how large the errors are, and whether the solution is accepted |
+//! | `estimate.rs`, `bounds.rs`, `acceptance.rs` | how large the errors are, and whether the solution is accepted |
+//! | `parts.rs`, `truncation.rs` | sources of error: panels, and what lies beyond the mesh |
 //! | `quantities.rs`, `fields.rs` | the numbers and the fields of a solution |
 //! | `sensitivity.rs`, `adjoint.rs` | derivatives of friction with respect to α, β and f |
 //! | `friction_partials.rs`, `inlet_partials.rs` | partial derivatives of friction with respect to the unknowns |
@@ -28,6 +29,7 @@
 mod acceptance;
 mod adaptation;
 mod adjoint;
+mod bounds;
 mod discretisation;
 mod displacement;
 mod estimate;
@@ -43,6 +45,7 @@ mod log_moments;
 mod matrix;
 mod mesh;
 mod newton;
+mod parts;
 mod quantities;
 mod reference;
 mod retardation;
@@ -58,6 +61,7 @@ mod system;
 mod thick_film;
 mod timings;
 mod transfer;
+mod truncation;
 mod workspace;
 
 pub use settings::Settings;
@@ -67,4 +71,4 @@ pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 2;
+pub const RESULTS_VERSION: u32 = 3;

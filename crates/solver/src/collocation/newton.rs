@@ -135,6 +135,7 @@ impl Corrector {
     }
 
     /// A full Newton step, and chord steps until what they leave, about the square of the first, is below `remainder`.
+    /// Returns what they leave.
     pub fn refine(
         &mut self,
         displacement: &Displacement,
@@ -142,9 +143,9 @@ impl Corrector {
         state: &mut State,
         remainder: f64,
         effort: &mut Effort,
-    ) {
+    ) -> f64 {
         const MOST_STEPS: usize = 5;
-        let mut first = None;
+        let (mut first, mut left) = (None, f64::INFINITY);
         for _ in 0..MOST_STEPS {
             self.linearise(displacement, beta, state);
             if first.is_none() {
@@ -155,10 +156,12 @@ impl Corrector {
             self.system.advance(state, 1.0);
             let contraction = *first.get_or_insert(size);
             // a chord step leaves about as large a part of itself as the first step was of the solution
-            if size * contraction <= remainder || !size.is_finite() {
+            left = size * contraction;
+            if left <= remainder || !size.is_finite() {
                 break;
             }
         }
+        left
     }
 }
 

@@ -2,21 +2,51 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::displacement::Displacement;
+use super::displacement::{Along, Displacement};
 use super::inlet::Inlet;
 use super::reference::{evaluate, multiply};
 use super::state::State;
 use super::system::pressure_gradient;
 use crate::model::{CavityShear, Friction, Quantities};
 
+/// What the integrals of a solution are made of.
+pub struct Integrands {
+    /// p′ at the film's Gauss points.
+    pub gradient: Vec<f64>,
+    /// p there.
+    pub pressure: Vec<f64>,
+    /// What follows from the displacement.
+    pub along: Along,
+}
+
+impl Integrands {
+    /// Those of a state.
+    pub fn of(displacement: &Displacement, state: &State, cavity_shear: CavityShear) -> Self {
+        let mut gradient = Vec::new();
+        pressure_gradient(displacement, &state.pressure, &mut gradient);
+        let along = displacement.along(&state.pressure, cavity_shear != CavityShear::None);
+        Self { gradient, pressure: at_points(displacement, &state.pressure), along }
+    }
+}
+
 /// Friction, film and load of a solution: integrals by the Gauss points of the panels, and to infinity beyond them.
+#[cfg(test)]
 pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_shear: CavityShear) -> Quantities {
+    quantities_of(displacement, beta, state, &Integrands::of(displacement, state, cavity_shear), cavity_shear)
+}
+
+/// Friction, film and load of a solution: integrals by the Gauss points of the panels, and to infinity beyond them.
+pub fn quantities_of(
+    displacement: &Displacement,
+    beta: f64,
+    state: &State,
+    integrands: &Integrands,
+    cavity_shear: CavityShear,
+) -> Quantities {
+    let Integrands { gradient, pressure, along } = integrands;
     let discretisation = &displacement.discretisation;
     let film = discretisation.film();
     let (weights, y) = (&discretisation.weights[film.clone()], discretisation.film_y());
-    let mut gradient = Vec::new();
-    pressure_gradient(displacement, &state.pressure, &mut gradient);
-    let pressure = at_points(displacement, &state.pressure);
     let inlet = inlet(displacement, beta, state);
 
     let (mut pressure_flow, mut dissipation) = (inlet.pressure_flow, inlet.dissipation);
@@ -31,14 +61,13 @@ pub fn quantities(displacement: &Displacement, beta: f64, state: &State, cavity_
     }
     let centroid = moment / FRAC_PI_2;
     let hydrodynamic_film = (pressure_flow + shear / 3.0) / PI;
-    let along = displacement.along(&state.pressure, cavity_shear != CavityShear::None);
     let hydrodynamic_cavity = cavity_friction(displacement, beta, state, &along.behind, cavity_shear);
     let viscoelastic_roller = match displacement.of_roller {
         0 => 0.0,
-        _ => viscoelastic_friction(weights, &pressure, &along.roller_slope),
+        _ => viscoelastic_friction(weights, pressure, &along.roller_slope),
     };
     let friction = Friction {
-        viscoelastic: viscoelastic_friction(weights, &pressure, &along.retarded_slope),
+        viscoelastic: viscoelastic_friction(weights, pressure, &along.retarded_slope),
         viscoelastic_roller,
         hydrodynamic_film,
         hydrodynamic_cavity,
@@ -91,6 +120,39 @@ fn viscoelastic_friction(weights: &[f64], pressure: &[f64], retarded_slope: &[f6
     sum / FRAC_PI_2
 }
 
+/// θ/u behind the outlet, θ = 1, c/u or 0.
+fn shear_behind(state: &State, cavity_shear: CavityShear) -> impl Fn(f64) -> f64 {
+    let c = state.c;
+    move |u| match cavity_shear {
+        CavityShear::Full => 1.0 / u,
+        CavityShear::Streamers => c / (u * u),
+        CavityShear::None => 0.0,
+    }
+}
+
+/// The gap at the Gauss points behind the outlet; `displaced` is w less w(0) there.
+fn gap_behind<'a>(
+    displacement: &'a Displacement,
+    state: &'a State,
+    displaced: &'a [f64],
+) -> impl Iterator<Item = f64> + 'a {
+    let y = &displacement.discretisation.points[displacement.discretisation.behind()];
+    y.iter().zip(displaced).map(|(y, w)| state.c + state.outlet * y + 0.5 * y * y - w)
+}
+
+/// The terms of ∫ θ/u dx at the Gauss points behind the outlet; none where the cavity has no shear.
+pub fn cavity_terms(
+    displacement: &Displacement,
+    state: &State,
+    displaced: &[f64],
+    cavity_shear: CavityShear,
+) -> Vec<f64> {
+    let discretisation = &displacement.discretisation;
+    let weights = &discretisation.weights[discretisation.behind()];
+    let shear = shear_behind(state, cavity_shear);
+    weights.iter().zip(gap_behind(displacement, state, displaced)).map(|(weight, u)| weight * shear(u)).collect()
+}
+
 /// F_h,cavity = ∫ θ/(3πβu) dx behind the outlet (Eq. 20), θ = 1, c/u or 0; `displaced` is w less w(0) there.
 fn cavity_friction(
     displacement: &Displacement,
@@ -99,22 +161,16 @@ fn cavity_friction(
     displaced: &[f64],
     cavity_shear: CavityShear,
 ) -> f64 {
-    let shear = |u: f64| match cavity_shear {
-        CavityShear::Full => 1.0 / u,
-        CavityShear::Streamers => state.c / (u * u),
-        CavityShear::None => 0.0,
-    };
     if cavity_shear == CavityShear::None {
         return 0.0;
     }
     let discretisation = &displacement.discretisation;
-    let rows = discretisation.behind();
-    let (y, weights) = (&discretisation.points[rows.clone()], &discretisation.weights[rows.clone()]);
-    let gap = |i: usize| state.c + state.outlet * y[i] + 0.5 * y[i] * y[i] - displaced[i];
-    let inside: f64 = rows.clone().map(|i| weights[i] * shear(gap(i))).sum();
+    let inside: f64 = cavity_terms(displacement, state, displaced, cavity_shear).iter().sum();
     // beyond, u = x²/2 + g as for the inlet, with x = −X/t
     let x = state.outlet + discretisation.mesh.behind[0];
-    let g = gap(0) - 0.5 * (state.outlet + y[0]).powi(2);
+    let first_gap = gap_behind(displacement, state, displaced).next().expect("a mesh has panels behind the outlet");
+    let g = first_gap - 0.5 * (state.outlet + discretisation.points[0]).powi(2);
+    let shear = shear_behind(state, cavity_shear);
     let beyond =
         crate::model::gauss::mean(0.0, 1.0, |t| shear((0.5 * x * x + g * t * t) / (t * t)) * x.abs() / (t * t));
     (inside + beyond) / (3.0 * PI * beta)

@@ -6,6 +6,7 @@ use faer::Mat;
 
 use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, tension};
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
+use super::bounds::ROUNDING;
 use super::estimate::ENRICHMENT;
 use super::mesh::growth_behind;
 use super::reference::ReferencePanel;
@@ -41,6 +42,8 @@ const CLOSE: f64 = 0.45;
 /// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what
 /// lies beyond a mesh.
 const SHORT: f64 = 0.8;
+/// Part of the tolerance that what lies beyond a mesh may have in the errors before the next mesh reaches further.
+const SHORT_INLET: f64 = 0.3;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
 const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
@@ -48,15 +51,13 @@ const MOST_PANELS: usize = *Settings::PANELS.end();
 /// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
 /// thousand times at a steep inlet.
 const THINNEST: f64 = 1e-11;
-/// Rounding errors of the flow c and of what depends on it, of order 1 with c = 1; they are in no estimate that can be
-/// trusted, for they may happen to be alike on two meshes.
-const ROUNDING: f64 = 5e-17;
-
 /// The collocation solver with given settings.
 pub struct CollocationSolver {
     pub(super) settings: Settings,
     /// A fixed number of panels, or as many as the tolerance takes.
     pub(super) panels: Option<usize>,
+    /// How many times as far as it takes meshes reach.
+    pub(super) farther: f64,
     pub(super) coarse: Arc<ReferencePanel>,
     pub(super) fine: Arc<ReferencePanel>,
 }
@@ -73,9 +74,22 @@ impl CollocationSolver {
         Self {
             settings,
             panels: None,
+            farther: 1.0,
             coarse: Arc::new(ReferencePanel::new(settings.degree)),
             fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
         }
+    }
+
+    /// The same solver with meshes that reach so many times as far ahead as the tolerance takes: to study what they
+    /// leave out, not to use it.
+    #[must_use]
+    pub fn reaching(self, times: f64) -> Self {
+        Self { farther: times, ..self }
+    }
+
+    /// How far a mesh reaches.
+    pub(super) fn reach(&self, scaling: Scaling) -> f64 {
+        self.farther * scaling.reach(self.settings.tolerance)
     }
 
     /// Newton's method on the mesh of a state.
@@ -149,7 +163,7 @@ impl CaseSolver for CollocationSolver {
         context: &mut SolveContext,
     ) -> Result<(State, Seed), SolveError> {
         workspace.enter(parameters);
-        let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
         let Settings { degree, tolerance } = self.settings;
         let growth = growth_behind(degree, BEHIND * tolerance);
         let mesh = thick_film::mesh(degree, growth, parameters.beta, reach);
@@ -173,7 +187,7 @@ impl CaseSolver for CollocationSolver {
             let back = if back.mesh.film == near.mesh.film { back } else { back.on(&self.coarse, &near.mesh) };
             guess.add_difference(secant(far_parameters, near_parameters, parameters), near, &back);
         }
-        let reach = to.reach(self.settings.tolerance);
+        let reach = self.reach(to);
         match near.error {
             Some(error) if !(IDLE..=CLOSE).contains(&error) => {
                 let panels = Panels::Number(self.panels(near.mesh.panels(), error));
@@ -196,7 +210,7 @@ impl CaseSolver for CollocationSolver {
         context: &mut SolveContext,
     ) -> Result<State, SolveError> {
         workspace.enter(parameters);
-        let reach = Scaling::new(workspace.half_width(), parameters.beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
         let mut state = guess;
         for _ in 0..ROUGH_MESHES {
             self.correct(workspace, parameters.beta, &mut state, context)?;
@@ -220,7 +234,7 @@ impl CaseSolver for CollocationSolver {
         context: &mut SolveContext,
     ) -> Result<Solution, SolveError> {
         let beta = parameters.beta;
-        let reach = Scaling::new(workspace.half_width(), beta).reach(self.settings.tolerance);
+        let reach = self.reach(Scaling::new(workspace.half_width(), beta));
         if self.panels.is_some() {
             return self.evaluate_on_fixed_panels(workspace, parameters, state, output, context);
         }
@@ -237,6 +251,7 @@ impl CaseSolver for CollocationSolver {
             context.note_error(unknowns(workspace.coarse.displacement()), acceptance.error);
             check_tension(acceptance.tension)?;
             if acceptance.is_accepted() {
+                let solution = solution.accepted(ACCEPTED * self.settings.tolerance);
                 return Ok(complete(workspace, (beta, state), solution, output, context));
             }
             stalled = if acceptance.excess() > GAIN * least { stalled + 1 } else { 0 };
@@ -279,6 +294,7 @@ impl CollocationSolver {
         if acceptance.error > ACCEPTED {
             panels = self.panels(state.mesh.panels(), acceptance.error).max(panels);
         }
-        self.remeshed(parameters, &state, Panels::Number(panels), reach)
+        let longer = (acceptance.cut / SHORT_INLET).cbrt().max(1.0);
+        self.remeshed(parameters, &state, Panels::Number(panels), longer * reach)
     }
 }

@@ -112,6 +112,8 @@ pub struct Solution {
     pub fields: Fields,
     /// How its friction changes with its parameters, if that was asked for and the method knows it.
     pub sensitivities: Option<Sensitivities>,
+    /// The estimated absolute errors of the sensitivities, where these are known.
+    pub sensitivity_errors: Option<Sensitivities>,
 }
 
 /// The user asked to stop; the results of the chain in hand are dropped.

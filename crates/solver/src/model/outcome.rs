@@ -134,12 +134,24 @@ pub struct RelativeErrors {
     pub pressure: f64,
     /// Error of C.
     pub shear: f64,
+    /// Error of the smallest film.
+    pub film_min: f64,
+    /// Error of the largest pressure.
+    pub p_max: f64,
 }
 
 impl RelativeErrors {
     /// No estimate.
-    pub const UNKNOWN: Self =
-        Self { mu_v: f64::NAN, mu_h: f64::NAN, c: f64::NAN, drag: f64::NAN, pressure: f64::NAN, shear: f64::NAN };
+    pub const UNKNOWN: Self = Self {
+        mu_v: f64::NAN,
+        mu_h: f64::NAN,
+        c: f64::NAN,
+        drag: f64::NAN,
+        pressure: f64::NAN,
+        shear: f64::NAN,
+        film_min: f64::NAN,
+        p_max: f64::NAN,
+    };
 
     /// The largest error of μ_v, μ_h and c, which a tolerance bounds; `None` if one is not known.
     pub fn largest(&self) -> Option<f64> {

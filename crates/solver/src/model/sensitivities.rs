@@ -42,6 +42,23 @@ impl Sensitivities {
         sensitivities.row().iter().all(|value| !value.is_nan()).then_some(sensitivities)
     }
 
+    /// Estimated errors, from less accurate ones and what both lack: for each derivative a half of the difference, a
+    /// tenth of the largest difference of the same friction, as one may be small by accident, and what is lacking.
+    pub(crate) fn errors_beside(&self, rough: &Self, lacking: &Self) -> Self {
+        const OWN: f64 = 0.5;
+        const SHARED: f64 = 0.1;
+        let apart = |a: [f64; 3], b: [f64; 3], lacking: [f64; 3]| {
+            let difference: [f64; 3] = std::array::from_fn(|i| (a[i] - b[i]).abs());
+            let largest = difference.into_iter().fold(0.0, f64::max);
+            std::array::from_fn(|i| OWN * difference[i] + SHARED * largest + lacking[i])
+        };
+        Self {
+            viscoelastic: apart(self.viscoelastic, rough.viscoelastic, lacking.viscoelastic),
+            hydrodynamic: apart(self.hydrodynamic, rough.hydrodynamic, lacking.hydrodynamic),
+            pressure: apart(self.pressure, rough.pressure, lacking.pressure),
+        }
+    }
+
     /// Derivatives of F_v + P + S C at the slide-to-roll ratio S, which is F_tot for S = 1.
     pub fn total_at(&self, slide_roll: f64) -> [f64; 3] {
         std::array::from_fn(|i| self.viscoelastic[i] + self.hydrodynamic_at(slide_roll)[i])

@@ -183,6 +183,8 @@ impl RelaxationSolver {
             drag: relative(found.drag, before.drag),
             pressure: relative(found.pressure, before.pressure),
             shear: relative(found.shear(), before.shear()),
+            film_min: relative(fine.film_min, coarse.film_min),
+            p_max: relative(fine.p_max, coarse.p_max),
         })
     }
 
@@ -357,6 +359,6 @@ impl CaseSolver for RelaxationSolver {
         let Quantities { c, x_outlet: outlet, .. } = quantities;
         let lubricant = Lubricant { beta: parameters.beta, c, outlet, cavity_shear: output.cavity_shear };
         let fields = fields(&fine, &lubricant, &workspace.beyond, output);
-        Ok(Solution { quantities, errors, fields, sensitivities: None })
+        Ok(Solution { quantities, errors, fields, sensitivities: None, sensitivity_errors: None })
     }
 }

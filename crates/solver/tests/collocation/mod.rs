@@ -4,6 +4,7 @@ mod agreement;
 mod cases;
 mod chains;
 mod efficiency;
+mod estimates;
 mod fields;
 mod forces;
 mod identities;

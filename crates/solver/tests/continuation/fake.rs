@@ -188,7 +188,7 @@ impl CaseSolver for Fake {
             load_residual: 0.0,
         };
         let (errors, fields) = (RelativeErrors::UNKNOWN, Fields::default());
-        Ok(Solution { quantities, errors, fields, sensitivities: None })
+        Ok(Solution { quantities, errors, fields, sensitivities: None, sensitivity_errors: None })
     }
 }
 
