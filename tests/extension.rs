@@ -241,7 +241,7 @@ fn results_of_an_earlier_version_are_stale_and_never_used() {
     assert_eq!(cases, 35);
     let (state, text) = plan(directory.path());
     assert_eq!(state, "0 reused, 0 new, 35 stale, 0 failed before");
-    assert!(text.contains("stale      35: solved with version of the results 1, now 2\n"), "{text}");
+    assert!(text.contains("stale      35: solved with version of the results 2, now 3\n"), "{text}");
     let after = run(directory.path(), &BASE);
     assert!(after == ran(&BASE).1, "as if the earlier version had never been");
     assert_eq!(plan(directory.path()).0, "35 reused, 0 new, 0 failed before");

@@ -10,8 +10,8 @@ pub const ROUNDING: f64 = 5e-17;
 /// What counts of the differences panel by panel, beside that of the whole. Errors of panels may cancel on both
 /// degrees, and on the richer one in another way than in the truth.
 const OF_SPREAD: f64 = 0.5;
-/// The same for the largest pressure, which lies on one panel, and what counts of its own change: it is published as the
-/// richer panels have it.
+/// The same for the largest pressure, which lies on one panel, and what counts of its own change: it is published as
+/// the richer panels have it.
 const OF_LOAD: f64 = 0.22;
 const OF_LARGEST: f64 = 0.7;
 
@@ -26,8 +26,8 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// The estimated errors of a solution from its numbers and those on richer panels: for each number the magnitudes of
-    /// all sources are added, so that it is a bound for that number as far as the sources are known.
+    /// The estimated errors of a solution from its numbers and those on richer panels: for each number the magnitudes
+    /// of all sources are added, so that it is a bound for that number as far as the sources are known.
     pub fn errors(&self, solution: &Quantities, richer: &Quantities) -> RelativeErrors {
         let Self { spread, cut, remainder } = self;
         let (before, after) = (&solution.friction, &richer.friction);

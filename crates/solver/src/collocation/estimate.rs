@@ -61,8 +61,8 @@ pub struct Estimate {
     controlled: [f64; 3],
     /// The largest part of them that a longer mesh would mend.
     pub cut: f64,
-    /// The change of the largest pressure, the smallest film, the outlet and the friction behind it on richer panels, over
-    /// the change that is accepted: extremes lie between the points, and converge more slowly than integrals and flow.
+    /// The change of the largest pressure, the smallest film, the outlet and the friction behind it on richer panels,
+    /// over the change that is accepted: extremes lie between the points, and converge more slowly than integrals.
     pub extremes: f64,
     /// The solution on the richer panels.
     pub richer: State,

@@ -80,8 +80,8 @@ impl CollocationSolver {
         }
     }
 
-    /// The same solver with meshes that reach so many times as far ahead as the tolerance takes: to study what they leave
-    /// out, not to use it.
+    /// The same solver with meshes that reach so many times as far ahead as the tolerance takes: to study what they
+    /// leave out, not to use it.
     #[must_use]
     pub fn reaching(self, times: f64) -> Self {
         Self { farther: times, ..self }

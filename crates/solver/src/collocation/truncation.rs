@@ -1,4 +1,5 @@
-//! What a mesh that ends leaves out: the displacement that the load ahead of it adds, and how the surface beyond it bends.
+//! What a mesh that ends leaves out: the displacement that the load ahead of it adds, and how the surface beyond it
+//! bends.
 
 use std::f64::consts::PI;
 
@@ -7,8 +8,8 @@ use super::inlet::Inlet;
 use crate::model::kernel::retarded_log;
 use crate::model::{CavityShear, Sensitivities, gauss, retarded_mode};
 
-/// By how much friction changes, over N a₀/R, when what lies beyond the mesh is counted, to leading order in its distance
-/// (T60), (T61).
+/// By how much friction changes, over N a₀/R, when what lies beyond the mesh is counted, to leading order in its
+/// distance (T60), (T61).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Truncation {
     /// Of F_v: what the pressure on the mesh and that ahead of it do to each other.
@@ -64,8 +65,8 @@ impl Truncation {
         truncation
     }
 
-    /// How much of the derivatives of friction lies beyond the mesh. What is beyond goes as 1/β, and with the parameters of
-    /// the substrate no faster than in proportion but for F_v, which changes its sign with α.
+    /// How much of the derivatives of friction lies beyond the mesh. That goes as 1/β, and with the parameters
+    /// of the substrate no faster than in proportion but for F_v, which changes its sign with α.
     pub fn of_sensitivities(&self) -> Sensitivities {
         let film = self.pressure.abs() + self.shear.abs();
         let hysteresis = self.viscoelastic.abs();

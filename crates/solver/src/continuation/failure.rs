@@ -105,7 +105,7 @@ impl fmt::Display for Waypoint {
 pub enum ErrorMeasure {
     /// The estimated error of μ_v, μ_h or c.
     Estimate,
-    /// The change of the largest pressure or the smallest film on richer panels.
+    /// The change of the largest pressure, the smallest film, the outlet or the friction behind it on richer panels.
     Extremes,
     /// The square of the last coefficients of the pressure's polynomials.
     Coarseness,
@@ -115,7 +115,7 @@ impl fmt::Display for ErrorMeasure {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Estimate => "the estimated error",
-            Self::Extremes => "what richer panels change in the largest pressure or the smallest film",
+            Self::Extremes => "what richer panels change in the largest pressure, the smallest film or the outlet",
             Self::Coarseness => "the square of what is left of the pressure's polynomials",
         })
     }

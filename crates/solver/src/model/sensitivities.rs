@@ -42,8 +42,8 @@ impl Sensitivities {
         sensitivities.row().iter().all(|value| !value.is_nan()).then_some(sensitivities)
     }
 
-    /// Estimated errors, from less accurate ones and what both lack: for each derivative a half of the difference, a tenth
-    /// of the largest difference of the same friction, as one may be small by accident, and what is lacking.
+    /// Estimated errors, from less accurate ones and what both lack: for each derivative a half of the difference, a
+    /// tenth of the largest difference of the same friction, as one may be small by accident, and what is lacking.
     pub(crate) fn errors_beside(&self, rough: &Self, lacking: &Self) -> Self {
         const OWN: f64 = 0.5;
         const SHARED: f64 = 0.1;

@@ -67,8 +67,8 @@ pub struct Settings {
     pub tolerance: f64,
     /// Acceleration of the iteration.
     pub acceleration: Acceleration,
-    /// Whether Richardson's error estimate from the grid of half as many intervals is wanted. It is the error of the grid
-    /// and no bound: what the ends of the domain leave, most of it in F_v at small α, is the same on both grids.
+    /// Whether Richardson's error estimate from the grid of half as many intervals is wanted. It is the error of the
+    /// grid and no bound: what the ends of the domain leave, most of it in F_v at small α, is the same on both grids.
     pub estimate: bool,
 }
 

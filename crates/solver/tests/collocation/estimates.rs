@@ -8,8 +8,8 @@ use stribeck_solver::{Output, Parameters, Quantities, RelativeErrors};
 use crate::collocation::cases::{numbers, relative, settings, solutions, with_modes};
 use crate::collocation::measure::quantile;
 
-/// What is no error: solutions that count as exact are known no better, and where their own estimate is larger, no better
-/// than that.
+/// What is no error: solutions that count as exact are known no better, and where their own estimate is larger, no
+/// better than that.
 const UNKNOWN: f64 = 1e-10;
 const COLUMNS: [&str; 8] = ["mu_drag", "mu_pressure", "mu_shear", "mu_v", "mu_h", "c", "film_min", "p_max"];
 const SENSITIVITIES: [&str; 3] = ["sensitivities of mu_v", "of mu_h", "of mu_pressure"];
@@ -197,8 +197,8 @@ fn estimates_are_bounds_for_their_own_columns() {
     are_bounds(&table(1e-5, &cases, &exact), 100.0);
 }
 
-/// Where μ_v is a small part of friction nearly all of its error is what the inlet leaves out, which is known to some per
-/// cent.
+/// Where μ_v is a small part of friction nearly all of its error is what the inlet leaves out, which is known to some
+/// per cent.
 #[test]
 fn what_lies_beyond_the_mesh_is_known() {
     for (alpha, beta, f) in [(2.7e-5, 0.083, 4644.0), (4.5e-5, 5.1, 7.7e4), (3.2e-6, 0.52, 1037.0)] {
