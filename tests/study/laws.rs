@@ -86,7 +86,9 @@ fn references_have_another_degree() {
         let rows = findings(&study).rows;
         let text = stribeck::study::markdown(&study, &rows, &[]);
         assert!(text.contains(&format!("panels of {expected}")), "{text}");
-        assert!(rows[0].largest_error().is_some_and(|error| error <= 1e-4));
+        // An error below that of the reference is not known, and smaller still.
+        assert!(rows[0].failure.is_none() && rows[0].largest_error().is_none_or(|error| error <= 1e-4));
+        assert!(rows[0].reference.as_ref().is_ok_and(|reference| reference.error() <= 1e-6));
     }
 }
 
@@ -151,10 +153,15 @@ fn solutions_are_examined_from_the_inside() {
             "{}",
             found.other_seed
         );
-        // the estimate is near the error
-        let ratio = found.estimated_error.expect("there is one") / row.largest_error().expect("solved");
-        assert!((0.1..30.0).contains(&ratio), "{ratio}");
+        // the estimate is near the error, where that is large enough to be known
+        let estimated = found.estimated_error.expect("there is one");
+        match row.largest_error() {
+            Some(error) => assert!((0.1..30.0).contains(&(estimated / error)), "{estimated} {error}"),
+            None => assert!(row.reference.as_ref().is_ok_and(|reference| reference.error() < 0.01 * 1e-4)),
+        }
     }
+    let known = findings.rows.iter().filter(|row| row.largest_error().is_some()).count();
+    assert!(2 * known > findings.rows.len(), "{known}");
     // second differences: about four times the condition on half the step, scaling apart
     for case in 0..study.cases.len() {
         let condition = |variant| {

@@ -132,7 +132,7 @@ def test_results_are_pickled_and_without_xarray_they_are_arrays():
         "case = stribeck.solve(1.0, [10.0, 20.0], 1.0)\n"
         "again = pickle.loads(pickle.dumps(case))\n"
         "assert 'xarray' not in sys.modules and again.dims['mu_v'] == ('beta',)\n"
-        "assert again.attrs['c']['units'] == 'a0^2/R'\n"
+        "assert again.attrs['c']['units'] == '1' and again.attrs['c']['scale'] == 'a0^2/R'\n"
         "print(repr(again['mu_v'].tolist()))"
     )
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout

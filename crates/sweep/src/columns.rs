@@ -416,8 +416,8 @@ mod tests {
             }
             assert!(column.limit().is_none_or(Column::is_limit));
         }
-        assert_eq!(Column::ALL.into_iter().filter_map(Column::error).count(), 6);
-        assert_eq!(Column::ALL.into_iter().filter(|column| column.is_error()).count(), 6);
+        assert_eq!(Column::ALL.into_iter().filter_map(Column::error).count(), 8);
+        assert_eq!(Column::ALL.into_iter().filter(|column| column.is_error()).count(), 8);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bounds::Sources;
+use super::bounds::{ROUNDING, Sources};
 use super::displacement::Displacement;
 use super::parts::Parts;
 use super::quantities::{Integrands, inlet, quantities_of};
@@ -23,6 +23,8 @@ const FILM_SLACK: f64 = 500.0;
 /// The same of friction behind the outlet over itself, and of the outlet over its distance from the largest pressure:
 /// where the cavity is a small part of F_h no other error tells of them.
 const OUTLET_SLACK: f64 = 5.0;
+/// How many times the rounding of the film the outlet and the friction behind it may change by rounding alone.
+const OUTLET_ROUNDING: f64 = 200.0;
 /// Part of the tolerance that the nonlinearity may hide in an estimate.
 const REMAINDER: f64 = 0.01;
 
@@ -133,11 +135,13 @@ pub fn estimate(
     }
 }
 
-/// The relative change of what lies at the outlet and behind it.
+/// The relative change of what lies at the outlet and behind it, without what rounding of a thin film makes of it.
 fn outlet_change(solution: &Quantities, richer: &Quantities) -> f64 {
     let outlet = (richer.x_outlet - solution.x_outlet).abs() / (solution.x_p_max - solution.x_outlet);
     let (before, after) = (solution.friction.hydrodynamic_cavity, richer.friction.hydrodynamic_cavity);
-    if before == 0.0 { outlet } else { outlet.max((after / before - 1.0).abs()) }
+    let change = if before == 0.0 { outlet } else { outlet.max((after / before - 1.0).abs()) };
+    // NaN stays NaN.
+    if change <= OUTLET_ROUNDING * ROUNDING / solution.c { 0.0 } else { change }
 }
 
 /// The larger of two numbers; infinite if the second is NaN.
