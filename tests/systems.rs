@@ -262,3 +262,23 @@ fn a_sweep_comes_from_the_standard_input_as_well() {
     let output = run.args(["plan", "-"]).write_stdin("[axes]\nf = [-1.0]\n").output().expect("it starts");
     assert!(code(&output) == 2 && err(&output).contains("stdin:2:6: "), "{}", err(&output));
 }
+
+/// Open files have names as well: `/dev/stdout`, or `/dev/fd/63` of a process substitution.
+#[test]
+fn an_output_may_be_an_open_file() {
+    let place = place("[axes]\nf = 10.0\nalpha = 1.0\nbeta = [10.0, 100.0]\n[output]\nfields = []\n");
+    assert_eq!(code(&say(place.path(), &["run", "small.toml", "-q"])), 0);
+    let expected = say(place.path(), &["report", "results/small", "-o", "page.html"]);
+    assert_eq!(code(&expected), 0, "{}", err(&expected));
+    let page = fs::read_to_string(place.path().join("page.html")).expect("written");
+    let to_pipe = say(place.path(), &["report", "results/small", "-o", "/dev/stdout"]);
+    assert!(code(&to_pipe) == 0 && out(&to_pipe).starts_with(&page), "{}", err(&to_pipe));
+    let script = "exec 7> seven.html; \"$0\" report results/small -o /dev/fd/7";
+    let program = stribeck(place.path());
+    let to_file = Command::new("sh").args(["-c", script]).arg(program.get_program()).current_dir(place.path()).output();
+    assert_eq!(code(&to_file.expect("sh runs")), 0);
+    assert!(fs::read_to_string(place.path().join("seven.html")).expect("written") == page);
+    let full = say(place.path(), &["report", "results/small", "-o", "/dev/full"]);
+    assert!(code(&full) == 4 && err(&full).contains("cannot write /dev/full: No space left"), "{}", err(&full));
+    assert!(!Path::new("/dev/full").is_file());
+}

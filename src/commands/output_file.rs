@@ -51,8 +51,11 @@ impl<'a> OutputFiles<'a> {
     /// [`CliError::IsInput`] and [`CliError::Foreign`] if it may not, [`CliError::Unwritten`] if it cannot be.
     pub fn check(&self, path: &Path, is_ours: impl Fn(&[u8]) -> bool) -> Result<OutputFile, CliError> {
         let failed = unwritten(path);
-        let target = target(path).map_err(&failed)?;
         let file = |way| Ok(OutputFile { path: path.to_owned(), way });
+        if is_descriptor(path) && path.metadata().is_ok_and(|metadata| !metadata.is_dir()) {
+            return file(Way::Into);
+        }
+        let target = target(path).map_err(&failed)?;
         let metadata = match target.metadata() {
             Ok(metadata) => metadata,
             Err(error) if error.kind() == ErrorKind::NotFound => return file(Way::Replace(target, None)),
@@ -61,7 +64,7 @@ impl<'a> OutputFiles<'a> {
         if metadata.is_dir() {
             return Err(failed(ErrorKind::IsADirectory.into()));
         }
-        if !metadata.is_file() || is_descriptor(path) {
+        if !metadata.is_file() {
             return file(Way::Into);
         }
         if let Some(input) = self.inputs.iter().find(|input| is_same(input, &target)) {
