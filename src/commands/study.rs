@@ -9,6 +9,7 @@ use std::time::Instant;
 use clap::Args;
 
 use super::destination::destination;
+use super::output_file::OutputFiles;
 use super::{CliError, Exit, console, shell, threads};
 use crate::format::{count, duration};
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
@@ -16,8 +17,8 @@ use stribeck_input::shown;
 use stribeck_solver::continuation::Interrupt;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
+use stribeck_sweep::store::create_directory;
 use stribeck_sweep::store::holds_text;
-use stribeck_sweep::store::{StoreError, create_directory, write_whole};
 
 /// The file of a study in its directory; a directory that holds one is a study's own.
 const COPY: &str = "study.toml";
@@ -66,7 +67,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     create_directory(&directory)?;
     let copy = directory.join(COPY);
     if !copy.exists() {
-        write(copy, study.text.as_bytes())?;
+        write(&copy, study.text.as_bytes())?;
     } else if !holds_text(&copy, &study.text) {
         let place = shown(&directory);
         console::tell(&format!("note: {place} has the results of another study file, which will be replaced"));
@@ -131,23 +132,20 @@ fn is_picture(file: &Path) -> bool {
     file.extension().is_some_and(|extension| extension == "svg" || extension == "png") && is_picture_name(stem)
 }
 
-/// Writes a file of the study.
-fn write(file: PathBuf, content: &[u8]) -> Result<(), CliError> {
-    write_whole(file, content).map_err(|error| match error {
-        StoreError::File { path, action, source } => CliError::Unwritten { action, path, source },
-        error => CliError::Store(error),
-    })
+/// Writes a file of the study. All in its directory are its own; the study file may be the copy there.
+fn write(file: &Path, content: &[u8]) -> Result<(), CliError> {
+    OutputFiles::new("study", []).check(file, |_| true)?.write(content)
 }
 
 /// Writes tables and pictures; the number of pictures.
 fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
     let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
-    write(directory.join(COPY), study.text.as_bytes())?;
-    write(directory.join("study.csv"), &table)?;
+    write(&directory.join(COPY), study.text.as_bytes())?;
+    write(&directory.join("study.csv"), &table)?;
     let drawn = pictures(study, rows)?;
     for Picture { name, svg, png } in &drawn {
-        write(directory.join(format!("{name}.svg")), svg.as_bytes())?;
-        write(directory.join(format!("{name}.png")), png)?;
+        write(&directory.join(format!("{name}.svg")), svg.as_bytes())?;
+        write(&directory.join(format!("{name}.png")), png)?;
     }
     // pictures of the study before, which this one does not have
     for file in files(directory)?.iter().filter(|file| is_picture(file)) {
@@ -161,7 +159,7 @@ fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliEr
         }
     }
     let names: Vec<&str> = drawn.iter().map(|picture| picture.name.as_str()).collect();
-    write(directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
+    write(&directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
     Ok(drawn.len())
 }
 

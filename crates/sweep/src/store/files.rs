@@ -100,12 +100,14 @@ impl Drop for Staged {
     }
 }
 
-/// Writes a file whole or not at all: to a temporary name, then to the disk, then in place of what was there.
+/// Writes a file whole or not at all: to a temporary name, then to the disk, then in place of what was there. A link
+/// stays, and the file that it leads to is replaced.
 ///
 /// # Errors
 /// [`StoreError::File`] if the disk does not take it.
 pub fn write_whole(target: PathBuf, content: &[u8]) -> Result<(), StoreError> {
-    let staged = Staged::new(target);
+    // A link that leads nowhere is replaced.
+    let staged = Staged::new(if target.is_symlink() { target.canonicalize().unwrap_or(target) } else { target });
     fs::write(staged.path(), content).map_err(StoreError::file(staged.path(), "write"))?;
     staged.synchronise()?;
     staged.put_in_place()
