@@ -88,6 +88,9 @@ fn what_is_wrong_in_a_list_is_told_with_its_line() {
         assert_eq!(code(&refused), 2, "{list}: {}", err(&refused));
         assert!(err(&refused).contains(said), "{list}: {}", err(&refused));
     }
+    fs::write(home.path().join("list.csv"), "f,alpha,beta\n1,1,100\n").expect("written");
+    let at_rest = say(home.path(), &["solve", "--batch", "list.csv", "--slide-roll", "-1"]);
+    assert!(code(&at_rest) == 2 && err(&at_rest).contains("the flat is at rest"), "{}", err(&at_rest));
     assert_eq!(code(&say(home.path(), &["solve", "--batch", "list.csv", "--alpha", "1"])), 2);
     assert_eq!(code(&say(home.path(), &["solve", "--alpha", "1"])), 2);
 }

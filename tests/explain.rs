@@ -160,6 +160,9 @@ fields = []
     let near = explained("load=580,speed=0.02");
     assert!(out(&near).contains("the nearest one to load = 580, speed = 0.02, which is no place of the sweep"));
     assert!(out(&near).contains("load = 600 N/m") && out(&near).contains("speed = 0.01 m/s"), "{}", out(&near));
+    let end = explained("speed=0,load=600");
+    assert!(out(&end).contains("load = 600 N/m"), "an end that is far from all hides nothing: {}", out(&end));
+    assert_eq!(code(&explained("speed=nan")), 2);
     let unknown = explained("colour=1");
     assert_eq!(code(&unknown), 2, "{}", err(&unknown));
     assert!(err(&unknown).contains("the sweep has no axis \"colour\""), "{}", err(&unknown));

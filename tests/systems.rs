@@ -69,6 +69,21 @@ fn a_run_that_ignores_hang_ups_goes_on_ignoring_them() {
     assert!(place.path().join("results/small/summary.csv").exists());
 }
 
+/// A user's sweep file may be linked into a results directory: a run replaces the link, not the file.
+#[test]
+fn a_linked_sweep_file_is_not_written() {
+    let place = place(SWEEP);
+    fs::create_dir_all(place.path().join("results/small")).expect("made");
+    assert_eq!(code(&say(place.path(), &["run", "small.toml", "-q"])), 0);
+    let (copy, mine) = (place.path().join("results/small/sweep.toml"), place.path().join("mine.toml"));
+    fs::write(&mine, "precious").expect("written");
+    fs::remove_file(&copy).expect("removed");
+    std::os::unix::fs::symlink("../../mine.toml", &copy).expect("linked");
+    assert_eq!(code(&say(place.path(), &["run", "small.toml", "-q"])), 0);
+    assert_eq!(fs::read_to_string(mine).expect("there"), "precious");
+    assert_eq!(fs::read_to_string(copy).expect("there"), SWEEP);
+}
+
 /// Some other program may have a file of the name of one of ours.
 #[test]
 fn files_of_others_are_left_alone() {
@@ -241,6 +256,11 @@ fn an_unfinished_sweep_is_published_in_part_and_says_so() {
         assert!(err(&shown).contains("is partial: 2 of 4 places are not solved yet"), "{}", err(&shown));
     }
 
+    // The other part is solved now, and what is published is not all of it.
+    assert_eq!(code(&say(here, &["run", "small.toml", "-q", "--part", "2/2"])), 0);
+    let status = say(here, &["status", "results/small"]);
+    assert!(out(&status).contains("stopped, all cases were tried, but not yet published"), "{}", out(&status));
+
     assert_eq!(code(&say(here, &["run", "small.toml", "-q"])), 0);
     assert!(results(here) == results(undisturbed.path()));
     let whole = say(here, &["publish", "results/small"]);
@@ -280,5 +300,11 @@ fn an_output_may_be_an_open_file() {
     assert!(fs::read_to_string(place.path().join("seven.html")).expect("written") == page);
     let full = say(place.path(), &["report", "results/small", "-o", "/dev/full"]);
     assert!(code(&full) == 4 && err(&full).contains("cannot write /dev/full: No space left"), "{}", err(&full));
+    // What only looks like one is a file as any other.
+    let shared = tempfile::NamedTempFile::new_in("/dev/shm").expect("a file in memory");
+    fs::write(shared.path(), "precious").expect("written");
+    let foreign = say(place.path(), &["report", "results/small", "-o", &shared.path().to_string_lossy()]);
+    assert_eq!(code(&foreign), 4, "{}", err(&foreign));
+    assert_eq!(fs::read_to_string(shared.path()).expect("there"), "precious");
     assert!(!Path::new("/dev/full").is_file());
 }

@@ -48,8 +48,10 @@ fn case_name(text: &str) -> Result<CaseName, String> {
     if let Ok(id) = text.parse() {
         return Ok(CaseName::Id(id));
     }
-    let pair =
-        |pair: &str| pair.split_once('=').and_then(|(name, value)| Some((name.trim().to_owned(), number(value)?)));
+    let pair = |pair: &str| {
+        pair.split_once('=')
+            .and_then(|(name, value)| Some((name.trim().to_owned(), number(value).filter(|value| !value.is_nan())?)))
+    };
     if let Some(wanted) = text.split(',').map(pair).collect::<Option<Vec<_>>>() {
         return Ok(CaseName::At(wanted));
     }

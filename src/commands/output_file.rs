@@ -151,7 +151,7 @@ fn target(path: &Path) -> io::Result<PathBuf> {
 
 /// True for the names of open files: what they lead to has readers or writers already.
 fn is_descriptor(path: &Path) -> bool {
-    path.starts_with("/dev") || path.starts_with("/proc")
+    ["/dev/fd", "/dev/stdin", "/dev/stdout", "/dev/stderr", "/proc"].iter().any(|name| path.starts_with(name))
 }
 
 /// True if two paths lead to one file.

@@ -143,8 +143,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     create_directory(&directory)?;
     let mut text = String::new();
     for (picture, [file, table]) in pictures.iter().zip(outputs) {
-        table.write(&picture.table.csv())?;
+        // First the picture, by which the table beside it is known as ours.
         file.write(&picture.chart.paint(arguments.format)?)?;
+        table.write(&picture.table.csv())?;
         let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
         text += &format!("{}\n", shown(&file));
     }

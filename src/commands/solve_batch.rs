@@ -27,6 +27,10 @@ struct Batch {
 /// Solves the cases of a file and prints the rows of a summary, in the order of the file.
 pub fn execute(file: &Path, sweep: &Sweep, default_ratio: f64) -> Result<Exit, CliError> {
     let batch = read(file, &sweep.substrate)?;
+    let slides = |case: &Parameters| case.f > 0.0 && case.alpha != f64::INFINITY;
+    if batch.slide_roll.is_none() && default_ratio == -1.0 && batch.cases.iter().any(slides) {
+        return Err(CliError::FlatAtRest);
+    }
     let interrupt = Arc::new(Interrupt::new());
     let _signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the work", source })?;

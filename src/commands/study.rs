@@ -17,8 +17,7 @@ use stribeck_input::shown;
 use stribeck_solver::continuation::Interrupt;
 use stribeck_sweep::campaign::CampaignError;
 use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
-use stribeck_sweep::store::create_directory;
-use stribeck_sweep::store::holds_text;
+use stribeck_sweep::store::{create_directory, holds_text, write_whole};
 
 /// The file of a study in its directory; a directory that holds one is a study's own.
 const COPY: &str = "study.toml";
@@ -67,7 +66,7 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
     create_directory(&directory)?;
     let copy = directory.join(COPY);
     if !copy.exists() {
-        write(&copy, study.text.as_bytes())?;
+        write_whole(copy, study.text.as_bytes())?;
     } else if !holds_text(&copy, &study.text) {
         let place = shown(&directory);
         console::tell(&format!("note: {place} has the results of another study file, which will be replaced"));
@@ -132,7 +131,7 @@ fn is_picture(file: &Path) -> bool {
     file.extension().is_some_and(|extension| extension == "svg" || extension == "png") && is_picture_name(stem)
 }
 
-/// Writes a file of the study. All in its directory are its own; the study file may be the copy there.
+/// Writes a file of the study. All in its directory are its own.
 fn write(file: &Path, content: &[u8]) -> Result<(), CliError> {
     OutputFiles::new("study", []).check(file, |_| true)?.write(content)
 }
@@ -140,7 +139,7 @@ fn write(file: &Path, content: &[u8]) -> Result<(), CliError> {
 /// Writes tables and pictures; the number of pictures.
 fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
     let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
-    write(&directory.join(COPY), study.text.as_bytes())?;
+    write_whole(directory.join(COPY), study.text.as_bytes())?;
     write(&directory.join("study.csv"), &table)?;
     let drawn = pictures(study, rows)?;
     for Picture { name, svg, png } in &drawn {

@@ -61,7 +61,7 @@ fn shards(directory: &Path) -> Vec<PathBuf> {
 fn warned(warnings: &[Warning]) -> (BTreeSet<PathBuf>, usize) {
     let parts = |warning: &Warning| match warning {
         Warning::Shard { file, cases, .. } => (file.clone(), *cases),
-        Warning::Record { .. } | Warning::NoLock { .. } => panic!("{warning}"),
+        Warning::Record { .. } | Warning::NoLock { .. } | Warning::Unreadable { .. } => panic!("{warning}"),
     };
     let (files, cases): (_, Vec<usize>) = warnings.iter().map(parts).unzip();
     (files, cases.iter().sum())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -46,5 +47,7 @@ def open_results(directory: Path) -> Any:
         data = xarray.open_dataset(path, engine="h5netcdf")
     except (OSError, KeyError) as error:
         raise StorageError(f"{path} is not readable ({error}): `stribeck verify {directory}` tells more") from error
-    # The ids are bytes of fixed length there.
+    if "partial" in data.attrs:
+        warnings.warn(f"{path} is partial: {data.attrs['partial']}, and stand among the failed", stacklevel=3)
+    # In files of earlier versions ids are bytes of a fixed length.
     return data.assign(case=data["case"].astype(str))

@@ -204,6 +204,9 @@ fn coordinate(name: &str, [slide_roll, f, alpha, beta]: [f64; 4], experiment: Op
     }
 }
 
+/// A distance beyond that of all magnitudes: so far are the ends, 0 and infinity, from others.
+const FARTHEST: f64 = 1e6;
+
 /// The place nearest to values of axes, by their ratios; the first of several.
 fn nearest_at(sweep: &Sweep, wanted: &[(String, f64)]) -> Result<GridIndex, CampaignError> {
     let shape = sweep.grid.shape();
@@ -217,7 +220,10 @@ fn nearest_at(sweep: &Sweep, wanted: &[(String, f64)]) -> Result<GridIndex, Camp
         let mut sum = 0.0;
         for (name, wanted) in wanted {
             let value = value(place, name).ok_or_else(|| CampaignError::NoSuchAxis { name: name.clone() })?;
-            sum += distance(value, *wanted);
+            sum += match name.starts_with("slide_roll") {
+                true => (value - wanted).abs(),
+                false => distance(value, *wanted).min(FARTHEST),
+            };
         }
         if sum < nearest.0 {
             nearest = (sum, place);
@@ -228,12 +234,7 @@ fn nearest_at(sweep: &Sweep, wanted: &[(String, f64)]) -> Result<GridIndex, Camp
 
 /// How far magnitudes are apart; the ends, 0 and infinity, are near to themselves alone.
 fn distance(value: f64, wanted: f64) -> f64 {
-    match value == wanted {
-        true => 0.0,
-        // Slide-to-roll ratios may be below 0.
-        false if value < 0.0 || wanted < 0.0 => (value - wanted).abs(),
-        false => (value.ln() - wanted.ln()).abs(),
-    }
+    if value == wanted { 0.0 } else { (value.ln() - wanted.ln()).abs() }
 }
 
 /// The place whose f, α and β are nearest by their ratios, f first, then α, then β.

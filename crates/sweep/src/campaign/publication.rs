@@ -25,7 +25,7 @@ pub fn published_point(sweep: &Sweep, plan: &Plan, place: GridIndex) -> Point {
 }
 
 /// Publishes what a results directory and its parts have of a sweep, of an interrupted run too if a `partial`
-/// publication will do: then places that are not solved yet have no numbers, and every file says so.
+/// publication will do: then places that are not solved yet have no numbers; `results.h5` and `summary.csv` say so.
 ///
 /// # Errors
 /// [`StoreError::Unfinished`] in [`CampaignError::Store`] if places are not solved and that will not do, others if the

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::failures::failure_regions;
 use super::parts::part_states;
-use super::{CampaignError, FailureRegion, PartState, Pending, SweepDirectory, read_sweep, sweep_file};
+use super::{CampaignError, FailureRegion, MergedCatalog, PartState, Pending, SweepDirectory, read_sweep, sweep_file};
 use crate::store::{Catalog, Counts, DataSet, Inspection, Start, StoreError, Warning};
 use crate::{NoteCounts, Plan, Sweep};
 use stribeck_solver::{FieldSelection, Output};
@@ -103,7 +103,11 @@ fn planned(sweep: Sweep, found: &SweepDirectory) -> Result<PlannedStatus, StoreE
         places: plan.cases(),
         problems: plan.problems(),
         pending: Pending::survey(&sweep, &plan, None, &stored),
-        published: found.whole.as_ref().is_some_and(Catalog::is_published),
+        published: found.whole.as_ref().is_some_and(|whole| {
+            // What is published may be a part of it, and the rest be in the parts.
+            let itself = Pending::survey(&sweep, &plan, None, &MergedCatalog::new(vec![whole]));
+            whole.is_published() && itself.to_do() == 0
+        }),
         notes: NoteCounts::default(),
         parts: part_states(&plan, found, &stored)?,
         failures: failure_regions(&plan, &stored)?,

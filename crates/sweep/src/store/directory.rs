@@ -71,7 +71,8 @@ impl Directory {
 
     /// Where a shard is staged that has no name yet.
     pub(super) fn new_shard(&self) -> PathBuf {
-        self.shards().join(NEW_SHARD)
+        // Of this process: where there are no locks, another one may be at work.
+        self.shards().join(format!("{NEW_SHARD}-{}", std::process::id()))
     }
 
     pub(super) fn published(&self, name: &str) -> PathBuf {
@@ -153,6 +154,10 @@ impl Directory {
                 Err(TryLockError::WouldBlock) => {
                     return Err(StoreError::Locked { path: self.root.clone(), owner: owner_in(&mut file) });
                 }
+                // A lock server may be busy for a moment.
+                Err(TryLockError::Error(source)) if has_no_locks(&source) && attempts > 0 => {
+                    std::thread::sleep(LOCK_PAUSE);
+                }
                 Err(TryLockError::Error(source)) if has_no_locks(&source) => break false,
                 Err(TryLockError::Error(source)) => return Err(StoreError::file(&path, "lock")(source)),
             }
@@ -188,7 +193,8 @@ impl Directory {
         };
         let shard = |name: &str| {
             let stem = name.strip_suffix(".h5").unwrap_or_default();
-            name == NEW_SHARD || (stem.len() == SHARD_DIGITS && stem.bytes().all(|byte| byte.is_ascii_hexdigit()))
+            name.starts_with(NEW_SHARD)
+                || (stem.len() == SHARD_DIGITS && stem.bytes().all(|byte| byte.is_ascii_hexdigit()))
         };
         remove_temporary(&self.root, published)?;
         remove_temporary(&self.shards(), shard)

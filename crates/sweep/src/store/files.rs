@@ -100,14 +100,12 @@ impl Drop for Staged {
     }
 }
 
-/// Writes a file whole or not at all: to a temporary name, then to the disk, then in place of what was there. A link
-/// stays, and the file that it leads to is replaced.
+/// Writes a file whole or not at all: to a temporary name, then to the disk, then in place of what was there.
 ///
 /// # Errors
 /// [`StoreError::File`] if the disk does not take it.
 pub fn write_whole(target: PathBuf, content: &[u8]) -> Result<(), StoreError> {
-    // A link that leads nowhere is replaced.
-    let staged = Staged::new(if target.is_symlink() { target.canonicalize().unwrap_or(target) } else { target });
+    let staged = Staged::new(target);
     fs::write(staged.path(), content).map_err(StoreError::file(staged.path(), "write"))?;
     staged.synchronise()?;
     staged.put_in_place()
@@ -144,7 +142,11 @@ pub fn create_directory(path: &Path) -> Result<(), StoreError> {
         Err(error) if error.kind() == ErrorKind::AlreadyExists && path.is_dir() => {}
         made => made.map_err(StoreError::file(path, "create"))?,
     }
-    synchronise_directory(above)
+    match synchronise_directory(above) {
+        // A directory that may be written to and not be read cannot be waited for.
+        Err(StoreError::File { source, .. }) if source.kind() == ErrorKind::PermissionDenied => Ok(()),
+        synchronised => synchronised,
+    }
 }
 
 /// Waits until the names in a directory are on the disk.

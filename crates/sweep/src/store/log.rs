@@ -105,10 +105,8 @@ pub(super) fn read_logs(
 ) -> Result<(), StoreError> {
     for number in log_numbers(logs)? {
         let path = log_path(logs, number);
-        let unreadable = |line: u64, error: &io::Error| {
-            let what = format!("from here on it cannot be read: {error}");
-            Warning::Record { file: path.clone(), line, more: 0, what }
-        };
+        let unreadable =
+            |line: u64, error: &io::Error| Warning::Unreadable { file: path.clone(), line, what: error.to_string() };
         let mut reader = match open_file(&path) {
             Ok(file) => BufReader::new(file),
             Err(error) => {
@@ -240,7 +238,7 @@ mod tests {
     fn warned(warnings: &[Warning]) -> Vec<u64> {
         let lines = |warning: &Warning| match *warning {
             Warning::Record { line, more, .. } => line..=line + more,
-            Warning::Shard { .. } | Warning::NoLock { .. } => panic!("{warning}"),
+            Warning::Shard { .. } | Warning::NoLock { .. } | Warning::Unreadable { .. } => panic!("{warning}"),
         };
         warnings.iter().flat_map(lines).collect()
     }

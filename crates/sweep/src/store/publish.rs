@@ -106,8 +106,9 @@ fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, Stor
     }
     let (mut converged, mut failed, mut missing) = (0, 0, 0);
     for row in 0..publication.rows() {
-        for Point { case: id, .. } in publication.places(row)? {
-            let Some(slot) = store.index.complete(id) else {
+        for Point { case: id, swapped, .. } in publication.places(row)? {
+            let is_whole = swapped.is_none_or(|case| store.index.complete(case).is_some());
+            let Some(slot) = store.index.complete(id).filter(|_| is_whole) else {
                 missing += 1;
                 hasher.update(b"no case");
                 continue;
@@ -195,9 +196,12 @@ impl<'a> Files<'a> {
 
     /// Writes what is written place by place: tables and fields. Returns the rest.
     fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
+        let is_held = |case: CaseId| self.store.index.complete(case).is_some();
+        let Some(slot) = self.store.index.complete(point.case).filter(|_| point.swapped.is_none_or(is_held)) else {
+            return self.missing_place(point);
+        };
         let swapped = point.swapped.map(|case| self.values(case, -point.slide_roll)).transpose()?;
         let output = &self.store.output;
-        let Some(slot) = self.store.index.complete(point.case) else { return self.missing_place(point) };
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
@@ -232,9 +236,9 @@ impl<'a> Files<'a> {
         Ok(place)
     }
 
-    /// The numbers of a case at a slide-to-roll ratio; none if it is not stored.
+    /// The numbers of a case at a slide-to-roll ratio.
     fn values(&mut self, case: CaseId, slide_roll: f64) -> Result<Values, StoreError> {
-        let Some(slot) = self.store.index.complete(case) else { return Ok(Values::NONE) };
+        let slot = self.store.index.complete(case).expect("a place that is published whole has both cases");
         let (shard, row) = self.open.case(case, slot)?;
         Ok(shard.reader.values(row).at_slide_roll(slide_roll))
     }

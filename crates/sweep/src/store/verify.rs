@@ -51,6 +51,7 @@ impl VerifyReport {
 }
 
 const SOLVE_AGAIN: &str = "run the sweep that its cases are of again: they are solved anew";
+const MAKE_READABLE: &str = "make it readable, or run the sweep again: what it records is solved anew";
 const PUBLISH_AGAIN: &str = "run the sweep again: it is rebuilt from the shards";
 
 /// Re-reads every shard against its record (size, checksum, cases, shapes) and the published files against theirs.
@@ -62,7 +63,15 @@ pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
     let directory = Directory::new(path);
     directory.must_exist()?;
     let LogContent { warnings, published, claims, .. } = read_claims(&directory)?;
+    let (unreadable, warnings): (Vec<_>, Vec<_>) =
+        warnings.into_iter().partition(|warning| matches!(warning, Warning::Unreadable { .. }));
     let mut report = VerifyReport { warnings, ..VerifyReport::default() };
+    for warning in &unreadable {
+        if let Warning::Unreadable { file, line, what } = warning {
+            let what = format!("from line {line} on it cannot be read: {what}");
+            report.problems.push(Problem { file: file.clone(), what, remedy: MAKE_READABLE });
+        }
+    }
     let mut named = HashSet::new();
     let path = |claim: &Claim| directory.shards().join(&claim.file.file);
     let (sound, damaged) = inspect(&directory, claims, |claim| shard_fault(&directory, &path(claim), claim))?;
@@ -80,7 +89,7 @@ pub fn verify(path: &Path) -> Result<VerifyReport, StoreError> {
     for path in files_in(&directory.shards())? {
         if replaced.contains(&path) {
             report.replaced.push(path);
-        } else if !named.contains(&path) && temporary_for(&path).is_none() {
+        } else if unreadable.is_empty() && !named.contains(&path) && temporary_for(&path).is_none() {
             report.unreferenced.push(path);
         }
     }

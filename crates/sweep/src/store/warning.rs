@@ -22,6 +22,20 @@ pub enum Warning {
         /// What is wrong with it.
         what: String,
     },
+    /// A log that cannot be read, from some line on.
+    #[error(
+        "{}, line {line}: from here on it cannot be read: {what}; what stands there is not used, and its cases are solved \
+         again",
+        shown(file)
+    )]
+    Unreadable {
+        /// The log.
+        file: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// What the system said.
+        what: String,
+    },
     /// A shard that is not what its record says.
     #[error("{}: {what}; its {cases} cases are not used, and solved again where the sweep has them", shown(file))]
     Shard {

@@ -52,7 +52,10 @@ impl Store {
         directory.check_available()?;
         directory.create()?;
         let lock = directory.lock()?;
-        directory.remove_leftovers()?;
+        // Without a lock what looks left over may be at work.
+        if lock.is_kept {
+            directory.remove_leftovers()?;
+        }
         if !holds_text(&directory.sweep(), sweep_text) {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }

@@ -150,7 +150,10 @@ pub fn build(
     let (made, holds) = work.refine(tell)?;
     let file = directory.join("surface.json");
     let text = serde_json::to_string_pretty(made.file()).expect("a surface is made of texts and finite numbers");
-    write_whole(file.clone(), (text + "\n").as_bytes())?;
+    // A link to a file stays, and the file is replaced; one to a device gives way, as the device must not.
+    let linked = file.is_symlink() && file.is_file();
+    let target = if linked { file.canonicalize().unwrap_or_else(|_| file.clone()) } else { file.clone() };
+    write_whole(target, (text + "\n").as_bytes())?;
     Ok(SurfaceReport { file, surface: made, solved: work.nodes.solved(), holds })
 }
 
