@@ -130,8 +130,8 @@ fn warn_of_room(cost: &Cost, free: Option<u64>) {
     let needed = cost.size.stored.saturating_add(cost.size.published);
     if let Some(free) = free.filter(|free| needed > *free) {
         console::tell(&format!(
-            "warning: the sweep takes about {}, and the disk has {} left: name another one with -o, or leave fields out \
-             (fields = [] in [output])",
+            "warning: the sweep takes about {}, and the disk has {} left: name another one with -o, or leave fields \
+             out (fields = [] in [output])",
             bytes(needed),
             bytes(free)
         ));

@@ -30,8 +30,8 @@ const MANY_BYTES: u64 = 100_000_000;
 pub fn about_fields(sweep: &Sweep) -> Option<String> {
     let taken = Some(field_bytes(sweep, &Plan::new(sweep))).filter(|taken| *taken >= MANY_BYTES)?;
     Some(format!(
-        "note: fields at {} values of x take about {} on the disk; write fields = [] below [output] to leave them out, or \
-         x = {{ from = -3.0, to = 3.0, points = 101 }} for fewer values",
+        "note: fields at {} values of x take about {} on the disk; write fields = [] below [output] to leave them out, \
+         or x = {{ from = -3.0, to = 3.0, points = 101 }} for fewer values",
         sweep.output.x.len(),
         bytes(taken)
     ))

@@ -37,13 +37,16 @@ dmu_v_dln_alpha and the like.
 Exit code 3: the case failed.")]
 pub struct Arguments {
     /// Slide time over retardation time, at least 0, or inf
-    #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true, required_unless_present = "batch")]
+    #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
+    #[arg(required_unless_present = "batch")]
     alpha: Option<f64>,
     /// Inverse Hersey number, above 0
-    #[arg(long, value_name = "B", value_parser = beta, allow_negative_numbers = true, required_unless_present = "batch")]
+    #[arg(long, value_name = "B", value_parser = beta, allow_negative_numbers = true)]
+    #[arg(required_unless_present = "batch")]
     beta: Option<f64>,
     /// Strength of retardation E0/Einf - 1, at least 0
-    #[arg(long, value_name = "F", value_parser = strength, allow_negative_numbers = true, required_unless_present = "batch")]
+    #[arg(long, value_name = "F", value_parser = strength, allow_negative_numbers = true)]
+    #[arg(required_unless_present = "batch")]
     f: Option<f64>,
     /// Solve the cases of a CSV with f, alpha, beta, and where it has them modes and slide_roll; prints the rows of a
     /// summary.csv in its order

@@ -667,3 +667,30 @@ fn a_data_set_whose_parts_do_not_fit_is_refused() {
         assert_eq!(data.column(Column::MuH).unwrap().len(), 40);
     }
 }
+
+/// Other bytes of the same cases, and the bytes of a damaged shard, come into files of their own.
+#[test]
+fn no_shard_is_ever_replaced() {
+    let directory = tempdir().unwrap();
+    let chain = &chains(&output())[2];
+    open(directory.path()).commit(chain).unwrap();
+    let [first] = &shards(directory.path())[..] else { panic!("one shard") };
+    let before = fs::read(first).unwrap();
+
+    // The same cases as another processor rounds them.
+    let mut other = chain.clone();
+    other[0].values.0[0] += 1e-9;
+    open(directory.path()).commit(&other).unwrap();
+    assert_eq!(shards(directory.path()).len(), 2);
+    assert_eq!(fs::read(first).unwrap(), before);
+
+    // The same bytes again are the same file; where that is damaged, the damage stays beside them.
+    open(directory.path()).commit(chain).unwrap();
+    assert_eq!(shards(directory.path()).len(), 2);
+    fs::write(first, b"damaged").unwrap();
+    open(directory.path()).commit(chain).unwrap();
+    let found = shards(directory.path());
+    assert_eq!((found.len(), fs::read(first).unwrap()), (3, b"damaged".to_vec()));
+    assert!(found.iter().any(|shard| fs::read(shard).unwrap() == before));
+    assert!(verify(directory.path()).unwrap().is_sound());
+}

@@ -76,9 +76,9 @@ pub struct Signals {
 }
 
 impl Signals {
-    /// From now on the first SIGINT, SIGTERM or SIGHUP requests `interrupt` (a moment later, from a thread), and the next
-    /// SIGINT or SIGTERM ends the program at once with exit code 130. Nothing is printed by either. Call it once in a program. A program
-    /// that was started to ignore SIGHUP (`nohup`) goes on ignoring it.
+    /// From now on the first SIGINT, SIGTERM or SIGHUP requests `interrupt` (a moment later, from a thread), and the
+    /// next SIGINT or SIGTERM ends the program at once with exit code 130. Nothing is printed by either. Call it once in
+    /// a program. One that was started to ignore SIGHUP (`nohup`) goes on ignoring it.
     ///
     /// A file that grows beyond the limit of the process (`ulimit -f`) is from now on an error of that write, as on a
     /// full disk: by default the system ends the program there, before it can say what is saved.

@@ -1,7 +1,7 @@
 //! Dimension scales: which coordinate belongs to which dimension of a data set.
 //!
-//! They are part of HDF5's high-level library, which the `hdf5` crate does not wrap. This file is the only one with
-//! `unsafe` code; the crate denies it elsewhere.
+//! They are part of HDF5's high-level library, which the `hdf5` crate does not wrap. This file and
+//! `hdf5_environment` are the only ones with `unsafe` code; the crate denies it elsewhere.
 
 #![allow(unsafe_code)]
 

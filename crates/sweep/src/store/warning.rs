@@ -24,8 +24,8 @@ pub enum Warning {
     },
     /// A log that cannot be read, from some line on.
     #[error(
-        "{}, line {line}: from here on it cannot be read: {what}; what stands there is not used, and its cases are solved \
-         again",
+        "{}, line {line}: from here on it cannot be read: {what}; what stands there is not used, and its cases are \
+         solved again",
         shown(file)
     )]
     Unreadable {
@@ -48,8 +48,8 @@ pub enum Warning {
     },
     /// A file system that has no locks.
     #[error(
-        "{}: this file system keeps no locks (flock), so nothing stops a second run from starting there; start only one \
-         at a time, and ask for a mount with locks",
+        "{}: this file system keeps no locks (flock), so nothing stops a second run from starting there; start only \
+         one at a time, and ask for a mount with locks",
         shown(directory)
     )]
     NoLock {
