@@ -227,7 +227,7 @@ fn the_same_results_give_the_same_page_and_nothing_else_is_replaced() {
     assert_eq!((code(&run), out(&run).lines().next().unwrap().starts_with("page.html: ")), (0, true));
     assert!(fs::read(here.join("page.html")).unwrap() == first);
 
-    for foreign in ["<!DOCTYPE html>\n<p>mine</p>, and long enough to hold a beginning", "short"] {
+    for foreign in ["<!DOCTYPE html>\n<p>mine</p>, and long enough to hold a beginning", "short", ""] {
         fs::write(&file, foreign).unwrap();
         let run = say(here, &["report", "results/small"]);
         assert_eq!(code(&run), 4);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::measured::MeasuredArguments;
-use super::output_file::OutputFiles;
+use super::output_file::{OutputFiles, or_empty};
 use super::plot::at;
 use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
@@ -60,7 +60,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let inputs = arguments.measured.files().chain([arguments.sweep.as_path()]);
     let is_ours = |beginning: &[u8]| beginning.starts_with(FIRST_COLUMNS.join(",").as_bytes());
     let files = OutputFiles::new("curve", inputs);
-    let csv = arguments.csv.as_deref().map(|file| files.check(file, is_ours)).transpose()?;
+    let csv = arguments.csv.as_deref().map(|file| files.check(file, or_empty(is_ours))).transpose()?;
     let cases = solve(&sweep, threads::number(arguments.threads))?;
     if let Some(csv) = csv {
         csv.write(&table(&cases).csv())?;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use clap::Args;
 use serde_json::{Map, Value, json};
 
-use super::output_file::{OutputFiles, unwritten};
+use super::output_file::{OutputFiles, or_empty, unwritten};
 use super::plot::at;
 use super::{CliError, Exit, console, number, threads};
 use stribeck_input::{printable, shown};
@@ -176,7 +176,7 @@ fn evaluate_file(arguments: &Arguments, surface: &Surface, points: &Path) -> Res
         let line = beginning.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
         line.ends_with(header.as_bytes())
     };
-    let file = OutputFiles::new("evaluate", [file, points]).check(output, is_ours)?;
+    let file = OutputFiles::new("evaluate", [file, points]).check(output, or_empty(is_ours))?;
     outside_told(surface, file.fill(|writer| rows(writer, output))?)
 }
 

@@ -10,7 +10,7 @@ use super::fit_progress::{time_limit, watched};
 use super::fitted_friction::{FittedFriction, LAST_COLUMNS};
 use super::measured::{self, ColumnArguments};
 use super::number::number;
-use super::output_file::{OutputFile, OutputFiles};
+use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, Measured, Unknown};
@@ -127,13 +127,14 @@ fn outputs(arguments: &Arguments, directory: &Path) -> Result<[OutputFile; 3], C
     let files = OutputFiles::new("fit", arguments.files.iter().map(PathBuf::as_path));
     let picture = |name: &str| {
         let name = format!("{name}.{}", arguments.format.extension());
-        files.check(&directory.join(name), is_picture)
+        files.check(&directory.join(name), or_empty(is_picture))
     };
     let is_table = |beginning: &[u8]| {
         let header = beginning.split(|byte| *byte == b'\n').next().unwrap_or_default();
         header.ends_with(LAST_COLUMNS.join(",").as_bytes())
     };
-    let outputs = [files.check(&directory.join("fit.csv"), is_table)?, picture("friction")?, picture("residuals")?];
+    let outputs =
+        [files.check(&directory.join("fit.csv"), or_empty(is_table))?, picture("friction")?, picture("residuals")?];
     create_directory(directory)?;
     Ok(outputs)
 }

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::fitted_material::FittedMaterial;
 use super::measured::ColumnArguments;
-use super::output_file::OutputFiles;
+use super::output_file::{OutputFiles, or_empty};
 use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
@@ -189,7 +189,7 @@ fn finish(arguments: &Arguments, table: &str, json: &str, chart: &Chart) -> Resu
     let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
     if let Some((file, format)) = &arguments.output {
         let inputs = arguments.shift_factors.iter().chain([&arguments.data]).map(PathBuf::as_path);
-        OutputFiles::new("material", inputs).check(file, is_picture)?.write(&chart.paint(*format)?)?;
+        OutputFiles::new("material", inputs).check(file, or_empty(is_picture))?.write(&chart.paint(*format)?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

@@ -45,7 +45,7 @@ impl<'a> OutputFiles<'a> {
     }
 
     /// Checks that a file may be written. `is_ours` recognises by its first bytes one that such a command wrote; a file
-    /// behind a link, which the user chose, may be any, and an empty one has nothing to lose.
+    /// behind a link, which the user chose, may be any.
     ///
     /// # Errors
     /// [`CliError::IsInput`] and [`CliError::Foreign`] if it may not, [`CliError::Unwritten`] if it cannot be.
@@ -75,7 +75,7 @@ impl<'a> OutputFiles<'a> {
         let mut beginning = Vec::new();
         let read = File::open(&target).and_then(|file| file.take(BEGINNING).read_to_end(&mut beginning));
         read.map_err(&failed)?;
-        if !beginning.is_empty() && !path.is_symlink() && !is_ours(&beginning) {
+        if !path.is_symlink() && !is_ours(&beginning) {
             return Err(CliError::Foreign { file: path.to_owned(), command: self.command });
         }
         file(Way::Replace(target, Some(metadata)))
@@ -115,6 +115,11 @@ impl OutputFile {
             }
         }
     }
+}
+
+/// Recognises an empty file as well, as `mktemp` makes it.
+pub fn or_empty(is_ours: impl Fn(&[u8]) -> bool) -> impl Fn(&[u8]) -> bool {
+    move |beginning| beginning.is_empty() || is_ours(beginning)
 }
 
 /// The error of a file that the disk does not take.
@@ -197,6 +202,16 @@ mod tests {
         write(home.path(), "file", true).unwrap();
         write(home.path(), "another", false).unwrap();
         assert_eq!(["file", "another"].map(text), ["new", "new"]);
+    }
+
+    #[test]
+    fn an_empty_file_is_ours_only_where_that_is_said() {
+        let home = home();
+        let empty = home.path().join("empty");
+        fs::write(&empty, "").unwrap();
+        let files = OutputFiles::new("curve", []);
+        assert!(matches!(files.check(&empty, |_| false), Err(CliError::Foreign { .. })));
+        assert!(files.check(&empty, or_empty(|_| false)).is_ok());
     }
 
     #[cfg(unix)]

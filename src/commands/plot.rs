@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 
 use super::measured::MeasuredArguments;
 use super::number::number;
-use super::output_file::{OutputFile, OutputFiles};
+use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console, published};
 use crate::format::count;
 use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, pictures};
@@ -158,7 +158,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 fn outputs(files: &OutputFiles<'_>, directory: &Path, name: &str, format: Format) -> Result<[OutputFile; 2], CliError> {
     let path = |extension: &str| directory.join(format!("{name}.{extension}"));
     let has_picture = Format::value_variants().iter().any(|format| is_drawn(&path(format.extension())));
-    Ok([files.check(&path(format.extension()), is_picture)?, files.check(&path("csv"), |_| has_picture)?])
+    Ok([files.check(&path(format.extension()), or_empty(is_picture))?, files.check(&path("csv"), |_| has_picture)?])
 }
 
 /// True if a file is there that is a picture of ours.
