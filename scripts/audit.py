@@ -7,7 +7,7 @@
 Usage:
     uv run scripts/audit.py results/quick
 
-For every case with pressure and film in results.h5 (numbers in brackets are those of docs/theory.md):
+For every case with pressure and film in results.h5 (numbers in brackets are those of docs/explanation/theory.md):
     film      the surface displaced by the pressure, and the film under it (T3, T10), over the film, place by place
     flow      the pressure that the film and c make (T2), over the largest pressure, place by place
     c         from the film alone, (T2) over u³ integrated, over c
@@ -21,7 +21,7 @@ as published.
 
 All is done again with every second and every third place alone, which tells the error of the field's grid. A deviation
 is explained if it is below that error and the claimed one: the error_* column, or twice the tolerance if that is
-larger; at a single place 0.3 √tolerance, to which the meshes resolve a solution (docs/accuracy.md). The sum of its
+larger; at a single place 0.3 √tolerance, to which the meshes resolve a solution (docs/explanation/accuracy.md). The sum of its
 estimated errors stands for the tolerance of the relaxation method.
 
 Exit code: 0; 1 if a deviation is not explained; 2 if the input is wrong.

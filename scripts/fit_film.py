@@ -2,7 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["numpy>=1.26", "pandas>=2.1", "scipy>=1.11"]
 # ///
-"""Fits the coefficients of the formula for the film thickness c (docs/approximations.md).
+"""Fits the coefficients of the formula for the film thickness c (docs/explanation/approximations.md).
 
 Usage:
     stribeck run sweeps/film.toml

@@ -2,7 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["numpy>=1.26"]
 # ///
-"""Makes the files of docs/from-instrument-files.md: what two instruments would have written of a known experiment.
+"""Makes the files of docs/how-to/from-instrument-files.md: what two instruments would have written of a known experiment.
 
 Usage:
     uv run scripts/instrument_files.py [DIRECTORY]
@@ -82,7 +82,7 @@ def write_traction(path):
 
 def main():
     """Writes both files."""
-    directory = Path(sys.argv[1] if len(sys.argv) > 1 else "docs/instrument-files")
+    directory = Path(sys.argv[1] if len(sys.argv) > 1 else "docs/how-to/instrument-files")
     directory.mkdir(parents=True, exist_ok=True)
     write_moduli(directory / "moduli.csv")
     write_traction(directory / "traction.txt")

@@ -9,7 +9,7 @@ of where the film ends. Around each node either p = 0 or the flow into its cell 
 <= 0, one of them 0): a semismooth Newton method on min(p, -residual). The displacement by a linear piece is exact.
 Three grids, each with twice the points of the one before, remove the errors of second and third order (Richardson); the
 difference of the two extrapolations of second order is the error, at least a hundredth of what they add. Equations
-(T1) to (T11) of docs/theory.md.
+(T1) to (T11) of docs/explanation/theory.md.
 
 Usage:
     uv run scripts/second_opinion.py
@@ -133,7 +133,7 @@ class Film:
         return Film((self.alpha, beta, self.f), grid, (np.nan_to_num(p), u * thinner, self.separation, self.shift))
 
     def numbers(self):
-        """mu_v, mu_h, mu_drag and c, with what lies beyond the grid (section "Friction" of docs/theory.md)."""
+        """mu_v, mu_h, mu_drag and c, with what lies beyond the grid (section "Friction" of docs/explanation/theory.md)."""
         h, u, dp = self.grid.h, self.u, np.diff(self.p)
         w = self.kernel @ self.p
         mu_v = -2 / np.pi * dp @ (w - w[-1])

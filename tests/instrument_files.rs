@@ -1,4 +1,4 @@
-//! The worked example of `docs/from-instrument-files.md`: what both files were made of is found again.
+//! The worked example of `docs/how-to/from-instrument-files.md`: what both files were made of is found again.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use serde_json::Value;
 use tempfile::tempdir;
 
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/instrument-files").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/how-to/instrument-files").join(name)
 }
 
 fn text(path: &Path) -> &str {

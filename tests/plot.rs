@@ -261,13 +261,13 @@ fn published_files_alone_are_enough() {
 }
 
 /// Each line of `scripts/figures`: its sweep is one of `sweeps/`, its options make the picture that it names, and that
-/// picture is shown in docs/figures.md.
+/// picture is shown in docs/explanation/paper-figures.md.
 #[test]
 #[ignore = "slow: solves the sweeps of all figures"]
 fn the_figures_of_the_paper_can_be_drawn() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let script = fs::read_to_string(root.join("scripts/figures")).unwrap();
-    let docs = fs::read_to_string(root.join("docs/figures.md")).unwrap();
+    let docs = fs::read_to_string(root.join("docs/explanation/paper-figures.md")).unwrap();
     let table = script.split("figures='\n").nth(1).unwrap().split("\n'\n").next().unwrap();
     let directory = tempdir().expect("a temporary directory");
     let mut figures = 0;

@@ -179,10 +179,10 @@ fn a_sweep_that_the_disk_has_no_room_for_is_warned_of() {
     assert!(err(&plan).starts_with("warning: the sweep takes about "), "{}{}", out(&plan), err(&plan));
 }
 
-/// The Makefile of docs/build-systems.md, as it stands there.
+/// The Makefile of docs/how-to/build-systems.md, as it stands there.
 #[test]
 fn make_asks_once_and_goes_on_after_failed_cases() {
-    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/build-systems.md")).expect("there");
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/how-to/build-systems.md")).expect("there");
     let (_, rest) = text.split_once("```make\n").expect("a Makefile");
     let place = tempdir().expect("a temporary directory");
     fs::write(place.path().join("Makefile"), rest.split("```").next().expect("its end")).expect("written");

@@ -1,4 +1,4 @@
-"""Displacement of a viscoelastic half space by pressure that is linear between nodes: docs/theory.md, (T10), (T11)."""
+"""Displacement of a viscoelastic half space by pressure that is linear between nodes: docs/explanation/theory.md, (T10), (T11)."""
 
 import numpy as np
 from scipy.special import exp1, expi

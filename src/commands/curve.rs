@@ -28,9 +28,9 @@ Examples:
   stribeck curve sweeps/rubber.toml --at load=100       one of several loads
   stribeck curve sweeps/rubber.toml --measured points.csv
 
-The sweep file has a section [laboratory] with a speed as an axis (docs/sweep-file.md). Nothing is stored: to keep
+The sweep file has a section [laboratory] with a speed as an axis (docs/reference/sweep-file.md). Nothing is stored: to keep
 fields and numbers run the sweep. Measured points are a CSV with the columns speed, or that of the sweep file, and mu
-(docs/laboratory.md). A speed of 0 is in the table and not in the drawing, which is logarithmic.")]
+(docs/reference/laboratory.md). A speed of 0 is in the table and not in the drawing, which is logarithmic.")]
 pub struct Arguments {
     /// The sweep file, with [laboratory]
     #[arg(value_name = "SWEEP")]

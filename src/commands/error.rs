@@ -32,7 +32,7 @@ pub enum CliError {
     /// A sweep without quantities of the laboratory.
     #[error(
         "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] \
-         (docs/sweep-file.md)",
+         (docs/reference/sweep-file.md)",
         shown(file)
     )]
     NotLaboratory {

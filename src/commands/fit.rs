@@ -27,7 +27,7 @@ Examples:
   stribeck fit points.csv sweeps/rubber.toml --unknown viscosity --json
 
 The points are tables with mu, where it was measured (speed, load, …), and its standard error `error` if that is known:
-CSV, exports of instruments, .xlsx; what was understood of them is printed first. The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/laboratory.md tells how it
+CSV, exports of instruments, .xlsx; what was understood of them is printed first. The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/reference/laboratory.md tells how it
 works and what the errors mean.")]
 pub struct Arguments {
     /// The measured points, one table or several, and last the sweep file, with [laboratory]

@@ -27,7 +27,7 @@ Examples:
   stribeck material rubber.inp --modulus-unit MPa       a Prony series of Abaqus or Ansys: nothing is fitted
 
 The file is a table of moduli over frequency (storage and loss) or over time (relaxation), or a Prony series. Times of
-the terms are spread over the measured range; those that the data do not ask for are dropped. docs/materials.md has
+the terms are spread over the measured range; those that the data do not ask for are dropped. docs/how-to/materials.md has
 more.")]
 pub struct Arguments {
     /// A table of measured moduli, or a Prony series

@@ -27,7 +27,7 @@ Nothing is solved and nothing is written. Cases that the results directory has a
 from new ones, so this also shows what an extended or half finished sweep has left to do. Every stored byte
 is compared with its record, as a run does before it uses it; --quick looks at the sizes of the files alone.")]
 pub struct Arguments {
-    /// The sweep file (TOML); docs/sweep-file.md has its keys
+    /// The sweep file (TOML); docs/reference/sweep-file.md has its keys
     sweep: PathBuf,
     /// Results directory [default: results/<file stem>]
     #[arg(short, long, value_name = "DIR")]

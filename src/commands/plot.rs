@@ -28,7 +28,7 @@ Examples:
   stribeck plot results/rubber --what curves --of mu_drag --along speed --measured points.csv
 
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
-nearest ones it has, which the picture names. Columns and fields are those of docs/output.md; docs/figures.md
+nearest ones it has, which the picture names. Columns and fields are those of docs/reference/output.md; docs/explanation/paper-figures.md
 shows pictures of each kind with their commands.")]
 pub struct Arguments {
     /// A results directory

@@ -20,7 +20,7 @@ Examples:
 
 One file that works without a network, in any browser of 2021 or later: surfaces and maps with a slider for f, any
 case with its fields, curves, errors against seconds, failures, a table to sort and download, and the sweep file.
-Large sweeps are thinned, and the page says how. docs/report.md has more.")]
+Large sweeps are thinned, and the page says how. docs/how-to/report.md has more.")]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

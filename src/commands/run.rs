@@ -29,7 +29,7 @@ Run the same command again to resume a sweep that was interrupted; if nothing is
 Values can be added to the axes of a sweep: what is solved is used again. Ctrl-C stores what is finished
 and ends the run with exit code 130; a second Ctrl-C ends it at once, which loses no stored case either.")]
 pub struct Arguments {
-    /// The sweep file (TOML); docs/sweep-file.md has its keys
+    /// The sweep file (TOML); docs/reference/sweep-file.md has its keys
     sweep: PathBuf,
     /// Results directory [default: results/<file stem>]
     #[arg(short, long, value_name = "DIR")]

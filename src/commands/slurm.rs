@@ -34,7 +34,7 @@ Examples:
 Writes DIR/slurm/part.sh and DIR/slurm/merge.sh, and with --submit submits them: an array of the parts (several arrays,
 if there are more tasks than the site allows in one), and a job that merges when all of them have ended. A part that is
 near its time limit stores what is finished and requeues itself; one whose node fails is requeued by Slurm. Without
---submit the commands to be typed are printed. docs/cluster.md has more.")]
+--submit the commands to be typed are printed. docs/how-to/cluster.md has more.")]
 pub struct Arguments {
     /// The sweep file (TOML)
     sweep: PathBuf,

@@ -30,7 +30,7 @@ Examples:
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
   stribeck solve --batch cases.csv --tolerance 1e-7 > solved.csv
 
-Friction coefficients are over a0/R; docs/output.md has all names and units. With --json the keys are the columns of
+Friction coefficients are over a0/R; docs/reference/output.md has all names and units. With --json the keys are the columns of
 summary.csv and slide_roll, seed, path, iterations, factorisations, unknowns, seconds; path has the points that were solved on the
 way to the case; a number that is not known is null, an infinite alpha is \"inf\". With --sensitivities there are also
 dmu_v_dln_alpha and the like.

@@ -33,7 +33,7 @@ Examples:
   stribeck study my-study.toml --quiet && column -s, -t results/my-study/study.csv | less -S
 
 Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG;
-docs/study-file.md has the keys of a study file and the columns. A case that fails is a row with its reason.
+docs/reference/study-file.md has the keys of a study file and the columns. A case that fails is a row with its reason.
 Where run times are measured one thread is used unless --threads says otherwise: with more, times are those
 of a busy machine. Ctrl-C writes what is finished and ends with exit code 130; a study is not resumed.")]
 pub struct Arguments {

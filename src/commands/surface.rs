@@ -26,7 +26,7 @@ Examples:
   stribeck evaluate results/surface-of-paper/surface.json --alpha 1 --beta 200
 
 The sweep file has one to three axes that are ranges, and may have a section [surface] with the tolerance and
-the quantities (docs/surface.md). Run the same command again after an interruption: solved cases are used again.
+the quantities (docs/how-to/surface.md). Run the same command again after an interruption: solved cases are used again.
 Exit code 3 means that a case failed, or that the surface was written without reaching its tolerance.")]
 pub struct Arguments {
     /// The sweep file, whose axes are ranges

@@ -27,7 +27,7 @@ pub enum Values {
     Formula(fn(&Parameters) -> Option<f64>),
 }
 
-/// c of the elastic film for β → ∞ ((T35) of `docs/theory.md`), with the modulus that counts.
+/// c of the elastic film for β → ∞ ((T35) of `docs/explanation/theory.md`), with the modulus that counts.
 fn elastic_asymptote(case: &Parameters) -> Option<f64> {
     let compliance = if case.f == 0.0 || case.alpha == f64::INFINITY {
         1.0

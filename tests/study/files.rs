@@ -179,7 +179,7 @@ fn the_shipped_studies_are_valid() {
 
 #[test]
 fn the_examples_of_the_documentation_are_valid() {
-    let page = include_str!("../../docs/study-file.md");
+    let page = include_str!("../../docs/reference/study-file.md");
     let blocks: Vec<&str> = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
     assert!(!blocks.is_empty());
     for block in blocks {

@@ -1,4 +1,4 @@
-//! What a results directory holds, read as `docs/output.md` describes it, with nothing of the program.
+//! What a results directory holds, read as `docs/reference/output.md` describes it, with nothing of the program.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -109,7 +109,7 @@ impl Stored {
                     sound: is_as_recorded(&results.join("shards"), record),
                 });
             }
-            kind => panic!("docs/output.md knows no record of the kind {kind}"),
+            kind => panic!("docs/reference/output.md knows no record of the kind {kind}"),
         }
     }
 

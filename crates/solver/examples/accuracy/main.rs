@@ -1,5 +1,5 @@
 //! How far a tolerance and the estimated errors can be trusted, and what a case costs beside the relaxation solver: the
-//! tables of `docs/accuracy.md`, from the 84 cases of `tests/reference/single_mode.csv`.
+//! tables of `docs/explanation/accuracy.md`, from the 84 cases of `tests/reference/single_mode.csv`.
 //!
 //! ```text
 //! cargo run --release -p stribeck-solver --example accuracy -- [--box] [--points 401,801,1601]

@@ -20,7 +20,7 @@ impl Scaling {
     /// The scaling at β, with a dry contact of half width ā: a case like the elastic one of compliance ā².
     ///
     /// The limits of c are 0.4458 β^{−3/5} for thin films and 1/(πβ) for thick ones; a thick film doubles over √(2h₀)
-    /// with h₀ = 0.2597/β (section "Limits" of `docs/theory.md`).
+    /// with h₀ = 0.2597/β (section "Limits" of `docs/explanation/theory.md`).
     pub fn new(half_width: f64, beta: f64) -> Self {
         let compliance = half_width * half_width;
         let (thin, thick) = (0.4458 * (compliance * beta).powf(-0.6), (PI * compliance * beta).recip());

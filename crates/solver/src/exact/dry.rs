@@ -5,7 +5,7 @@ use super::root::bracketed_root;
 use crate::model::Parameters;
 
 /// The dry contact of a rigid cylinder that slides to +x on a half space with one retardation time (Eqs. 24–32 with the
-/// misprints corrected, see `docs/theory.md`).
+/// misprints corrected, see `docs/explanation/theory.md`).
 ///
 /// With K = (1+f)α, k = Kā, Q = K₀(αā)/K₁(αā), T = I₂(k)/I₁(k) and m = k(Q + T), the printed formulas become
 ///

@@ -16,7 +16,7 @@ const INLET: [f64; 5] = [0.5546, 1.163, 1.661, 2.153, 1.015];
 /// Of the way from there to an inlet that is long, (T39).
 const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 
-/// c from a formula for one retardation time, (T34) to (T39) of `docs/theory.md`; `None` for several.
+/// c from a formula for one retardation time, (T34) to (T39) of `docs/explanation/theory.md`; `None` for several.
 ///
 /// The film is made in the inlet. What matters of the contact is the slope S of the dry gap ahead of its leading edge,
 /// u′ ≈ S√d, and the dry pressure P√d behind it. A film fills a length ℓ there, with β P S² ℓ^{5/2} = 1, and c is S

@@ -1,4 +1,4 @@
-//! Limits with known answers (section "Limits" of `docs/theory.md`).
+//! Limits with known answers (section "Limits" of `docs/explanation/theory.md`).
 //!
 //! | limit | what is known | type |
 //! | --- | --- | --- |

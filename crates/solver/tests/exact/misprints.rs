@@ -1,5 +1,5 @@
 //! Each correction of a printed equation that this module stands on: the corrected form keeps a law that the printed
-//! one breaks (table "printed and right" in `docs/theory.md`).
+//! one breaks (table "printed and right" in `docs/explanation/theory.md`).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -68,7 +68,7 @@ fn the_range_of_the_paper_converges() {
 }
 
 /// Over the same range the numbers are those of collocation to 1e-6: c within 10 %, as is asked of the method, and an
-/// order of magnitude better than that, for its errors are known (`docs/relaxation.md`).
+/// order of magnitude better than that, for its errors are known (`docs/explanation/relaxation.md`).
 #[test]
 fn the_range_of_the_paper_is_that_of_collocation() {
     const ASKED: f64 = 0.1;

@@ -1,5 +1,5 @@
 //! Each correction of a printed equation that the solver stands on: the corrected form keeps a law that the printed one
-//! breaks (table "printed and right" of `docs/theory.md`).
+//! breaks (table "printed and right" of `docs/explanation/theory.md`).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -7,7 +7,7 @@ use crate::relaxation::cases::{
     ON_401, ON_801, Solved, on_both_grids, quantities, reference, relative, settings, solve_reference,
 };
 
-/// F_v, F_h, c, u_min, the four whose errors `docs/relaxation.md` shows; relative, F_v of an elastic substrate over
+/// F_v, F_h, c, u_min, the four whose errors `docs/explanation/relaxation.md` shows; relative, F_v of an elastic substrate over
 /// F_tot.
 fn errors(case: &Solved) -> [f64; 4] {
     let (found, reference) = (case.quantities(), &case.reference);

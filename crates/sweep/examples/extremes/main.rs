@@ -1,4 +1,4 @@
-//! What becomes of stiff and extreme cases: the table of `docs/extremes.md`.
+//! What becomes of stiff and extreme cases: the table of `docs/explanation/extremes.md`.
 //!
 //! ```text
 //! cargo run --release -p stribeck-sweep --example extremes -- [--sample N] [--edge]

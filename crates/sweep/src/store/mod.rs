@@ -16,7 +16,7 @@
 //! moment at which a run is killed, all chains with a record are whole, and all others are solved again.
 //!
 //! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file,
-//! data set and column is described in `docs/output.md`.
+//! data set and column is described in `docs/reference/output.md`.
 
 mod catalog;
 mod claims;

@@ -1,6 +1,6 @@
 //! Sweep files.
 //!
-//! [`Sweep::read`] turns a sweep file (TOML, `docs/sweep-file.md`) into a validated [`Sweep`]. Every key is known, and
+//! [`Sweep::read`] turns a sweep file (TOML, `docs/reference/sweep-file.md`) into a validated [`Sweep`]. Every key is known, and
 //! every value has the right type and range. Otherwise an [`InputError`](stribeck_input::InputError) shows the place in
 //! the file and the remedy.
 //!

@@ -273,7 +273,7 @@ fn the_shipped_sweeps_are_valid() {
 
 #[test]
 fn the_worked_example_of_the_documentation_is_valid() {
-    let page = include_str!("../../../../docs/sweep-file.md");
+    let page = include_str!("../../../../docs/reference/sweep-file.md");
     let blocks: Vec<&str> = page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
     assert!(!blocks.is_empty());
     for block in blocks.into_iter().filter(|block| block.contains("[axes]")) {
