@@ -57,10 +57,10 @@ pub(super) fn complete(
     context.effort.unknowns = unknowns(workspace.coarse.displacement());
     let Estimate { quantities, errors, richer, beyond, .. } = estimate;
     let cavity_shear = output.cavity_shear;
-    let (corrector, displacement) = workspace.coarse.parts();
-    let fields = fields(displacement, beta, state, output);
+    let fields = fields(workspace.fine.displacement(), beta, &richer, &quantities, output);
     let (mut sensitivities, mut sensitivity_errors) = (None, None);
     if output.sensitivities {
+        let (corrector, displacement) = workspace.coarse.parts();
         let here = corrector.sensitivities(displacement, beta, state, cavity_shear, &mut context.effort);
         let (corrector, displacement) = workspace.fine.parts();
         let better = corrector.sensitivities(displacement, beta, &richer, cavity_shear, &mut context.effort);

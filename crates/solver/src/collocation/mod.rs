@@ -38,6 +38,7 @@ mod factorisation;
 mod fields;
 mod fixed_panels;
 mod friction_partials;
+mod gap;
 mod inlet;
 mod inlet_partials;
 mod legendre;
@@ -71,4 +72,4 @@ pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 3;
+pub const RESULTS_VERSION: u32 = 4;
