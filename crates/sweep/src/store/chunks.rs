@@ -6,7 +6,7 @@
 
 use hdf5::{Dataset, Result, h5check};
 use hdf5_sys::h5::{herr_t, hsize_t};
-use hdf5_sys::h5d::{H5Dread_chunk1, H5Dwrite_chunk};
+use hdf5_sys::h5d::{H5Dread_chunk, H5Dwrite_chunk};
 use hdf5_sys::h5i::hid_t;
 use hdf5_sys::h5p::H5P_DEFAULT;
 
@@ -65,7 +65,14 @@ impl Chunks {
         let (id, to, mask) = (self.dataset.id(), bytes.as_mut_ptr().cast(), &raw mut left_out);
         // SAFETY: as above; the buffer has as many bytes as the library has just said that the chunk has, and a file
         // that is read is written by no one.
-        let read = || unsafe { H5Dread_chunk1(id, H5P_DEFAULT, offset.as_ptr(), mask, to) };
+        #[cfg(hdf5_2)]
+        let read = || {
+            let mut room = length;
+            unsafe { H5Dread_chunk(id, H5P_DEFAULT, offset.as_ptr(), mask, to, &raw mut room) }
+        };
+        // SAFETY: as above.
+        #[cfg(not(hdf5_2))]
+        let read = || unsafe { H5Dread_chunk(id, H5P_DEFAULT, offset.as_ptr(), mask, to) };
         hdf5::sync::sync(|| h5check(read()))?;
         if length == 0 || left_out != 0 {
             return Err(format!("{} has no packed chunk at {at:?}", self.dataset.name()).into());
