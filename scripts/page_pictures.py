@@ -1,11 +1,7 @@
-# /// script
-# requires-python = ">=3.10"
-# dependencies = []
-# ///
 """Makes the pictures of pages: runs the commands of a page and takes the files that its pictures name in their titles.
 
 Usage:
-    uv run scripts/page_pictures.py [PAGE…]
+    python3 scripts/page_pictures.py [PAGE…]
 
 A picture `![text](gallery/x.svg "results/x/figures/y.svg")` is a copy of the second file, which the blocks `sh` of its
 page make in a scratch copy of the repository. Without a page: all of those that have such pictures.
