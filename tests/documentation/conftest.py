@@ -1,0 +1,39 @@
+"""What the tests of the documentation share: the pages, and at the end what they took."""
+
+import pytest
+from pages import ROOT, is_run
+
+from lib.markdown import read_fences
+
+RUN = pytest.StashKey()
+
+
+def pytest_configure(config):
+    """Start the count of what pages took."""
+    config.stash[RUN] = {}
+
+
+@pytest.fixture
+def took(request):
+    """Notes the seconds of a page for the summary: `took(page, seconds)`."""
+    return request.config.stash[RUN].__setitem__
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    """Say what was run, what was not, and which pages are slow."""
+    seconds = config.stash[RUN]
+    if not seconds:
+        return
+    run, left = 0, {}
+    for page in seconds:
+        fences = read_fences((ROOT / page).read_text(encoding="utf-8"))
+        run += sum(map(is_run, fences))
+        count = sum("no-run" in fence.options for fence in fences)
+        if count:
+            left[page] = count
+    terminalreporter.write_line(f"{run} blocks of {len(seconds)} pages, {sum(seconds.values()):.1f} s")
+    slowest = sorted(seconds.items(), key=lambda item: -item[1])[:5]
+    terminalreporter.write_line("slowest: " + ", ".join(f"{page} {time:.1f} s" for page, time in slowest))
+    terminalreporter.write_line(
+        "not run: " + (", ".join(f"{page} {count}" for page, count in left.items()) or "nothing")
+    )

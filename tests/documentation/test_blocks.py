@@ -1,0 +1,41 @@
+"""Every block of `sh` and `python` in README.md and docs/ runs as it stands, one page after the other."""
+
+import shutil
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from pages import ROOT, copy_files, executed_pages, is_run, run_page, tracked, wrong_fences
+
+from lib.markdown import read_fences
+
+PAGES = executed_pages()
+
+
+@pytest.fixture(scope="session")
+def caches(tmp_path_factory):
+    """Where the pages share what takes seconds to make: the list of fonts of matplotlib."""
+    return tmp_path_factory.mktemp("caches")
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_the_fences_of_a_page_are_known(page):
+    """A block that says something else than these few words would be run by nobody."""
+    assert not wrong_fences((ROOT / page).read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_the_blocks_of_a_page_run(page, tmp_path, caches, took):
+    """In a copy of the repository, with the program that is installed beside this interpreter."""
+    text = (ROOT / page).read_text(encoding="utf-8")
+    if not any(map(is_run, read_fences(text))):
+        return
+    path = f"{Path(sys.executable).parent}"
+    assert shutil.which("stribeck") or shutil.which("stribeck", path=path), "install the package first: pip install ."
+    repository, work = tmp_path / "repository", tmp_path / "work"
+    work.mkdir()
+    copy_files(ROOT, tracked(), repository)
+    begin = time.monotonic()
+    run_page(page, text, repository, work, caches)
+    took(page, time.monotonic() - begin)
