@@ -1,9 +1,9 @@
 """What the tests of the documentation share: the pages, and at the end what they took."""
 
 import pytest
-from pages import ROOT, is_run
 
 from lib.markdown import read_fences
+from pages import ROOT, is_run
 
 RUN = pytest.StashKey()
 
@@ -34,6 +34,5 @@ def pytest_terminal_summary(terminalreporter, config):
     terminalreporter.write_line(f"{run} blocks of {len(seconds)} pages, {sum(seconds.values()):.1f} s")
     slowest = sorted(seconds.items(), key=lambda item: -item[1])[:5]
     terminalreporter.write_line("slowest: " + ", ".join(f"{page} {time:.1f} s" for page, time in slowest))
-    terminalreporter.write_line(
-        "not run: " + (", ".join(f"{page} {count}" for page, count in left.items()) or "nothing")
-    )
+    counts = ", ".join(f"{page} {count}" for page, count in left.items())
+    terminalreporter.write_line(f"not run: {counts or 'nothing'}")

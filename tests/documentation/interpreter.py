@@ -8,6 +8,7 @@ import os
 import sys
 import textwrap
 import traceback
+from pathlib import Path
 
 
 def failed_line(error, name, first):
@@ -21,8 +22,7 @@ def failed_line(error, name, first):
 def main():
     """Answers until stdin ends."""
     path, name = sys.argv[1:]
-    with open(path, encoding="utf-8") as file:
-        lines = file.read().splitlines()
+    lines = Path(path).read_text(encoding="utf-8").splitlines()
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)
     sys.path.insert(0, "")

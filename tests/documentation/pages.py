@@ -26,23 +26,10 @@ EXITS = re.compile(r"exits-([1-9][0-9]{0,2})")
 
 # First words of what no test can run: it fetches, compiles for minutes, needs a cluster or another program.
 NOT_RUN = {
-    *(
-        "apt-get",
-        "cargo",
-        "git",
-        "make",
-        "module",
-        "pip",
-        "rustup",
-        "sbatch",
-        "scancel",
-        "snakemake",
-        "squeue",
-        "sudo",
-        "uv",
-    ),
+    *("apt-get", "cargo", "git", "make", "module", "pip", "rustup"),
+    *("sbatch", "scancel", "snakemake", "squeue", "stribeck slurm", "sudo", "uv"),
     *("./scripts/docs", "./scripts/figures", "./scripts/fuzz", "./scripts/prerequisites", "./scripts/run"),
-    *("./scripts/slurm-local", "./scripts/test", "./scripts/torture", "./scripts/wheel", "stribeck slurm"),
+    *("./scripts/slurm-local", "./scripts/test", "./scripts/torture", "./scripts/wheel"),
 }
 
 PRELUDE = r"""
@@ -53,7 +40,7 @@ __fail() {
     printf '%s\n%s\n%s\n' "$1" "$2" "$3" >"$PAGE_FAILURE"
     exit 1
 }
-# Whether a pipeline with these codes of its commands has failed: a pipe that its reader closed (`… | head`) is no failure.
+# Whether a pipeline with these codes of its commands has failed. A pipe that its reader closed (`… | head`) has not.
 __broken() {
     local code last=${!#}
     [ "$last" -eq 0 ] || return 0
@@ -86,7 +73,7 @@ trap '__judge "$LINENO" "$?" "${PIPESTATUS[*]}" "$BASH_COMMAND"' ERR
 
 
 @dataclass
-class Failure(Exception):
+class PageError(Exception):
     """A command of a page that did not do what the page says."""
 
     page: str
@@ -179,10 +166,10 @@ def copy_files(root, names, target):
         shutil.copy2(root / name, copy)
 
 
-def environment(work, caches):
+def environment(directories):
     """Variables of a page's terminal: the interpreter and the program of the tests first, and a home of its own."""
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST", "SLURM", "STRIBECK"))}
-    home, temporary = work / "home", work / "tmp"
+    home, temporary = directories.work / "home", directories.work / "tmp"
     for directory in (home, temporary):
         directory.mkdir()
     return kept | {
@@ -190,19 +177,28 @@ def environment(work, caches):
         "HOME": str(home),
         "TMPDIR": str(temporary),
         "MPLBACKEND": "agg",
-        "MPLCONFIGDIR": str(caches),
+        "MPLCONFIGDIR": str(directories.caches),
         "NO_COLOR": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
     }
 
 
-def run_page(name, text, repository, work, caches, *, seconds=60):
-    """Runs the blocks of a page in a copy of the repository; `work` is an empty directory beside it.
-    Pages may share the directory `caches`.
+@dataclass(frozen=True)
+class Directories:
+    """Where a page runs: a copy of the repository, an empty directory beside it, and one that pages share."""
+
+    repository: Path
+    work: Path
+    caches: Path
+
+
+def run_page(name, text, directories, *, seconds=60):
+    """Runs the blocks of a page.
 
     Raises:
-        Failure: with the line, the command and the output of the first block that fails.
+        PageError: with the line, the command and the output of the first block that fails.
     """
+    work = directories.work
     script, page, failure, log = (work / file for file in ("page.sh", "page.md", "failure", "output"))
     page.write_text(text, encoding="utf-8")
     # The prelude is a file of its own: the page's script has the lines of the page.
@@ -211,11 +207,11 @@ def run_page(name, text, repository, work, caches, *, seconds=60):
     has_python = any(fence.language == "python" for fence in filter(is_run, read_fences(text)))
     prelude.write_text((interpreter if has_python else "") + PRELUDE, encoding="utf-8")
     script.write_text(as_script(text), encoding="utf-8")
-    variables = environment(work, caches) | {"PAGE_FAILURE": str(failure)}
+    variables = environment(directories) | {"PAGE_FAILURE": str(failure)}
     with log.open("wb") as output:
         process = subprocess.Popen(
             ["bash", "-c", f". '{prelude}'; . '{script}'"],
-            cwd=repository,
+            cwd=directories.repository,
             env=variables,
             stdin=subprocess.DEVNULL,
             stdout=output,
@@ -233,9 +229,9 @@ def run_page(name, text, repository, work, caches, *, seconds=60):
             process.wait()
     said = log.read_text(encoding="utf-8", errors="replace")[-4000:]
     if code is None:
-        raise Failure(name, 1, f"the page takes more than {seconds} s", said)
+        raise PageError(name, 1, f"the page takes more than {seconds} s", said)
     if failure.exists():
         line, status, command = failure.read_text(encoding="utf-8", errors="replace").split("\n", 2)
-        raise Failure(name, int(line), f"exit code {status} of: {command.strip()}", said)
+        raise PageError(name, int(line), f"exit code {status} of: {command.strip()}", said)
     if code != 0:
-        raise Failure(name, 1, f"the terminal ended with exit code {code}", said)
+        raise PageError(name, 1, f"the terminal ended with exit code {code}", said)

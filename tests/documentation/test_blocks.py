@@ -6,9 +6,9 @@ import time
 from pathlib import Path
 
 import pytest
-from pages import ROOT, copy_files, executed_pages, is_run, run_page, tracked, wrong_fences
 
 from lib.markdown import read_fences
+from pages import ROOT, Directories, copy_files, executed_pages, is_run, run_page, tracked, wrong_fences
 
 PAGES = executed_pages()
 
@@ -31,11 +31,11 @@ def test_the_blocks_of_a_page_run(page, tmp_path, caches, took):
     text = (ROOT / page).read_text(encoding="utf-8")
     if not any(map(is_run, read_fences(text))):
         return
-    path = f"{Path(sys.executable).parent}"
+    path = str(Path(sys.executable).parent)
     assert shutil.which("stribeck") or shutil.which("stribeck", path=path), "install the package first: pip install ."
-    repository, work = tmp_path / "repository", tmp_path / "work"
-    work.mkdir()
-    copy_files(ROOT, tracked(), repository)
+    directories = Directories(tmp_path / "repository", tmp_path / "work", caches)
+    directories.work.mkdir()
+    copy_files(ROOT, tracked(), directories.repository)
     begin = time.monotonic()
-    run_page(page, text, repository, work, caches)
+    run_page(page, text, directories)
     took(page, time.monotonic() - begin)

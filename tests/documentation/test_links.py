@@ -6,9 +6,9 @@ from functools import cache
 from urllib.parse import unquote
 
 import pytest
-from pages import ROOT, executed_pages, tracked
 
 from lib.markdown import prose, read_anchors, read_headings, read_links
+from pages import ROOT, executed_pages, tracked
 
 PAGES = [name for name in tracked() if name.endswith(".md")]
 SUMMARY = "docs/SUMMARY.md"

@@ -3,9 +3,9 @@
 import re
 
 import pytest
-from pages import Failure, copy_files, run_page, wrong_fences
 
 from lib.markdown import read_anchors, read_fences, read_formulas, read_links, slug
+from pages import Directories, PageError, copy_files, run_page, wrong_fences
 
 
 def made_page(text):
@@ -23,7 +23,7 @@ def run(tmp_path):
 
     def run(text, **options):
         copy_files(source, ["sweep.toml"], repository)
-        run_page("made-up.md", made_page(text), repository, work, tmp_path, **options)
+        run_page("made-up.md", made_page(text), Directories(repository, work, tmp_path), **options)
         assert (source / "sweep.toml").read_text() == "kept"
         assert sorted(source.iterdir()) == [source / "sweep.toml"]
         return repository
@@ -88,7 +88,7 @@ sbatch job.sh
 )
 def test_a_failure_names_page_line_command_and_output(run, block, line, said):
     """The line is that of the page."""
-    with pytest.raises(Failure) as caught:
+    with pytest.raises(PageError) as caught:
         run(f"# A page\n\n{block}\n")
     assert str(caught.value).startswith(f"made-up.md:{line}: "), str(caught.value)
     assert said in str(caught.value)
@@ -96,7 +96,7 @@ def test_a_failure_names_page_line_command_and_output(run, block, line, said):
 
 def test_output_stands_beside_a_failure(run):
     """That of the program, stdout and stderr."""
-    with pytest.raises(Failure, match=r"(?s)of: false\n.*one\ntwo"):
+    with pytest.raises(PageError, match=r"(?s)of: false\n.*one\ntwo"):
         run("'''sh\necho one\necho two >&2\nfalse\n'''\n")
 
 
@@ -107,13 +107,14 @@ def test_announced_codes_and_closed_pipes_are_no_failures(run):
 
 def test_a_page_that_hangs_is_ended_with_what_it_started(run):
     """Also a process in the background."""
-    with pytest.raises(Failure, match="more than 1 s"):
+    with pytest.raises(PageError, match="more than 1 s"):
         run("'''sh\nsleep 1000 & sleep 1000\n'''\n", seconds=1)
 
 
 def test_fences_say_what_is_known():
     """What no test may run is short and named; no block goes unnoticed."""
-    fine = "'''sh\nls\n'''\n'''sh,exits-3\nls\n'''\n'''sh,no-run\n# a comment\nX=1 pip install \\\n  x | git y; cd z\n'''\n'''text\n'''"
+    fine = "'''sh\nls\n'''\n'''sh,exits-3\nls\n'''\n'''text\n'''\n"
+    fine += "'''sh,no-run\n# a comment\nX=1 pip install \\\n  x | git y; cd z\n'''\n"
     assert wrong_fences(made_page(fine)) == []
     for text, message in [
         ("'''\nls\n'''", "no language"),
@@ -150,9 +151,7 @@ def test_links_are_found_outside_of_code():
 
 def test_formulas_are_found_outside_of_code():
     """A dollar alone, or in code, is none."""
-    page = made_page(
-        "$a$ and `$b$`, $c_1 +\nc_2$; 5 $ or \\$6 $\n\n$$\nd\n$$\n'''sh\necho $HOME $PATH\n'''\nat $$e$$.\n"
-    )
+    page = made_page("$a$ and `$b$`, $c_1 +\nc_2$; 5 $ or \\$6 $\n\n$$\nd\n$$\n'''sh\n$HOME $PATH\n'''\nat $$e$$.\n")
     formulas = read_formulas(page)
     assert [re.sub(r"\s+", " ", formula.source.strip()) for formula in formulas] == ["a", "c_1 + c_2", "d", "e"]
     assert [formula.display for formula in formulas] == [False, False, True, True]
