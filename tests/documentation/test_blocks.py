@@ -22,7 +22,8 @@ def caches(tmp_path_factory):
 @pytest.mark.parametrize("page", PAGES)
 def test_the_fences_of_a_page_are_known(page):
     """A block that says something else than these few words would be run by nobody."""
-    assert not wrong_fences((ROOT / page).read_text(encoding="utf-8"))
+    wrong = wrong_fences((ROOT / page).read_text(encoding="utf-8"))
+    assert not wrong, "\n".join(wrong)
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -51,7 +51,8 @@ def wrong_links(page):
 @pytest.mark.parametrize("page", PAGES)
 def test_links_lead_to_files_and_anchors_that_exist(page):
     """Of every page in the repository, by the forge's rule of anchors."""
-    assert not wrong_links(page)
+    wrong = wrong_links(page)
+    assert not wrong, "\n".join(wrong)
 
 
 def test_the_summary_of_the_site_has_every_page_once():
@@ -72,7 +73,8 @@ def test_a_page_says_its_kind(page):
 @pytest.mark.parametrize("page", DOCUMENTS)
 def test_headings_have_the_same_anchors_everywhere(page):
     """Formulas make other anchors on the site than on a forge."""
-    assert not [f"{page}:{line}: {heading}" for line, _, heading in read_headings(read(page)) if "$" in heading]
+    wrong = [f"{page}:{line}: {heading}" for line, _, heading in read_headings(read(page)) if "$" in heading]
+    assert not wrong, "\n".join(wrong)
 
 
 @pytest.mark.parametrize("page", [*executed_pages(), "CONTRIBUTING.md"])
@@ -84,7 +86,7 @@ def test_lines_are_short(page):
         for number, line in enumerate(lines, start=1)
         if len(line) > COLUMNS and not line.lstrip().startswith(("|", "$$", "![")) and " " in line.strip()
     ]
-    assert not long
+    assert not long, "\n".join(long)
 
 
 def test_the_readme_is_short():
