@@ -38,5 +38,7 @@ def test_the_blocks_of_a_page_run(page, tmp_path, caches, took):
     directories.work.mkdir()
     copy_files(ROOT, tracked(), directories.repository)
     begin = time.monotonic()
-    run_page(page, text, directories)
-    took(page, time.monotonic() - begin)
+    try:
+        run_page(page, text, directories)
+    finally:
+        took(page, time.monotonic() - begin)
