@@ -18,5 +18,5 @@ def render_formulas(formulas):
 
 def safe(html):
     """HTML that Markdown leaves unchanged: without the source of the formula, and with no sign that means something."""
-    html = re.sub(r"<annotation.*?</annotation>", "", html, flags=re.DOTALL)
+    html = re.sub(r"<annotation.*?</annotation>", "", html, flags=re.DOTALL).replace("\n", " ")
     return re.sub(r">[^<]+<", lambda text: re.sub(r"[*_|`\[\]\\~$]", lambda sign: f"&#{ord(sign[0])};", text[0]), html)
