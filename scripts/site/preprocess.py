@@ -15,7 +15,7 @@ ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 from lib.katex import render_formulas  # noqa: E402
-from lib.markdown import LINK, line_of, prose, read_formulas, read_headings  # noqa: E402
+from lib.markdown import LINK, line_of, prose, read_formulas  # noqa: E402
 
 # Where the site has what lies outside of docs/.
 OUTSIDE = "repository"
@@ -68,11 +68,10 @@ def with_links(name, text):
 
 
 def chapter(name, text):
-    """A chapter without a number for a page outside of docs/."""
-    title = next((title for _, level, title in read_headings(text) if level == 1), name)
+    """A chapter without a number for a page outside of docs/, under the name of its file."""
     return {
         "Chapter": {
-            "name": title,
+            "name": name.removesuffix(".md"),
             "content": text,
             "number": None,
             "sub_items": [],
