@@ -1,7 +1,7 @@
 """What mdBook has done to the pages: formulas become HTML, and links lead to where the site has things.
 
-Reads the book as JSON from stdin and writes it to stdout, as mdBook asks of a preprocessor. A page outside of docs/ that
-a page links to becomes a chapter; other files are copied by scripts/site/finish.py.
+Reads the book as JSON from stdin and writes it to stdout, as mdBook asks of a preprocessor. A page outside of docs/
+that a page links to becomes a chapter; other files are copied by scripts/site/finish.py.
 """
 
 import json

@@ -15,22 +15,15 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from commands import PATH, split_commands, wrong_command
 from lib.markdown import read_fences
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 
 # What a fence may say. Blocks in the first two are run unless they say `no-run`.
-LANGUAGES = {"sh", "python", "text", "toml", "csv", "json", "html", "js", "make", "rust"}
+LANGUAGES = {"sh", "python", "text", "toml", "csv", "json", "html", "js", "make", "snakemake", "rust"}
 EXITS = re.compile(r"exits-([1-9][0-9]{0,2})")
-
-# First words of what no test can run: it fetches, compiles for minutes, needs a cluster or another program.
-NOT_RUN = {
-    *("apt-get", "cargo", "git", "make", "module", "pip", "rustup"),
-    *("sbatch", "scancel", "snakemake", "squeue", "stribeck slurm", "sudo", "uv"),
-    *("./scripts/docs", "./scripts/figures", "./scripts/fuzz", "./scripts/prerequisites", "./scripts/run"),
-    *("./scripts/slurm-local", "./scripts/test", "./scripts/torture", "./scripts/wheel"),
-}
 
 PRELUDE = r"""
 set -E -o pipefail
@@ -105,29 +98,14 @@ def wrong_fences(text):
                 say(f"`{fence.language},{option}` is no fence here")
         if len(fence.options) > 1:
             say("a fence has one option at most")
-        if "no-run" in fence.options:
-            if fence.language == "sh":
-                for line, word in first_words(fence):
-                    if word not in NOT_RUN:
-                        say(f"`{word}` can be run: no-run is for {', '.join(sorted(NOT_RUN))}", line)
-            else:
-                compile(fence.text, f"line {fence.line}", "exec")
+        if "no-run" in fence.options and fence.language == "sh":
+            for line, words in split_commands(fence):
+                message = wrong_command(words, tracked())
+                if message:
+                    say(message, line)
+        elif "no-run" in fence.options:
+            compile(fence.text, f"line {fence.line}", "exec")
     return wrong
-
-
-def first_words(fence):
-    """The line and the first word of each command of a block of simple commands."""
-    words, goes_on = [], False
-    for line, text in enumerate(fence.lines, start=fence.line + 1):
-        if not goes_on and text.strip() and not text.lstrip().startswith("#"):
-            # Also what follows `&&`, `||`, `;` and `|`; a comment behind a command is none.
-            for command in re.split(r"&&|\|\||[;|]", re.sub(r"\s#.*", "", text)):
-                parts = [part for part in command.split() if not re.match(r"\w+=", part)]
-                if parts and parts[0] != "cd":
-                    word = " ".join(parts[:2]) if parts[0] == "stribeck" else parts[0]
-                    words.append((line, re.sub(r"^scripts/", "./scripts/", word)))
-        goes_on = text.endswith("\\")
-    return words
 
 
 def as_script(text):
@@ -173,7 +151,7 @@ def environment(directories):
     for directory in (home, temporary):
         directory.mkdir()
     return kept | {
-        "PATH": f"{Path(sys.executable).parent}:{kept['PATH']}",
+        "PATH": PATH,
         "HOME": str(home),
         "TMPDIR": str(temporary),
         "MPLBACKEND": "agg",

@@ -1,12 +1,11 @@
 """Every block of `sh` and `python` in README.md and docs/ runs as it stands, one page after the other."""
 
 import shutil
-import sys
 import time
-from pathlib import Path
 
 import pytest
 
+from commands import PATH
 from lib.markdown import read_fences
 from pages import ROOT, Directories, copy_files, executed_pages, is_run, run_page, tracked, wrong_fences
 
@@ -32,8 +31,7 @@ def test_the_blocks_of_a_page_run(page, tmp_path, caches, took):
     text = (ROOT / page).read_text(encoding="utf-8")
     if not any(map(is_run, read_fences(text))):
         return
-    path = str(Path(sys.executable).parent)
-    assert shutil.which("stribeck") or shutil.which("stribeck", path=path), "install the package first: pip install ."
+    assert shutil.which("stribeck", path=PATH), "install the package first: pip install ."
     directories = Directories(tmp_path / "repository", tmp_path / "work", caches)
     directories.work.mkdir()
     copy_files(ROOT, tracked(), directories.repository)

