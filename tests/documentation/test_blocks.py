@@ -1,7 +1,9 @@
 """Every block of `sh` and `python` in README.md and docs/ runs as it stands, one page after the other."""
 
 import shutil
+import tempfile
 import time
+from pathlib import Path
 
 import pytest
 
@@ -26,17 +28,19 @@ def test_the_fences_of_a_page_are_known(page):
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_the_blocks_of_a_page_run(page, tmp_path, caches, took):
+def test_the_blocks_of_a_page_run(page, caches, took):
     """In a copy of the repository, with the program that is installed beside this interpreter."""
     text = (ROOT / page).read_text(encoding="utf-8")
     if not any(map(is_run, read_fences(text))):
         return
     assert shutil.which("stribeck", path=PATH), "install the package first: pip install ."
-    directories = Directories(tmp_path / "repository", tmp_path / "work", caches)
-    directories.work.mkdir()
-    copy_files(ROOT, tracked(), directories.repository)
-    begin = time.monotonic()
-    try:
-        run_page(page, text, directories)
-    finally:
-        took(page, time.monotonic() - begin)
+    # Not in a directory of pytest, which would keep the copies.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as place:
+        directories = Directories(Path(place, "repository"), Path(place, "work"), caches)
+        directories.work.mkdir()
+        copy_files(ROOT, tracked(), directories.repository)
+        begin = time.monotonic()
+        try:
+            run_page(page, text, directories)
+        finally:
+            took(page, time.monotonic() - begin)
