@@ -116,7 +116,8 @@ def wrong_option(words, text, place):
 
 def wrong_target(words, names):
     """A crate, an example or a benchmark that a command of cargo names and that is not there."""
-    stems = {PurePosixPath(name).stem for name in names if name.endswith(".rs")}
+    files = [PurePosixPath(name) for name in names if name.endswith(".rs")]
+    stems = {path.parent.name if path.stem == "main" else path.stem for path in files}
     crates = {f"stribeck-{name.split('/')[1]}" for name in names if name.startswith("crates/")} | {"stribeck"}
     for option, value in pairwise(words):
         if option == "-p" and value not in crates:

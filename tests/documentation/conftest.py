@@ -3,7 +3,7 @@
 import pytest
 
 from lib.markdown import read_fences
-from pages import ROOT, is_run
+from pages import ROOT, executed_pages, is_run
 
 RUN = pytest.StashKey()
 
@@ -25,9 +25,9 @@ def pytest_terminal_summary(terminalreporter, config):
     if not seconds:
         return
     run, left = 0, {}
-    for page in seconds:
+    for page in executed_pages():
         fences = read_fences((ROOT / page).read_text(encoding="utf-8"))
-        run += sum(map(is_run, fences))
+        run += sum(map(is_run, fences)) if page in seconds else 0
         count = sum("no-run" in fence.options for fence in fences)
         if count:
             left[page] = count

@@ -174,6 +174,7 @@ def test_formulas_are_found_outside_of_code():
         ("./scripts/run sweeps/quick.toml", None),
         ("scripts/none", "there is no scripts/none"),
         ("cargo run --release --example left_out -- --repeats 3", None),
+        ("cargo run --release -p stribeck-solver --example accuracy", None),
         ("cargo run --release --example right_out", "there is no example right_out"),
         ("cargo test --release -p stribeck-solver collocation::agreement -- --ignored", None),
         ("cargo test --release -p stribeck-solver collocation::disagreement", "there is no test disagreement"),
