@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use hdf5::types::{FixedAscii, VarLenUnicode};
 use hdf5::Result;
+use hdf5::types::{FixedAscii, VarLenUnicode};
 use ndarray::{Array2, ArrayView2};
 
 use super::chunks::Chunks;
