@@ -221,6 +221,7 @@ fn stored_by_an_earlier_version(directory: &Path, sweep: &Sweep) -> usize {
         values: stribeck_sweep::Values::UNKNOWN,
         fields: stribeck_solver::Fields::default(),
         sensitivities: None,
+        sensitivity_errors: None,
         timing: Timing::default(),
     };
     let mut cases = 0;
