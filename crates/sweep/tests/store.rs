@@ -582,7 +582,8 @@ fn a_first_start_killed_before_its_first_record_is_resumed() {
 
 #[test]
 fn the_documentation_lists_every_column_field_and_header() {
-    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/output.md")).unwrap();
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/output.md")).unwrap();
     for column in Column::ALL {
         let shown = if column.in_summary() { "yes" } else { "no" };
         let row = format!("| `{}` | {} | {shown} |", column.name(), column.units());
