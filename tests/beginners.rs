@@ -29,7 +29,7 @@ fn the_sweep_files_to_start_from_are_solved_in_seconds() {
         assert_eq!(code(&run), 0, "{name}: {}{plan}", err(&run));
         assert!(here.join("results").join(name).join(results).exists(), "{name}");
     }
-    let curve = say(here, &["curve", "laboratory.toml", "--at", "load=400"]);
+    let curve = say(here, &["curve", "laboratory.toml"]);
     assert_eq!(code(&curve), 0, "{}", err(&curve));
 }
 

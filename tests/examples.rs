@@ -83,10 +83,8 @@ fn every_example_runs() {
             assert!(line.starts_with("stribeck "), "{line}");
             let run = Command::new("sh").args(["-c", &line]).current_dir(here).env("PATH", &path).output();
             let run = run.expect("sh runs");
-            // A method fails there where it is known to.
-            let expected = if line.contains("study-quick.toml") { 3 } else { 0 };
             let said = String::from_utf8_lossy(&run.stderr);
-            assert_eq!(run.status.code(), Some(expected), "{line}\n{said}");
+            assert!(run.status.success(), "{line}\n{said}");
         }
     }
 }

@@ -29,14 +29,25 @@ fn check(name: &str, page: &str) {
     );
 }
 
-/// A text of help in Markdown, without what Markdown would take for something else.
+/// A text of help in Markdown, without what Markdown would take for something else, and with links to pages.
 fn escaped(text: &str) -> String {
     // What stands in backticks stays.
     let parts = text.split('`').enumerate().map(|(place, part)| match place % 2 {
-        0 => part.replace('<', "\\<").replace('*', "\\*").replace('|', "\\|"),
+        0 => linked(&part.replace('<', "\\<").replace('*', "\\*").replace('|', "\\|")),
         _ => format!("`{}`", part.replace('|', "\\|")),
     });
     parts.collect()
+}
+
+/// The same with a link in place of each page that is named by its path.
+fn linked(text: &str) -> String {
+    let Some((before, rest)) = text.split_once("docs/") else { return text.to_owned() };
+    let (page, after) = rest.split_once(".md").expect("a page is named whole");
+    let file = format!("docs/{page}.md");
+    assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join(&file).exists(), "{file} is named in help and not there");
+    let name = page.rsplit('/').next().unwrap_or(page);
+    let path = page.strip_prefix("reference/").map_or_else(|| format!("../{page}"), str::to_owned);
+    format!("{before}[{name}]({path}.md){}", linked(after))
 }
 
 /// The examples of a help text as lines of a shell, their comments behind a #.
@@ -161,7 +172,7 @@ fn commands_are_documented_as_help_has_them() {
     for (group, names) in GROUPS {
         let _ = write!(page, "\n## {group}\n\n");
         let sections = names.iter().map(|name| command_section(all.find_subcommand(name).expect(name)));
-        page += sections.collect::<Vec<_>>().join("\n").trim_end();
+        page += sections.map(|section| section.trim_end().to_owned()).collect::<Vec<_>>().join("\n\n").as_str();
         page.push('\n');
     }
     check("commands.md", &page);

@@ -23,10 +23,10 @@ use stribeck_sweep::surface::{SurfaceBuildError, SurfaceOptions, compare_surface
 #[command(
     before_help = "\
 Examples:
-  stribeck evaluate results/surface-of-paper/surface.json --alpha 1 --beta 200
-  stribeck evaluate results/surface-of-paper/surface.json --at alpha=1 --at beta=200 --derivatives
-  stribeck evaluate results/surface-of-paper/surface.json --points sweeps/points.csv -o values.csv
-  stribeck evaluate results/surface-of-paper/surface.json --check 200 --seed 7",
+  stribeck evaluate results/friction/surface.json --alpha 1 --beta 100
+  stribeck evaluate results/friction/surface.json --at alpha=1 --at beta=100 --derivatives
+  stribeck evaluate results/friction/surface.json --points sweeps/points.csv -o values.csv
+  stribeck evaluate results/friction/surface.json --check 1000 --seed 7",
     after_help = "\
 A file of points is a CSV with a column for each axis; the output has its columns, the quantities, and `status`:
 `inside` or `outside`. Values of the laboratory are in SI units. Nothing is extrapolated.

@@ -23,7 +23,7 @@ Examples:
   stribeck init                                         prints a sweep over alpha, beta and f
   stribeck init -o first.toml                           writes it; then stribeck run first.toml
   stribeck init --laboratory -o experiment.toml         quantities with units, in place of alpha and beta
-  stribeck init --surface -o friction.toml              for stribeck surface friction.toml",
+  stribeck init --surface -o my-surface.toml            for stribeck surface my-surface.toml",
     after_help = "\
 Every key has a comment; docs/reference/sweep-file.md has the keys that are not there. A file that is there already is
 never written over, unless it is empty."

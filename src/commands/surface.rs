@@ -22,8 +22,9 @@ use stribeck_sweep::surface::{Progress, SurfaceBuildError, SurfaceOptions, build
 #[command(
     before_help = "\
 Examples:
-  stribeck surface sweeps/surface-of-paper.toml         in results/surface-of-paper
-  stribeck surface sweeps/surface-of-paper.toml -o elsewhere/paper --threads 8",
+  stribeck init --surface -o friction.toml
+  stribeck surface friction.toml                        in results/friction
+  stribeck surface friction.toml --quiet --threads 8    again: solved cases are used",
     after_help = "\
 The sweep file has one to three axes that are ranges, and may have a section [surface] with the tolerance and
 the quantities (docs/how-to/surface.md). `stribeck evaluate` reads the surface. Run the same command again after an
