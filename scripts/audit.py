@@ -21,8 +21,8 @@ as published.
 
 All is done again with every second and every third place alone, which tells the error of the field's grid. A deviation
 is explained if it is below that error and the claimed one: the error_* column, or twice the tolerance if that is
-larger; at a single place 0.3 √tolerance, to which the meshes resolve a solution (docs/explanation/accuracy.md). The sum of its
-estimated errors stands for the tolerance of the relaxation method.
+larger; at a single place 0.3 √tolerance, to which the meshes resolve a solution (docs/explanation/accuracy.md). The sum
+of its estimated errors stands for the tolerance of the relaxation method.
 
 Exit code: 0; 1 if a deviation is not explained; 2 if the input is wrong.
 """

@@ -2,7 +2,7 @@
 # requires-python = ">=3.10"
 # dependencies = ["h5netcdf>=1.3", "h5py>=3.10", "numpy>=1.26", "xarray>=2024.1"]
 # ///
-"""Prints the numbers of docs/explanation/paper-figures.md from the results of the figures' sweeps, which `scripts/figures` makes.
+"""Prints the numbers of docs/explanation/paper-figures.md from the results that `scripts/figures` makes.
 
 Usage:
     python scripts/figure_numbers.py [results]

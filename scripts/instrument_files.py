@@ -2,12 +2,13 @@
 # requires-python = ">=3.10"
 # dependencies = ["numpy>=1.26"]
 # ///
-"""Makes the files of docs/how-to/from-instrument-files.md: what two instruments would have written of a known experiment.
+"""Makes the files of docs/how-to/from-instrument-files.md: what two instruments would write of a known experiment.
 
 Usage:
     uv run scripts/instrument_files.py [DIRECTORY]
 
 Friction is that of `stribeck curve` with 2 % of noise, moduli are those of a Prony series with 0.5 %.
+`isotherms.csv` has the same moduli at five temperatures, for docs/how-to/materials.md.
 Needs the program: the path in STRIBECK, or `stribeck`.
 """
 
@@ -22,6 +23,8 @@ import numpy as np
 
 # Moduli in MPa, times in s.
 RELAXED, TERMS = 3.0, [(1.5, 0.003), (1.0, 0.03), (0.5, 0.3)]
+# Of the shift with temperature, J/mol, and the gas constant.
+ACTIVATION, GAS = 80e3, 8.314462618
 VISCOSITY = "80 mPa s"
 RATIOS = [0.2, 1.0]
 READINGS = 6
@@ -32,11 +35,7 @@ def write_moduli(path):
     """Writes storage and loss modulus over the frequency, with semicolons and decimal commas."""
     lines = ["Frequency (Hz);Storage modulus (MPa);Loss modulus (MPa)"]
     for frequency in np.geomspace(0.01, 200, 27):
-        omega = 2 * np.pi * frequency
-        terms = [(modulus, omega * time) for modulus, time in TERMS]
-        storage = RELAXED + sum(modulus * z**2 / (1 + z**2) for modulus, z in terms)
-        loss = sum(modulus * z / (1 + z**2) for modulus, z in terms)
-        storage, loss = np.array([storage, loss]) * (1 + 0.005 * noise.standard_normal(2))
+        storage, loss = moduli(2 * np.pi * frequency) * (1 + 0.005 * noise.standard_normal(2))
         lines.append(f"{frequency:.5g};{storage:.5g};{loss:.5g}".replace(".", ","))
     path.write_text("\n".join(lines) + "\n")
 
@@ -80,12 +79,32 @@ def write_traction(path):
     path.write_bytes("\r\n".join(lines).encode("latin-1"))
 
 
+def moduli(omega):
+    """Storage and loss modulus in MPa of the rubber at a rate in rad/s."""
+    terms = [(modulus, omega * time) for modulus, time in TERMS]
+    storage = RELAXED + sum(modulus * z**2 / (1 + z**2) for modulus, z in terms)
+    return np.array([storage, sum(modulus * z / (1 + z**2) for modulus, z in terms)])
+
+
+def write_isotherms(path):
+    """Writes storage and loss modulus over the frequency at five temperatures, shifted by a law of Arrhenius."""
+    noise = np.random.default_rng(2023)
+    lines = ["Temperature (degC),Frequency (Hz),Storage modulus (MPa),Loss modulus (MPa)"]
+    for celsius in [-10, 0, 10, 20, 30]:
+        factor = np.exp(ACTIVATION / GAS * (1 / (celsius + 273.15) - 1 / 293.15))
+        for frequency in np.geomspace(0.1, 20, 9):
+            numbers = moduli(2 * np.pi * frequency * factor) * (1 + 0.005 * noise.standard_normal(2))
+            lines.append(f"{celsius},{frequency:.4g},{numbers[0]:.5g},{numbers[1]:.5g}")
+    path.write_text("\n".join(lines) + "\n")
+
+
 def main():
-    """Writes both files."""
+    """Writes all files."""
     directory = Path(sys.argv[1] if len(sys.argv) > 1 else "docs/how-to/instrument-files")
     directory.mkdir(parents=True, exist_ok=True)
     write_moduli(directory / "moduli.csv")
     write_traction(directory / "traction.txt")
+    write_isotherms(directory / "isotherms.csv")
 
 
 main()

@@ -133,7 +133,7 @@ class Film:
         return Film((self.alpha, beta, self.f), grid, (np.nan_to_num(p), u * thinner, self.separation, self.shift))
 
     def numbers(self):
-        """mu_v, mu_h, mu_drag and c, with what lies beyond the grid (section "Friction" of docs/explanation/theory.md)."""
+        """mu_v, mu_h, mu_drag and c, with what lies beyond the grid ("Friction" in docs/explanation/theory.md)."""
         h, u, dp = self.grid.h, self.u, np.diff(self.p)
         w = self.kernel @ self.p
         mu_v = -2 / np.pi * dp @ (w - w[-1])

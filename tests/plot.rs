@@ -283,7 +283,7 @@ fn the_figures_of_the_paper_can_be_drawn() {
         let drawn = directory.path().join(format!("results/{sweep}/figures/{picture}.{extension}"));
         assert!(drawn.is_file(), "{}", drawn.display());
         assert!(root.join(format!("docs/figures/{name}.{extension}")).is_file(), "{name}");
-        assert!(docs.contains(&format!("](figures/{name}.{extension})")), "{name} is not shown");
+        assert!(docs.contains(&format!("](../figures/{name}.{extension})")), "{name} is not shown");
         figures += 1;
     }
     assert_eq!(figures, 21);

@@ -186,8 +186,8 @@ fn units(scale: &'static str) -> String {
 
 #[test]
 fn columns_are_documented_as_they_are_declared() {
-    let mut page = "# Columns\n\n*Reference.* Every number in `results.h5`, `summary.csv` and `timings.csv`: its name, what it \
-                    is, and its unit. This page\nis made from the program; [output.md](output.md) tells how the files are \
+    let mut page = "# Columns\n\n*Reference.* Every number in `results.h5`, `summary.csv` and `timings.csv`: name, \
+                    meaning and unit. This page is made\nfrom the program; [output.md](output.md) tells how the files are \
                     laid out.\n\n\
                     A dimensionless number is *over* a scale: multiply it by that. a0 is the contact half-width of the \
                     relaxed dry contact,\nR the radius, N the load per length. Sweeps with `[laboratory]` are in SI units \

@@ -1,4 +1,4 @@
-"""Displacement of a viscoelastic half space by pressure that is linear between nodes: docs/explanation/theory.md, (T10), (T11)."""
+"""Displacement by pressure that is linear between nodes: (T10), (T11) of docs/explanation/theory.md."""
 
 import numpy as np
 from scipy.special import exp1, expi

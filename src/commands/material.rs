@@ -23,11 +23,12 @@ use stribeck_lab::{
 Examples:
   stribeck material docs/how-to/instrument-files/moduli.csv
   stribeck material docs/how-to/instrument-files/moduli.csv --terms 12 -o fit.svg
-  stribeck material docs/how-to/instrument-files/moduli.csv --shear --poisson-ratio 0.5 --json",
+  stribeck material docs/how-to/instrument-files/moduli.csv --shear --poisson-ratio 0.5 --json
+  stribeck material docs/how-to/instrument-files/isotherms.csv --reference-temperature 20degC",
     after_help = "\
 Prints the lines for a sweep file. The file is a table of moduli over frequency (storage and loss) or over time
-(relaxation), or a Prony series of Abaqus, Ansys or in a table, which is not fitted but converted. Moduli at several
-temperatures are shifted by --reference-temperature 20degC. Times of the terms are spread over the measured range; those
+(relaxation), at one temperature or several, or a Prony series of Abaqus, Ansys or in a table. A series is converted,
+not fitted. Times of the terms are spread over the measured range; those
 that the data do not ask for are dropped. docs/how-to/materials.md has more."
 )]
 pub struct Arguments {

@@ -17,7 +17,7 @@ Examples:
   stribeck publish results/quick --partial              what an interrupted run has so far",
     after_help = "\
 A run publishes by itself when all is solved. With --partial, places that are not solved yet have no numbers, the status
-failed and the reason `not solved yet`. The attribute `partial` of results.h5 says how many they are, and plot and report
+failed and the reason `not solved yet`. The attribute `partial` of results.h5 says how many they are; plot and report
 say so too. The run goes on as if nothing had been published, and replaces these files at its end."
 )]
 pub struct Arguments {

@@ -42,7 +42,11 @@ impl<'o> Results<'o> {
         for (field, rows) in &mut self.fields {
             let source = if point.follows_from_film(*field) { Field::FilmThickness } else { *field };
             match source.of(&entry.fields) {
-                Some(stored) => rows.extend(point.field_of(*field, &numbers, &self.output.x, stored.to_vec())),
+                Some(stored) => {
+                    let first = rows.len();
+                    rows.extend_from_slice(stored);
+                    point.placing(*field, &numbers).apply(&self.output.x, &mut rows[first..]);
+                }
                 None => rows.extend(self.output.x.iter().map(|_| f64::NAN)),
             }
         }

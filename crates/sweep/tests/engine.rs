@@ -47,8 +47,8 @@ fn never_panicked(_: &usize, message: &str) -> Vec<SolvedCase> {
 /// Commits the chains of a group one by one.
 fn each<E>(
     mut commit: impl FnMut(&usize, Vec<SolvedCase>) -> Result<(), E>,
-) -> impl FnMut(Vec<Finished<'_, usize>>) -> Result<(), E> {
-    move |group: Vec<Finished<'_, usize>>| {
+) -> impl FnMut(Vec<Finished<'_, usize, SolvedCase>>) -> Result<(), E> {
+    move |group: Vec<Finished<'_, usize, SolvedCase>>| {
         group.into_iter().try_for_each(|finished| commit(finished.chain, finished.cases))
     }
 }
@@ -195,7 +195,7 @@ fn a_writer_error_frees_solvers_that_wait_for_the_queue() {
         finished.fetch_add(1, Ordering::SeqCst);
         solve(chain, interrupt)
     };
-    let commit = |group: Vec<Finished<'_, usize>>| {
+    let commit = |group: Vec<Finished<'_, usize, SolvedCase>>| {
         while finished.load(Ordering::SeqCst) < group.len() + queue_length + 4 {
             thread::yield_now();
         }
@@ -257,7 +257,7 @@ fn a_slow_writer_holds_the_solvers_back() {
             cases
         };
         let (mut first, mut groups) = (true, Vec::new());
-        let commit = |group: Vec<Finished<'_, usize>>| {
+        let commit = |group: Vec<Finished<'_, usize, SolvedCase>>| {
             groups.push(group.len());
             let mut counts = in_flight.lock().expect("no panic");
             if std::mem::take(&mut first) {
@@ -283,7 +283,7 @@ fn a_slow_writer_holds_the_solvers_back() {
 fn short_chains_are_committed_in_few_groups() {
     let chains: Vec<usize> = (0..5000).collect();
     let mut groups = 0;
-    let commit = |_: Vec<Finished<'_, usize>>| {
+    let commit = |_: Vec<Finished<'_, usize, SolvedCase>>| {
         groups += 1;
         thread::sleep(Duration::from_millis(1));
         Ok::<_, Infallible>(())
@@ -304,7 +304,7 @@ fn chains_that_finish_while_the_writer_is_at_work_are_committed_together() {
         cases
     };
     let (mut committed, mut groups) = (0, Vec::new());
-    let commit = |group: Vec<Finished<'_, usize>>| {
+    let commit = |group: Vec<Finished<'_, usize, SolvedCase>>| {
         committed += group.len();
         groups.push(group.len());
         // The disk is slow: meanwhile the queue fills up, or nothing is left.
@@ -324,7 +324,7 @@ fn chains_wait_for_company_until_the_run_ends_or_is_interrupted() {
     let patient = || engine(2).with_queue(100).with_group_wait(Duration::from_secs(3600));
     let chains: Vec<usize> = (0..40).collect();
     let mut groups = Vec::new();
-    let commit = |group: Vec<Finished<'_, usize>>| {
+    let commit = |group: Vec<Finished<'_, usize, SolvedCase>>| {
         groups.push(group.len());
         Ok::<_, Infallible>(())
     };
@@ -340,7 +340,7 @@ fn chains_wait_for_company_until_the_run_ends_or_is_interrupted() {
         solve(&chain, interrupt)
     };
     let mut committed = 0;
-    let commit = |group: Vec<Finished<'_, usize>>| {
+    let commit = |group: Vec<Finished<'_, usize, SolvedCase>>| {
         committed += group.len();
         Ok::<_, Infallible>(())
     };
@@ -358,7 +358,7 @@ fn a_finished_chain_does_not_wait_for_a_slow_one() {
         }
         solve(&chain, interrupt)
     };
-    let commit = |group: Vec<Finished<'_, usize>>| {
+    let commit = |group: Vec<Finished<'_, usize, SolvedCase>>| {
         committed.fetch_add(group.len(), Ordering::SeqCst);
         Ok::<_, Infallible>(())
     };

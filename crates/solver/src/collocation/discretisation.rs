@@ -96,6 +96,11 @@ impl Discretisation {
         0..(self.mesh.behind.len() - 1) * self.reference.degree
     }
 
+    /// The rows of the ends of the film's panels, the outlet first.
+    pub fn ends_of_film(&self) -> Range<usize> {
+        self.outlet()..self.outlet() + self.mesh.film.len()
+    }
+
     /// The row of the outlet.
     pub fn outlet(&self) -> usize {
         self.film().end
@@ -171,28 +176,4 @@ pub fn film_points<'a>(reference: &'a ReferencePanel, mesh: &'a Mesh) -> impl Do
         let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
         reference.points.iter().map(move |t| centre + half * t)
     })
-}
-
-impl Discretisation {
-    /// e (T7) at any places from p at the nodes.
-    pub fn elastic_at(&self, pressure: &[f64], places: &[f64]) -> Vec<f64> {
-        let (degree, size) = (self.reference.degree, self.reference.degree + 1);
-        let mut displacement = vec![0.0; places.len()];
-        let (mut coefficients, mut moments) = ([0.0; MOST_MOMENTS], [[0.0; LANES]; MOST_MOMENTS]);
-        for (panel, ends) in self.mesh.film.windows(2).enumerate() {
-            let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-            let nodes = &pressure[panel * degree..panel * degree + size];
-            self.reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
-            for (e, y) in displacement.chunks_mut(LANES).zip(places.chunks(LANES)) {
-                // a last block that is not full is filled with its first place
-                let block = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
-                log_moments_together(&block, &mut moments[..size]);
-                for (lane, e) in e.iter_mut().enumerate() {
-                    let sum: f64 = coefficients[..size].iter().zip(&moments).map(|(a, moment)| a * moment[lane]).sum();
-                    *e += half / PI * (sum + 2.0 * half.ln() * coefficients[0]);
-                }
-            }
-        }
-        displacement
-    }
 }

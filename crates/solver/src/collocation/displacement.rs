@@ -9,7 +9,7 @@ use super::inlet::Inlet;
 use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::{ReferencePanel, dot};
-use super::retardation::RetardationFilter;
+use super::retardation::{RetardationFilter, far_field};
 use super::retardation_derivatives::FilterDerivatives;
 use super::timings::{Timings, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
@@ -138,30 +138,31 @@ impl Displacement {
     /// w of the load ahead of the mesh, which is so far away that it displaces all of the contact alike: it is a part
     /// of h₀ and w that no film knows of. The pressure ahead falls as x⁻³.
     pub fn of_load_ahead(&self, inlet: &Inlet) -> f64 {
-        let kernel = |x: f64| {
-            let retarded = self.filters.iter().map(|(weight, filter)| weight * retarded_mode(filter.alpha(), x));
-            self.elastic_weight * x.abs().ln() + retarded.sum::<f64>()
-        };
-        inlet.load / PI * gauss::mean(0.0, 1.0, |t| 2.0 * t * kernel(-inlet.start / t))
+        inlet.load / PI * gauss::mean(0.0, 1.0, |t| 2.0 * t * self.kernel(-inlet.start / t))
     }
 
-    /// w at any places from p at the nodes.
-    pub fn interpolate(&self, pressure: &[f64], places: &[f64]) -> Vec<f64> {
+    /// w less w(0) at all rows, from p at the nodes.
+    pub fn on_rows(&self, pressure: &[f64]) -> Vec<f64> {
         let discretisation = &self.discretisation;
-        let mut displacement = discretisation.elastic_at(pressure, places);
-        for w in &mut displacement {
-            *w *= self.elastic_weight;
-        }
-        if !self.filters.is_empty() {
-            let mut e = vec![0.0; discretisation.points.len()];
-            discretisation.elastic.multiply_rows(0, pressure, &mut e);
-            for (weight, filter) in &self.filters {
-                let retarded = filter.interpolate(discretisation, &e, pressure, places);
-                for (w, v) in displacement.iter_mut().zip(retarded) {
-                    *w += weight * v;
-                }
+        let mut e = vec![0.0; discretisation.points.len()];
+        discretisation.elastic.multiply_rows(0, pressure, &mut e);
+        let mut displacement: Vec<f64> = e.iter().map(|e| self.elastic_weight * e).collect();
+        for (weight, filter) in &self.filters {
+            for (w, v) in displacement.iter_mut().zip(filter.on_rows(discretisation, &e, pressure)) {
+                *w += weight * v;
             }
         }
         displacement
+    }
+
+    /// w at a place beyond either end of the mesh, from p at the nodes.
+    pub fn beyond(&self, pressure: &[f64], y: f64) -> f64 {
+        dot(&far_field(&self.discretisation, y, |x| self.kernel(x)), pressure)
+    }
+
+    /// π times the displacement of a load of 1 from x to the right of it, but for a constant (T9).
+    fn kernel(&self, x: f64) -> f64 {
+        let retarded = self.filters.iter().map(|(weight, filter)| weight * retarded_mode(filter.alpha(), x));
+        self.elastic_weight * x.abs().ln() + retarded.sum::<f64>()
     }
 }

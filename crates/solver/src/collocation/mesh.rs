@@ -17,6 +17,9 @@ pub struct Mesh {
     pub growth: f64,
 }
 
+/// So many times as long as its place asks for the last panel behind the outlet may be, so that none is a scrap.
+const LAST: f64 = 1.3;
+
 impl Mesh {
     /// A mesh with these ends of panels ahead of the outlet. Behind it panels grow from the size of the first one in
     /// geometric progression, by the factor `growth`, until they reach as far.
@@ -25,7 +28,7 @@ impl Mesh {
         let mut behind = vec![0.0];
         let (mut size, mut at) = (first, 0.0);
         while at < reach {
-            at = if at + (1.0 + growth) * size > reach { reach } else { at + size };
+            at = if at + LAST * size > reach { reach } else { at + size };
             behind.push(-at);
             size *= growth;
         }

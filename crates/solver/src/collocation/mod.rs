@@ -18,7 +18,8 @@
 //! | `adaptation.rs` | where panels are wanted |
 //! | `estimate.rs`, `bounds.rs`, `acceptance.rs` | how large the errors are, and whether the solution is accepted |
 //! | `parts.rs`, `truncation.rs` | sources of error: panels, and what lies beyond the mesh |
-//! | `quantities.rs`, `fields.rs` | the numbers and the fields of a solution |
+//! | `quantities.rs` | the numbers of a solution |
+//! | `gap.rs`, `fields.rs` | film and surface between the points, and the fields of a solution |
 //! | `sensitivity.rs`, `adjoint.rs` | derivatives of friction with respect to α, β and f |
 //! | `friction_partials.rs`, `inlet_partials.rs` | partial derivatives of friction with respect to the unknowns |
 //! | `substrate_derivatives.rs`, `retardation_derivatives.rs` | derivatives of w with respect to α and f |
@@ -38,6 +39,7 @@ mod factorisation;
 mod fields;
 mod fixed_panels;
 mod friction_partials;
+mod gap;
 mod inlet;
 mod inlet_partials;
 mod legendre;
@@ -71,4 +73,4 @@ pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 3;
+pub const RESULTS_VERSION: u32 = 4;

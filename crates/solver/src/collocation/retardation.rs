@@ -1,12 +1,12 @@
 //! The retarded displacement of one mode: a filter that runs from right to left (T8).
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use super::discretisation::Discretisation;
 use super::exponential_moments::{exponential_moment_derivatives, exponential_moments};
 use super::log_moments::MOST_MOMENTS;
 use super::matrix::Matrix;
-use super::mesh::locate;
 use super::reference::{ReferencePanel, dot};
 use crate::model::retarded_mode;
 
@@ -224,61 +224,59 @@ impl RetardationFilter {
 
     /// v − v(0) at the Gauss points behind the outlet; `e` as above, and `outlet` is v(0) − e(0).
     pub fn behind(&self, discretisation: &Discretisation, e: &[f64], outlet: f64) -> Vec<f64> {
-        let degree = discretisation.reference.degree;
-        let mut values = vec![0.0; discretisation.behind().len()];
-        // constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the
-        // outlet
-        let mut relative = vec![0.0; degree];
-        let mut handed_on = 0.0;
-        for (index, values) in values.chunks_exact_mut(degree).enumerate().rev() {
-            let filter = &self.panels[index];
-            let (on_panel, ends) = discretisation.on_panel(e, index);
-            for (relative, e) in relative.iter_mut().zip(on_panel) {
-                *relative = e - outlet;
-            }
-            let ends = ends.map(|e| e - outlet);
-            let at = |i: usize| filter.decay[i] * handed_on + filter.displacement.apply(i, &relative, ends);
-            for (i, value) in values.iter_mut().enumerate() {
-                *value = at(i);
-            }
-            handed_on = at(degree);
-        }
+        let mut values = vec![0.0; e.len()];
+        self.behind_on_rows(discretisation, e, outlet, &mut values);
+        values.truncate(discretisation.behind().len());
         values
     }
 
-    /// v at any places of one solution; `e` and `pressure` as above.
-    pub fn interpolate(
+    /// v − v(0) at all rows; `e` and `pressure` as above.
+    pub fn on_rows(&self, discretisation: &Discretisation, e: &[f64], pressure: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; e.len()];
+        let ahead = dot(&self.ahead, pressure);
+        let behind = discretisation.mesh.behind.len() - 1;
+        // relative to e(0) first: v(0) is what comes out at the outlet
+        self.run(discretisation, e, behind..self.panels.len(), (ahead, 0.0), &mut values);
+        let outlet = values[discretisation.outlet()];
+        for row in discretisation.film().chain(discretisation.ends_of_film()) {
+            values[row] -= outlet;
+        }
+        self.behind_on_rows(discretisation, e, outlet, &mut values);
+        values
+    }
+
+    /// Constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the outlet.
+    fn behind_on_rows(&self, discretisation: &Discretisation, e: &[f64], outlet: f64, values: &mut [f64]) {
+        self.run(discretisation, e, 0..discretisation.mesh.behind.len() - 1, (0.0, outlet), values);
+    }
+
+    /// Runs the filter over panels from right to left with e − `origin` in it and `handed_on` at the right end; v −
+    /// `origin` goes to the rows of their Gauss points and ends.
+    fn run(
         &self,
         discretisation: &Discretisation,
         e: &[f64],
-        pressure: &[f64],
-        places: &[f64],
-    ) -> Vec<f64> {
-        let (mesh, reference) = (&discretisation.mesh, &discretisation.reference);
-        let degree = reference.degree;
-        let e_outlet = dot(&discretisation.elastic_at_outlet, pressure);
-        let mut at_right = vec![0.0; self.panels.len()];
-        let mut right = dot(&self.ahead, pressure);
-        for (index, filter) in self.panels.iter().enumerate().rev() {
-            at_right[index] = right;
-            let (e, e_ends) = discretisation.on_panel(e, index);
-            right = filter.decay[degree] * right + filter.displacement.apply(degree, e, e_ends);
-        }
-        let ends: Vec<f64> = mesh.behind.iter().chain(&mesh.film[1..]).copied().collect();
-        let (mut weights, mut moments) = (vec![0.0; degree], [0.0; MOST_MOMENTS]);
-        let at = |&y: &f64| {
-            if y < ends[0] || y > mesh.reach() {
-                return dot(&far_field(discretisation, y, |x| retarded_mode(self.alpha, x)), pressure);
+        panels: Range<usize>,
+        (mut handed_on, origin): (f64, f64),
+        values: &mut [f64],
+    ) {
+        let degree = discretisation.reference.degree;
+        let mut relative = vec![0.0; degree];
+        values[discretisation.ends(panels.end - 1).1] = handed_on;
+        for index in panels.rev() {
+            let filter = &self.panels[index];
+            let (on_panel, ends) = discretisation.on_panel(e, index);
+            for (relative, e) in relative.iter_mut().zip(on_panel) {
+                *relative = e - origin;
             }
-            let (panel, t) = locate(&ends, y);
-            let kappa = 0.5 * self.alpha * (ends[panel + 1] - ends[panel]);
-            let (e, e_ends) = discretisation.on_panel(e, panel);
-            exponential_moments(kappa, t, &mut moments[..degree + 2]);
-            let [left, right] = response(reference, &moments, &mut weights);
-            let handed_on = (-kappa * (1.0 - t)).exp() * at_right[panel];
-            e_outlet + handed_on + dot(&weights, e) + left * e_ends[0] + right * e_ends[1]
-        };
-        places.iter().map(at).collect()
+            let ends = ends.map(|e| e - origin);
+            let at = |i: usize| filter.decay[i] * handed_on + filter.displacement.apply(i, &relative, ends);
+            for (i, value) in values[index * degree..(index + 1) * degree].iter_mut().enumerate() {
+                *value = at(i);
+            }
+            handed_on = at(degree);
+            values[discretisation.ends(index).0] = handed_on;
+        }
     }
 }
 
@@ -391,9 +389,16 @@ mod tests {
                 let bound = if y < 0.0 { 1e-9 * (1.0 + y * y) } else { 1e-10 };
                 assert!((v[row] + v_outlet - exact).abs() < bound, "α {alpha}, y {y}: {} {exact}", v[row]);
             }
-            let places = [-300.0, -0.33, 0.017, 0.9, 2.0, 77.0];
-            let interpolated = filter.interpolate(&discretisation, &e, &nodes, &places);
-            for (y, v) in places.into_iter().zip(interpolated) {
+            let on_rows = filter.on_rows(&discretisation, &e, &nodes);
+            let ends = 0..discretisation.mesh.panels() + discretisation.mesh.behind.len() - 1;
+            for row in ends.map(|panel| discretisation.ends(panel).0).chain(0..discretisation.film().end) {
+                let y = discretisation.points[row];
+                let exact = by_kernel(&discretisation, &nodes, alpha, y);
+                let bound = if y < 0.0 { 1e-9 * (1.0 + y * y) } else { 1e-10 };
+                assert!((on_rows[row] + v_outlet - exact).abs() < bound, "α {alpha}, y {y}: {} {exact}", on_rows[row]);
+            }
+            for y in [-300.0, 77.0] {
+                let v = dot(&far_field(&discretisation, y, |x| retarded_mode(alpha, x)), &nodes);
                 let exact = by_kernel(&discretisation, &nodes, alpha, y);
                 assert!((v - exact).abs() < 1e-10, "α {alpha}, y {y}: {v} {exact}");
             }

@@ -109,7 +109,7 @@ pub fn run(
         (Ending::Completed, Some(part)) => Ok(RunOutcome::PartSolved { part, done: survey(&store) }),
         (Ending::Completed, None) => {
             observe(Event::Publishing);
-            publish(sweep, &plan, &mut store).map(RunOutcome::Published)
+            engine.install(|| publish(sweep, &plan, &mut store)).map(RunOutcome::Published)
         }
     });
     let outcome = match ended {

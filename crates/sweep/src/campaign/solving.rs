@@ -6,10 +6,10 @@ use std::time::Duration;
 
 use super::entry::{case_entry, panicked};
 use super::{CampaignError, Event, Observer, Pending};
-use crate::engine::{Engine, Finished, Report};
-use crate::store::{CaseEntry, Ending, Status, Store, StoreError};
+use crate::engine::{Engine, Finished, Report, Solved};
+use crate::store::{CaseEntry, Contents, Ending, PackedCase, Status, Store, StoreError};
 use crate::{CaseId, Field, MAX_CHAIN, Part, Plan, Sweep};
-use stribeck_solver::{Interrupt, Output, Parameters, Solver};
+use stribeck_solver::{Interrupt, Output, Parameters, SolvedCase, Solver};
 
 /// Finished chains that may wait to be written, for each thread: some tenths of a second where chains are quick.
 const WAITING_CHAINS: usize = 8;
@@ -70,17 +70,18 @@ impl Solving<'_> {
     ) -> Result<Report, StoreError> {
         let solver = Solver::new(&self.sweep.solver_settings());
         let output = &self.sweep.output;
+        let contents = Contents::of(output);
+        let pack = |index, cases| self.packed_missing(index, cases, &contents);
         engine.run(
             &self.pending.chains,
             self.interrupt,
-            |&index, interrupt| solver.solve_chain(&self.cases(index), interrupt),
-            |&index, message| panicked(&self.cases(index), output, message),
+            |&index, interrupt| Ok(pack(index, solver.solve_chain(&self.cases(index), interrupt)?)),
+            |&index, message| pack(index, panicked(&self.cases(index), output, message)),
             |group| {
-                let entries: Vec<CaseEntry> =
-                    group.into_iter().flat_map(|finished| self.missing_entries(finished)).collect();
-                store.commit(&entries)?;
-                let converged = entries.iter().filter(|entry| entry.outcome == Status::Converged).count() as u64;
-                observe(Event::Committed { converged, failed: entries.len() as u64 - converged });
+                let cases: Vec<PackedCase> = group.into_iter().flat_map(|finished| finished.cases).collect();
+                store.commit_packed(&cases)?;
+                let converged = cases.iter().filter(|case| case.is_converged()).count() as u64;
+                observe(Event::Committed { converged, failed: cases.len() as u64 - converged });
                 Ok(())
             },
         )
@@ -94,12 +95,17 @@ impl Solving<'_> {
 
     /// What is stored of a finished chain. Cases that are stored already seeded the others; they keep the bytes they
     /// have.
-    fn missing_entries(&self, finished: Finished<'_, u32>) -> Vec<CaseEntry> {
-        let index = *finished.chain;
+    fn packed_missing(&self, index: u32, cases: Vec<SolvedCase>, contents: &Contents) -> Vec<PackedCase> {
         let chain = self.plan.parameters(&self.plan.chain(index as usize));
-        let solved = self.pending.places(self.plan, index).into_iter().zip(finished.cases);
+        let solved = self.pending.places(self.plan, index).into_iter().zip(cases);
         let missing = solved.filter(|(place, _)| self.pending.is_missing(index, *place));
-        missing.map(|(place, case)| case_entry(self.plan, &chain[place], case)).collect()
+        missing.map(|(place, case)| PackedCase::new(case_entry(self.plan, &chain[place], case), contents)).collect()
+    }
+}
+
+impl Solved for PackedCase {
+    fn is_converged(&self) -> bool {
+        self.entry().outcome == Status::Converged
     }
 }
 

@@ -9,7 +9,7 @@ mod signals;
 mod tally;
 
 pub use pool::solver_threads;
-pub use pool::{Engine, Finished, Report, ThreadsError};
+pub use pool::{Engine, Finished, Report, Solved, ThreadsError};
 pub(crate) use pool::{GROUP_CASES, GROUP_WAIT};
 pub use progress::{Progress, ProgressStyle};
 pub use signals::{Signals, StopSignal};

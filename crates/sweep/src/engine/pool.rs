@@ -47,13 +47,25 @@ pub struct Report {
     pub interrupted: bool,
 }
 
+/// What comes of a case.
+pub trait Solved: Send {
+    /// True if it converged.
+    fn is_converged(&self) -> bool;
+}
+
+impl Solved for SolvedCase {
+    fn is_converged(&self) -> bool {
+        self.outcome.is_ok()
+    }
+}
+
 /// A finished chain.
 #[derive(Debug)]
-pub struct Finished<'a, C> {
+pub struct Finished<'a, C, S> {
     /// The chain.
     pub chain: &'a C,
     /// What came of its cases.
-    pub cases: Vec<SolvedCase>,
+    pub cases: Vec<S>,
     /// Its place among the chains.
     place: usize,
     panicked: bool,
@@ -82,6 +94,11 @@ impl Engine {
         Self { group_wait, ..self }
     }
 
+    /// Does work on the threads of the engine, between runs.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
+    }
+
     /// Number of finished chains that may wait for the writer in its queue.
     ///
     /// Besides these, each solver thread may hold one that does not fit, and the writer in the group it commits as many
@@ -93,7 +110,8 @@ impl Engine {
 
     /// Solves `chains`, started in their order, and commits them soon after they finish, in groups.
     ///
-    /// - `solve` is called once for each chain, on a solver thread. It gives up with [`Interrupted`] soon after
+    /// - `solve` is called once for each chain, on a solver thread. What else is to be done with its cases before they
+    ///   are written, it does there. It gives up with [`Interrupted`] soon after
     ///   `interrupt` is requested; what it finished nevertheless is committed.
     /// - `panicked` makes failed cases of a chain whose solver panicked, from the message of the panic. They are
     ///   committed like any others, and the other chains go on.
@@ -104,13 +122,13 @@ impl Engine {
     /// # Errors
     /// The first error of `commit`. It ends the run: `interrupt` is requested so that solvers at work give up, and no
     /// chain is started or committed after it.
-    pub fn run<C: Sync, E>(
+    pub fn run<C: Sync, S: Solved, E>(
         &self,
         chains: &[C],
         interrupt: &Interrupt,
-        solve: impl Fn(&C, &Interrupt) -> Result<Vec<SolvedCase>, Interrupted> + Sync,
-        panicked: impl Fn(&C, &str) -> Vec<SolvedCase> + Sync,
-        mut commit: impl FnMut(Vec<Finished<'_, C>>) -> Result<(), E>,
+        solve: impl Fn(&C, &Interrupt) -> Result<Vec<S>, Interrupted> + Sync,
+        panicked: impl Fn(&C, &str) -> Vec<S> + Sync,
+        mut commit: impl FnMut(Vec<Finished<'_, C, S>>) -> Result<(), E>,
     ) -> Result<Report, E> {
         // Rayon gives no order among its jobs and lets a waiting job steal another. So its jobs are not the chains but
         // one loop for each thread, and the loops share a counter.
@@ -139,7 +157,7 @@ impl Engine {
             while let Some(group) = next_group(&receiver, self.queue_length, self.group_wait) {
                 let mut after = report;
                 for Finished { cases, panicked, .. } in &group {
-                    let converged = cases.iter().filter(|case| case.outcome.is_ok()).count();
+                    let converged = cases.iter().filter(|case| case.is_converged()).count();
                     after.converged += converged;
                     after.failed += cases.len() - converged;
                     after.panicked_chains += usize::from(*panicked);
@@ -164,11 +182,11 @@ pub fn solver_threads(threads: NonZeroUsize) -> Result<rayon::ThreadPool, Thread
 }
 
 /// The chains to commit next, in their order; `None` when all solver threads have ended and nothing is left.
-fn next_group<'a, C>(
-    finished: &Receiver<Finished<'a, C>>,
+fn next_group<'a, C, S>(
+    finished: &Receiver<Finished<'a, C, S>>,
     most: usize,
     wait: Duration,
-) -> Option<Vec<Finished<'a, C>>> {
+) -> Option<Vec<Finished<'a, C, S>>> {
     let first = finished.recv().ok()?;
     let end = Instant::now() + wait;
     let mut cases = first.cases.len();
@@ -184,12 +202,12 @@ fn next_group<'a, C>(
 }
 
 /// Solves one chain and turns a panic of its solver into failed cases; true if there was one.
-fn solve_one<C>(
+fn solve_one<C, S>(
     chain: &C,
     interrupt: &Interrupt,
-    solve: impl Fn(&C, &Interrupt) -> Result<Vec<SolvedCase>, Interrupted>,
-    panicked: impl Fn(&C, &str) -> Vec<SolvedCase>,
-) -> Result<(Vec<SolvedCase>, bool), Interrupted> {
+    solve: impl Fn(&C, &Interrupt) -> Result<Vec<S>, Interrupted>,
+    panicked: impl Fn(&C, &str) -> Vec<S>,
+) -> Result<(Vec<S>, bool), Interrupted> {
     // Nothing of a solver outlives its chain, so nothing half-changed is seen after the panic.
     match catch_unwind(AssertUnwindSafe(|| solve(chain, interrupt))) {
         Ok(cases) => Ok((cases?, false)),

@@ -1,6 +1,6 @@
 //! Dimension scales: which coordinate belongs to which dimension of a data set.
 //!
-//! They are part of HDF5's high-level library, which the `hdf5` crate does not wrap. This file and
+//! They are part of HDF5's high-level library, which the `hdf5` crate does not wrap. This file, `chunks` and
 //! `hdf5_environment` are the only ones with `unsafe` code; the crate denies it elsewhere.
 
 #![allow(unsafe_code)]

@@ -1,12 +1,18 @@
-//! A field of `results.h5`, written in blocks of neighbouring places.
+//! The fields of `results.h5`, written in blocks of neighbouring places.
 //!
 //! A block is what is compressed together, and what a reader has to read for one number of it. Blocks lie along the last
 //! dimension and have about a megabyte: many more and smaller ones cost those who go through a data set in pieces far
 //! more time than its bytes do.
 
-use hdf5::{Dataset, Hyperslab, Result, SliceOrIndex};
-use ndarray::ArrayView2;
+use std::sync::Arc;
 
+use hdf5::Result;
+use rayon::prelude::*;
+
+use super::chunks::Chunks;
+use super::packed::{Effort, Packed};
+use super::placed::Placing;
+use crate::Field;
 use crate::grid_index::indices;
 
 /// About so many bytes has a block.
@@ -18,54 +24,99 @@ pub(super) fn places_in_block(length: usize, width: usize) -> usize {
     length.div_ceil(length.div_ceil(most).max(1)).max(1)
 }
 
-/// A field while it is written, place after place.
+/// Packed values of blocks that wait to be written together: so many are unpacked and packed again in parallel.
+const AT_ONCE: usize = 1 << 22;
+
+/// The fields of a publication while they are written, place after place.
 pub(super) struct FieldBlocks {
-    variable: Dataset,
+    /// The fields, with their chunks, which are the blocks.
+    fields: Vec<(Field, Chunks)>,
     /// Lengths of the dimensions, without x.
     shape: Vec<usize>,
-    /// Values of a place.
-    width: usize,
+    /// Where the fields are given.
+    x: Arc<[f64]>,
     /// Places of a block.
     places: usize,
-    /// The block at work: its first place, and its values.
-    block: Option<(usize, Vec<f64>)>,
+    /// The blocks that wait; the last one may not be whole.
+    waiting: Vec<Block>,
+}
+
+/// A block of neighbouring places, with what is there of their fields.
+struct Block {
+    first: usize,
+    /// Of each place that has fields: the place, and each field in the order of the publication.
+    sources: Vec<(usize, Vec<FieldSource>)>,
+}
+
+/// A stored field, and what makes it the one of its place.
+pub(super) struct FieldSource {
+    /// As the shard has it.
+    pub stored: Packed,
+    /// What is done with it.
+    pub placing: Placing,
 }
 
 impl FieldBlocks {
-    /// A field without values yet.
-    pub(super) fn new(variable: Dataset, shape: &[usize], width: usize) -> Self {
-        let length = shape.last().copied().unwrap_or(1);
-        let places = places_in_block(length, width);
-        Self { variable, shape: shape.to_vec(), width, places, block: None }
+    /// Fields without values yet.
+    pub(super) fn new(fields: Vec<(Field, Chunks)>, shape: &[usize], x: &Arc<[f64]>) -> Self {
+        let places = places_in_block(shape.last().copied().unwrap_or(1), x.len());
+        Self { fields, shape: shape.to_vec(), x: Arc::clone(x), places, waiting: Vec::new() }
     }
 
-    /// Takes the values of a place; places come in their order, the last dimension fastest. Those left out are NaN.
-    pub(super) fn write(&mut self, place: usize, values: &[f64]) -> Result<()> {
-        let length = self.shape.last().copied().unwrap_or(1);
-        let along = place % length;
-        let first = place - along % self.places;
-        if self.block.as_ref().is_none_or(|(at, _)| *at != first) {
-            self.flush()?;
-            let places = self.places.min(length - along / self.places * self.places);
-            self.block = Some((first, vec![f64::NAN; places * self.width]));
+    /// The fields.
+    pub(super) fn fields(&self) -> impl Iterator<Item = Field> {
+        self.fields.iter().map(|(field, _)| *field)
+    }
+
+    /// Takes the fields of a place, in the order of [`FieldBlocks::fields`]; places come in their order, the last
+    /// dimension fastest. Those left out are NaN.
+    pub(super) fn write(&mut self, place: usize, sources: Vec<FieldSource>) -> Result<()> {
+        if sources.len() != self.fields.len() {
+            return Err(format!("a place has {} fields, not {}", sources.len(), self.fields.len()).into());
         }
-        if let Some((_, block)) = &mut self.block {
-            block[(place - first) * self.width..][..self.width].copy_from_slice(values);
+        let length = self.shape.last().copied().unwrap_or(1);
+        let first = place - place % length % self.places;
+        if self.waiting.last().is_none_or(|block| block.first != first) {
+            let values = self.places * self.x.len() * self.fields.len();
+            if self.waiting.len() * values >= AT_ONCE {
+                self.flush()?;
+            }
+            self.waiting.push(Block { first, sources: Vec::new() });
+        }
+        if let Some(block) = self.waiting.last_mut() {
+            block.sources.push((place, sources));
         }
         Ok(())
     }
 
-    /// Writes the block at work to the file.
+    /// Writes the blocks that wait to the file. The threads at hand pack them; their bytes do not depend on those.
     pub(super) fn flush(&mut self) -> Result<()> {
-        let Some((first, values)) = self.block.take() else { return Ok(()) };
-        let rows = values.len() / self.width;
-        let mut selection: Vec<SliceOrIndex> =
-            indices(self.shape.iter().copied(), first).into_iter().map(SliceOrIndex::Index).collect();
-        if let Some(SliceOrIndex::Index(start)) = selection.pop() {
-            selection.push(SliceOrIndex::SliceCount { start, step: 1, count: rows, block: 1 });
+        let blocks = std::mem::take(&mut self.waiting);
+        let tasks: Vec<(&Block, usize)> =
+            blocks.iter().flat_map(|block| (0..self.fields.len()).map(move |field| (block, field))).collect();
+        let (places, x) = (self.places, &*self.x);
+        let packed: Vec<Packed> =
+            tasks.par_iter().map(|(block, field)| block.packed(*field, places, x)).collect::<Result<_>>()?;
+        for ((block, field), packed) in tasks.into_iter().zip(packed) {
+            let mut at = indices(self.shape.iter().copied(), block.first);
+            at.push(0);
+            self.fields[field].1.write(&at, &packed)?;
         }
-        selection.push(SliceOrIndex::SliceCount { start: 0, step: 1, count: self.width, block: 1 });
-        self.variable.write_slice(ArrayView2::from_shape((rows, self.width), &values)?, Hyperslab::from(selection))
+        Ok(())
+    }
+}
+
+impl Block {
+    /// A field of so many places from the first one on. What is beyond the end of the last dimension is NaN as well.
+    fn packed(&self, field: usize, places: usize, x: &[f64]) -> Result<Packed> {
+        let mut values = vec![f64::NAN; places * x.len()];
+        for (place, sources) in &self.sources {
+            let FieldSource { stored, placing } = &sources[field];
+            let mut stored = stored.unpack()?;
+            placing.apply(x, &mut stored);
+            values[(place - self.first) * x.len()..][..x.len()].copy_from_slice(&stored);
+        }
+        Ok(Packed::new(&values, Effort::Small))
     }
 }
 

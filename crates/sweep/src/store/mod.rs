@@ -19,6 +19,7 @@
 //! data set and column is described in `docs/reference/output.md`.
 
 mod catalog;
+mod chunks;
 mod claims;
 mod contents;
 mod damage;
@@ -37,6 +38,8 @@ mod index;
 mod joining;
 mod log;
 mod open_shards;
+mod packed;
+mod packed_case;
 mod placed;
 mod publication;
 mod publish;
@@ -63,7 +66,8 @@ pub use further_columns::{AVERAGES, FurtherColumn, columns as further_columns};
 pub use hdf5_environment::initialise as initialise_hdf5;
 pub use history::{Beginning, History, Start};
 pub use joining::{Agreement, Joined};
-pub use placed::PlacedNumbers;
+pub use packed_case::PackedCase;
+pub use placed::{PlacedNumbers, Placing};
 pub use publication::{Point, Publication};
 pub use publish::Published;
 pub use record::Ending;

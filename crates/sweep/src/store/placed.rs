@@ -62,19 +62,35 @@ impl Point {
         field == Field::ShearTraction && self.slide_roll != 1.0
     }
 
-    /// A field of its case with these numbers, from the stored one over x, or from the film if it
-    /// [follows](Point::follows_from_film) from that.
-    pub fn field_of(&self, field: Field, numbers: &PlacedNumbers, x: &[f64], mut stored: Vec<f64>) -> Vec<f64> {
-        if self.follows_from_film(field) {
-            for (value, &x) in stored.iter_mut().zip(x) {
-                *value = shear_traction(&numbers.lubricant, x, *value, self.slide_roll);
+    /// What makes a field of this place of the stored one, or of the film if it [follows](Point::follows_from_film) from
+    /// that.
+    pub fn placing(&self, field: Field, numbers: &PlacedNumbers) -> Placing {
+        let shear = self.follows_from_film(field).then_some((numbers.lubricant, self.slide_roll));
+        let factor = self.experiment.map(|experiment| experiment.scales().factor(field.units()));
+        Placing { shear, factor }
+    }
+}
+
+/// What makes a field of a place of a stored one.
+#[derive(Clone, Copy, Debug)]
+pub struct Placing {
+    /// The film becomes the shear at this slide-to-roll ratio.
+    shear: Option<(Lubricant, f64)>,
+    /// The unit of the place.
+    factor: Option<f64>,
+}
+
+impl Placing {
+    /// Does it to values over x.
+    pub fn apply(&self, x: &[f64], values: &mut [f64]) {
+        if let Some((lubricant, slide_roll)) = &self.shear {
+            for (value, &x) in values.iter_mut().zip(x) {
+                *value = shear_traction(lubricant, x, *value, *slide_roll);
             }
         }
-        if let Some(experiment) = &self.experiment {
-            let factor = experiment.scales().factor(field.units());
-            stored.iter_mut().for_each(|value| *value *= factor);
+        if let Some(factor) = self.factor {
+            values.iter_mut().for_each(|value| *value *= factor);
         }
-        stored
     }
 }
 

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::claims::{Inspection, LastPublished, fault};
 use super::contents::field_names;
 use super::directory::PUBLISHED;
+use super::field_blocks::FieldSource;
 use super::files::Staged;
 use super::further_columns;
 use super::open_shards::OpenShards;
@@ -207,19 +208,19 @@ impl<'a> Files<'a> {
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
         let sensitivities = if output.sensitivities { reader.sensitivities(case) } else { None };
         let numbers = point.numbers_of(&reader.values(case), sensitivities.as_ref(), swapped.as_ref(), output);
-        let mut fields = Vec::new();
-        for field in Field::selected(output.fields) {
+        let mut sources = Vec::new();
+        for field in self.results.fields().fields() {
             let source = if point.follows_from_film(field) { Field::FilmThickness } else { field };
-            if let Some(stored) = reader.field(source, case)? {
-                fields.push((field, point.field_of(field, &numbers, &output.x, stored)));
+            if let Some(stored) = reader.packed_field(source, case)? {
+                sources.push(FieldSource { stored, placing: point.placing(field, &numbers) });
             }
         }
         let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status, reason, values, more, notes };
         self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
-        for (field, values) in fields {
-            let written = self.results.field(field, at, &values);
+        if !sources.is_empty() {
+            let written = self.results.fields().write(at, sources);
             written.map_err(StoreError::hdf5(self.results_path, "write"))?;
         }
         Ok(place)

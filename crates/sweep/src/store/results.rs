@@ -7,6 +7,7 @@ use hdf5::types::VarLenUnicode;
 use hdf5::{Dataset, H5Type, Hyperslab, Result, SliceOrIndex};
 use ndarray::{Array2, arr0};
 
+use super::chunks::Chunks;
 use super::dimension_scales::{attach, make_scale};
 use super::field_blocks::{FieldBlocks, places_in_block};
 use super::further_columns::FurtherColumn;
@@ -46,8 +47,7 @@ struct Variables {
     status: Dataset,
     notes: Dataset,
     reason: Dataset,
-    /// In the order of [`Field::ALL`].
-    fields: [Option<FieldBlocks>; Field::ALL.len()],
+    fields: FieldBlocks,
 }
 
 /// What follows from the quantities of the laboratory at each place.
@@ -132,13 +132,9 @@ impl Results {
         write.to(reason, reasons.into_iter())
     }
 
-    /// Writes a field of one place, counted with the last dimension fastest; places come in their order. Where this is
-    /// not called the field is NaN.
-    pub(super) fn field(&mut self, field: Field, place: usize, values: &[f64]) -> Result<()> {
-        let Some(blocks) = &mut self.variables.fields[field as usize] else {
-            return Err(format!("{} is not part of this publication", field.name()).into());
-        };
-        blocks.write(place, values)
+    /// The fields of the publication.
+    pub(super) fn fields(&mut self) -> &mut FieldBlocks {
+        &mut self.variables.fields
     }
 
     /// Marks the file as one of a sweep that is not solved to its end.
@@ -148,7 +144,7 @@ impl Results {
 
     /// Brings everything to the file and closes it.
     pub(super) fn finish(mut self) -> Result<()> {
-        self.variables.fields.iter_mut().flatten().try_for_each(FieldBlocks::flush)?;
+        self.variables.fields.flush()?;
         drop(self.variables);
         self.file.finish()
     }
@@ -212,8 +208,8 @@ impl Layout {
         file: &mut NewFile,
         output: &Output,
         unit: impl Fn(&'static str) -> Unit,
-    ) -> Result<[Option<FieldBlocks>; Field::ALL.len()]> {
-        let mut fields = [const { None }; Field::ALL.len()];
+    ) -> Result<FieldBlocks> {
+        let mut fields = Vec::new();
         if !output.fields.is_empty() {
             let over = ("1", Some(Field::X_UNITS));
             self.grid.push(coordinate(file, "x", over, Field::X_LONG_NAME, &output.x)?);
@@ -235,9 +231,9 @@ impl Layout {
             let variable = file.keep(variable);
             self.describe(&variable, Some(unit(field.units())), field.long_name())?;
             set_fill(&variable)?;
-            fields[field as usize] = Some(FieldBlocks::new(variable, &self.shape, width));
+            fields.push((field, Chunks::new(variable)));
         }
-        Ok(fields)
+        Ok(FieldBlocks::new(fields, &self.shape, &output.x))
     }
 
     /// A variable of numbers on the grid, NaN where none is written.

@@ -2,14 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
+use hdf5::Result;
 use hdf5::types::{FixedAscii, VarLenUnicode};
-use hdf5::{Dataset, Result};
-use ndarray::{Array2, ArrayView2, s};
+use ndarray::{Array2, ArrayView2};
 
+use super::chunks::Chunks;
 use super::contents::{column_names, x_key};
 use super::files::hash_file;
 use super::hdf5_file::{DEFLATE, NewFile, get_text, open, text};
-use super::{CaseEntry, Contents, Status, StoreError};
+use super::packed::Packed;
+use super::{CaseEntry, Contents, PackedCase, Status, StoreError};
 use crate::{CaseId, Column, Field, Values};
 use stribeck_solver::{Fields, Sensitivities};
 
@@ -44,24 +46,25 @@ pub(super) fn shard_name(directory: &Path, hash: &blake3::Hash) -> String {
 }
 
 /// Writes a shard. The entries must have been checked: a converged one has each field asked for on all of `x`.
-pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[CaseEntry]) -> Result<()> {
+pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[PackedCase]) -> Result<()> {
     let mut file = NewFile::create(path)?;
     file.set_text("format", "stribeck shard 1")?;
     file.set_text("columns", &column_names())?;
     file.set_text("limits", if contents.limits { "yes" } else { "no" })?;
 
-    let ids: Vec<CaseText> = cases.iter().map(|entry| case_text(entry.id)).collect();
+    let entries = || cases.iter().map(PackedCase::entry);
+    let ids: Vec<CaseText> = entries().map(|entry| case_text(entry.id)).collect();
     file.write("case", &ids)?;
-    let statuses: Vec<i8> = cases.iter().map(|entry| entry.outcome.code()).collect();
+    let statuses: Vec<i8> = entries().map(|entry| entry.outcome.code()).collect();
     file.write("status", &statuses)?;
-    let reasons = cases.iter().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
+    let reasons = entries().map(|entry| text(&entry.reason)).collect::<Result<Vec<_>>>()?;
     file.write("reason", &reasons)?;
-    let values: Vec<f64> = cases.iter().flat_map(|entry| entry.values.0).collect();
+    let values: Vec<f64> = entries().flat_map(|entry| entry.values.0).collect();
     file.write("values", ArrayView2::from_shape((cases.len(), Column::ALL.len()), &values)?)?;
     if contents.sensitivities {
         let unknown = [f64::NAN; SENSITIVITIES];
         let row = |entry: &CaseEntry| entry.sensitivities.map_or(unknown, |known| known.row());
-        let values: Vec<f64> = cases.iter().flat_map(row).collect();
+        let values: Vec<f64> = entries().flat_map(row).collect();
         file.write("sensitivities", ArrayView2::from_shape((cases.len(), SENSITIVITIES), &values)?)?;
     }
 
@@ -78,10 +81,10 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
             .empty::<f64>()
             .shape((cases.len(), x.len()))
             .create(field.name())?;
-        let matrix = file.keep(matrix);
-        for (row, entry) in cases.iter().enumerate() {
-            if let Some(values) = field.of(&entry.fields) {
-                matrix.write_slice(values, s![row, ..])?;
+        let chunks = Chunks::new(file.keep(matrix));
+        for (row, case) in cases.iter().enumerate() {
+            if let Some(values) = case.field(field) {
+                chunks.write(&[row, 0], values)?;
             }
         }
     }
@@ -89,13 +92,13 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
 }
 
 /// Checks that a shard that was just written has the numbers of these cases.
-pub(super) fn check_shard(path: &Path, contents: &Contents, cases: &[CaseEntry]) -> Result<(), StoreError> {
+pub(super) fn check_shard(path: &Path, contents: &Contents, cases: &[PackedCase]) -> Result<(), StoreError> {
     let shard = ShardReader::open(path, contents)?;
     let same = |(row, entry): (usize, &CaseEntry)| {
         let bits = |values: Values| values.0.map(f64::to_bits);
         shard.ids[row] == entry.id && bits(shard.values(row)) == bits(entry.values) && shard.reason(row) == entry.reason
     };
-    if shard.ids.len() == cases.len() && cases.iter().enumerate().all(same) {
+    if shard.ids.len() == cases.len() && cases.iter().map(PackedCase::entry).enumerate().all(same) {
         return Ok(());
     }
     Err(StoreError::Damaged { path: path.to_owned(), what: "it is not what was just written to it".to_owned() })
@@ -111,7 +114,7 @@ pub(super) struct ShardReader {
     /// Of [`Sensitivities::NAMES`], if the shard has them.
     sensitivities: Option<Array2<f64>>,
     /// In the order of [`Field::ALL`].
-    fields: [Option<Dataset>; Field::ALL.len()],
+    fields: [Option<Chunks>; Field::ALL.len()],
 }
 
 impl ShardReader {
@@ -148,7 +151,7 @@ impl ShardReader {
                 if matrix.shape() != [cases, width] {
                     fault = Some(format!("{} has the shape {:?}", field.name(), matrix.shape()));
                 }
-                fields[field as usize] = Some(matrix);
+                fields[field as usize] = Some(Chunks::new(matrix));
             }
             if get_text(&file, "columns")? != column_names() {
                 fault = Some("its columns are those of another version of the program".to_owned());
@@ -187,15 +190,20 @@ impl ShardReader {
         Sensitivities::from_row(std::array::from_fn(|column| values[(row, column)]))
     }
 
-    /// A field of a case; `None` if the shard has it not, or the case failed.
-    pub(super) fn field(&self, field: Field, row: usize) -> Result<Option<Vec<f64>>, StoreError> {
+    /// A field of a case as it is packed; `None` if the shard has it not, or the case failed.
+    pub(super) fn packed_field(&self, field: Field, row: usize) -> Result<Option<Packed>, StoreError> {
         match &self.fields[field as usize] {
-            Some(matrix) if self.status(row) == Status::Converged => {
-                let values = matrix.read_slice_1d::<f64, _>(s![row, ..]);
-                Ok(Some(values.map_err(StoreError::hdf5(&self.path, "read"))?.to_vec()))
+            Some(chunks) if self.status(row) == Status::Converged => {
+                chunks.read(&[row, 0]).map(Some).map_err(StoreError::hdf5(&self.path, "read"))
             }
             _ => Ok(None),
         }
+    }
+
+    /// A field of a case; `None` if the shard has it not, or the case failed.
+    fn field(&self, field: Field, row: usize) -> Result<Option<Vec<f64>>, StoreError> {
+        let packed = self.packed_field(field, row)?;
+        packed.map(|packed| packed.unpack().map_err(StoreError::hdf5(&self.path, "read"))).transpose()
     }
 
     /// All fields of a case.

@@ -13,7 +13,7 @@ use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace, synchronise_logs};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
 use super::shard::{check_shard, shard_name, write_shard};
-use super::{CaseEntry, Catalog, Contents, Ending, Status, StoreError, Warning, clock, program};
+use super::{CaseEntry, Catalog, Contents, Ending, PackedCase, Status, StoreError, Warning, clock, program};
 use crate::Field;
 use stribeck_solver::Output;
 
@@ -108,6 +108,16 @@ impl Store {
     /// [`StoreError::Entry`] for an entry that cannot be stored (nothing is written then), others if the disk fails.
     /// After an error nothing is committed, and the store can be used further.
     pub fn commit(&mut self, cases: &[CaseEntry]) -> Result<(), StoreError> {
+        let contents = Contents::of(&self.output);
+        let packed: Vec<PackedCase> = cases.iter().map(|case| PackedCase::new(case.clone(), &contents)).collect();
+        self.commit_packed(&packed)
+    }
+
+    /// Commits cases with their fields packed, as [`Store::commit`] does.
+    ///
+    /// # Errors
+    /// As [`Store::commit`].
+    pub fn commit_packed(&mut self, cases: &[PackedCase]) -> Result<(), StoreError> {
         if cases.is_empty() {
             return Ok(());
         }
@@ -122,12 +132,13 @@ impl Store {
         staged.named(&name).put_in_place()?;
 
         let file = FileRecord { file: name.clone(), bytes, blake3: hash.to_hex().to_string() };
-        let records = cases.iter().map(CaseRecord::of).collect();
+        let entries = || cases.iter().map(PackedCase::entry);
+        let records = entries().map(CaseRecord::of).collect();
         let place =
             self.append(&Record::Shard(ShardRecord::new(file, &contents, self.recipe.clone(), clock(), records)))?;
         let index = &mut self.catalog.index;
         let shard = index.add_shard(Shard { name: name.into(), hash, contents, covers: true, record: place });
-        for (row, entry) in (0..).zip(cases) {
+        for (row, entry) in (0..).zip(entries()) {
             index.add_case(entry.id, Slot { shard, row, status: entry.outcome }, entry.timing.time_limit);
         }
         Ok(())
@@ -158,9 +169,10 @@ impl Store {
 }
 
 /// Refuses what would not come back as it was given.
-fn check(cases: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), StoreError> {
+fn check(cases: &[PackedCase], contents: &Contents, x: &[f64]) -> Result<(), StoreError> {
     let mut seen = HashSet::new();
-    for entry in cases {
+    for case in cases {
+        let entry = case.entry();
         let refuse = |what: String| Err(StoreError::Entry { case: entry.id, what });
         if cases.len() > usize::from(u16::MAX) {
             return refuse(format!("{} cases are too many for a shard", cases.len()));
@@ -187,10 +199,10 @@ fn check(cases: &[CaseEntry], contents: &Contents, x: &[f64]) -> Result<(), Stor
         }
         for field in Field::selected(contents.fields) {
             let name = field.name();
-            match (field.of(&entry.fields), entry.outcome) {
-                (Some(values), Status::Converged) if values.len() == x.len() => {}
+            match (case.field(field), entry.outcome) {
+                (Some(values), Status::Converged) if values.count == x.len() => {}
                 (Some(values), Status::Converged) => {
-                    return refuse(format!("{name} has {} values on {} points", values.len(), x.len()));
+                    return refuse(format!("{name} has {} values on {} points", values.count, x.len()));
                 }
                 (None, Status::Converged) => return refuse(format!("it converged and has no {name}")),
                 (Some(_), Status::Failed) => return refuse(format!("it failed and has a {name}")),
