@@ -17,19 +17,22 @@ use stribeck_sweep::Sweep;
 use stribeck_sweep::store::create_directory;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck plot results/quick                                       all that makes sense
   stribeck plot results/quick --what surfaces,maps --of mu_tot --format png
   stribeck plot results/quick --what curves --of mu_v --along alpha --beta 10,100,1000 --f 100
   stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
-  stribeck plot results/surface --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
-  stribeck plot results/surface --what stress --alpha 0.1,0.3,1,10 --beta 1000
-  stribeck plot results/rubber --what curves --of mu_drag --along speed --measured points.csv
-
+  stribeck plot results/quick --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
+  stribeck plot results/quick --what stress --f 100 --alpha 0.1,1,10 --beta 1000
+  stribeck plot results/experiment --what curves --of mu_drag --along entrainment_speed \\
+      --measured docs/how-to/instrument-files/traction.txt",
+    after_help = "\
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
-nearest ones it has, which the picture names. Columns and fields are those of docs/reference/output.md; docs/explanation/paper-figures.md
-shows pictures of each kind with their commands.")]
+nearest ones it has, which the picture names. Columns and fields are those of docs/reference/columns.md.
+docs/explanation/paper-figures.md shows pictures of each kind with their commands."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

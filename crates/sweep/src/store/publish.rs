@@ -16,7 +16,7 @@ use super::record::{CaseRecord, FileRecord, Record};
 use super::replacement::put_in_place;
 use super::results::Results;
 use super::tables::{Summary, Timings};
-use super::{Catalog, Contents, PROGRAM, Status, Store, StoreError, clock};
+use super::{Catalog, Contents, Status, Store, StoreError, clock, program};
 use crate::{CaseId, Field, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
@@ -92,7 +92,7 @@ struct Survey {
 /// Looks up every place of the grid before anything is written.
 fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, StoreError> {
     let mut hasher = blake3::Hasher::new();
-    for text in [PROGRAM, publication.title, publication.sweep_text] {
+    for text in [program().as_str(), publication.title, publication.sweep_text] {
         hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
     }
     let contents = Contents::of(&store.output);
