@@ -27,9 +27,9 @@ Examples:
   stribeck material docs/how-to/instrument-files/isotherms.csv --reference-temperature 20degC",
     after_help = "\
 Prints the lines for a sweep file. The file is a table of moduli over frequency (storage and loss) or over time
-(relaxation), at one temperature or several, or a Prony series of Abaqus, Ansys or in a table. A series is converted,
-not fitted. Times of the terms are spread over the measured range; those
-that the data do not ask for are dropped. docs/how-to/materials.md has more."
+(relaxation), at one temperature or several; or it is a Prony series of Abaqus, Ansys or in a table, which is converted
+and not fitted. Times of the terms are spread over the measured range; those that the data do not ask for are dropped.
+docs/how-to/materials.md has more."
 )]
 pub struct Arguments {
     /// A table of measured moduli, or a Prony series
