@@ -8,16 +8,19 @@ use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, 
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
 use super::bounds::ROUNDING;
 use super::estimate::ENRICHMENT;
-use super::mesh::growth_behind;
+use super::mesh::{Mesh, growth_behind};
 use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
+use super::start;
+use super::starting_solutions::{self, SOLVED_WITH};
 use super::state::State;
 use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{
-    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
+    CaseSolver, Chain, Effort, Failure, FailureKind, Interrupt, Seed, Solution, SolveContext, SolveError, StepControl,
+    secant,
 };
 use crate::model::{Output, Parameters};
 
@@ -58,6 +61,10 @@ pub struct CollocationSolver {
     pub(super) panels: Option<usize>,
     /// How many times as far as it takes meshes reach.
     pub(super) farther: f64,
+    /// Whether cases without neighbours march from a thick film, though there is a table.
+    pub(super) marches: bool,
+    /// Of the panels of the table.
+    pub(super) of_table: Arc<ReferencePanel>,
     pub(super) coarse: Arc<ReferencePanel>,
     pub(super) fine: Arc<ReferencePanel>,
 }
@@ -71,11 +78,15 @@ impl CollocationSolver {
         let Settings { tolerance, degree } = settings;
         assert!(Settings::TOLERANCE.contains(&tolerance), "no solver for a tolerance of {tolerance:e}");
         assert!(Settings::DEGREE.contains(&degree), "no solver with panels of degree {degree}");
+        let coarse = Arc::new(ReferencePanel::new(settings.degree));
+        let same = degree == SOLVED_WITH.degree;
         Self {
             settings,
             panels: None,
             farther: 1.0,
-            coarse: Arc::new(ReferencePanel::new(settings.degree)),
+            marches: !starting_solutions::is_present(),
+            of_table: if same { Arc::clone(&coarse) } else { Arc::new(ReferencePanel::new(SOLVED_WITH.degree)) },
+            coarse,
             fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
         }
     }
@@ -85,6 +96,13 @@ impl CollocationSolver {
     #[must_use]
     pub fn reaching(self, times: f64) -> Self {
         Self { farther: times, ..self }
+    }
+
+    /// The same solver without the table of starting solutions, by marches alone: to study what it saves, and to make
+    /// it.
+    #[must_use]
+    pub fn marching(self) -> Self {
+        Self { marches: true, ..self }
     }
 
     /// How far a mesh reaches.
@@ -122,6 +140,24 @@ impl CollocationSolver {
         wanted.max(4)
     }
 
+    /// A guess at a case from the table, on panels for the tolerance.
+    fn guess(&self, parameters: &Parameters, reach: f64) -> State {
+        let Settings { degree, tolerance } = self.settings;
+        let guess = start::guess(&self.of_table, growth_behind(degree, BEHIND * tolerance), parameters);
+        let error = guess.error.expect("known of the table") * SOLVED_WITH.tolerance / tolerance;
+        let panels = Panels::Number(self.panels(guess.mesh.panels(), error));
+        let layer = layer(parameters, guess.c);
+        let longest = Longest { at_outlet: guess.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
+        let mesh = equidistributed(&self.of_table, &guess, panels, reach, longest);
+        let mesh = if degree == mesh.degree { mesh } else { Arc::new(Mesh { degree, ..(*mesh).clone() }) };
+        guess.with_degree(&self.of_table, &self.coarse, &mesh)
+    }
+
+    /// Whether films are thick at a case.
+    fn is_thick(parameters: &Parameters, half_width: f64) -> bool {
+        parameters.beta <= THICK * half_width.powi(-2)
+    }
+
     pub(super) fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
         let layer = layer(parameters, state.c);
         let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
@@ -138,10 +174,14 @@ impl CaseSolver for CollocationSolver {
         Ok(Workspace::new(&self.coarse, &self.fine, parameters))
     }
 
-    /// The case itself if its film is thick, else the thick film of the same substrate.
+    /// The case itself and, unless its film is thick, the thick film of the same substrate.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
-        let beta = parameters.beta.min(THICK * half_width(parameters).powi(-2));
-        vec![Parameters { beta, ..parameters.clone() }]
+        let half_width = half_width(parameters);
+        if Self::is_thick(parameters, half_width) {
+            return vec![parameters.clone()];
+        }
+        let thick = Parameters { beta: THICK * half_width.powi(-2), ..parameters.clone() };
+        if self.marches { vec![thick] } else { vec![parameters.clone(), thick] }
     }
 
     /// Factors of three in β at first, up to ten, down to 1.05.
@@ -164,6 +204,9 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<(State, Seed), SolveError> {
         workspace.enter(parameters);
         let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
+        if !Self::is_thick(parameters, workspace.half_width()) {
+            return Ok((self.guess(parameters, reach), Seed::Table));
+        }
         let Settings { degree, tolerance } = self.settings;
         let growth = growth_behind(degree, BEHIND * tolerance);
         let mesh = thick_film::mesh(degree, growth, parameters.beta, reach);
@@ -267,6 +310,44 @@ impl CaseSolver for CollocationSolver {
 }
 
 impl CollocationSolver {
+    /// The table of starting solutions, made anew by marches: for the example that writes it.
+    ///
+    /// # Panics
+    /// If a node has no solution.
+    pub fn starting_solutions() -> Vec<u8> {
+        let solver = Self::new(SOLVED_WITH).marching();
+        let nodes: Vec<(f64, State)> = starting_solutions::cases().iter().map(|case| solver.node(case)).collect();
+        starting_solutions::pack(&nodes)
+    }
+
+    /// The solution of a node with ā, on panels that are neither too many nor too few.
+    fn node(&self, case: &Parameters) -> (f64, State) {
+        const MOST_MESHES: usize = 8;
+        let (output, interrupt) = (Output::numbers(), Interrupt::new());
+        let mut context = SolveContext::new(&interrupt);
+        let mut chain = Chain::new(self, &output, &interrupt);
+        let outcome = chain.solve(case).map(|case| case.outcome.map(drop));
+        assert_eq!(outcome, Ok(Ok(())), "{case:?}");
+        let (workspace, _, state) = chain.last().expect("it is solved");
+        let reach = self.reach(Scaling::new(workspace.half_width(), case.beta));
+        let mut state = state.clone();
+        for _ in 0..MOST_MESHES {
+            let error = state.error.expect("it is evaluated");
+            if (0.5 * AIM..=CLOSE).contains(&error) {
+                break;
+            }
+            let panels = Panels::Number(self.panels(state.mesh.panels(), error));
+            let mut other = self.remeshed(case, &state, panels, reach);
+            let corrected = self.correct(workspace, case.beta, &mut other, &mut context);
+            let (acceptance, _) = Acceptance::of(workspace, (case.beta, &other), &output, self.settings.tolerance, &mut context);
+            if corrected.is_err() || !acceptance.is_accepted() {
+                break;
+            }
+            state = State { error: Some(acceptance.error), ..other };
+        }
+        (workspace.half_width(), state)
+    }
+
     /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as
     /// columns.
     pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
