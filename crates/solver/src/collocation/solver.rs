@@ -8,24 +8,24 @@ use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, 
 use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
 use super::bounds::ROUNDING;
 use super::estimate::ENRICHMENT;
-use super::mesh::{Mesh, growth_behind};
+use super::mesh::growth_behind;
 use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
-use super::start;
 use super::starting_solutions::{self, SOLVED_WITH};
 use super::state::State;
 use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{
-    CaseSolver, Chain, Effort, Failure, FailureKind, Interrupt, Seed, Solution, SolveContext, SolveError, StepControl,
-    secant,
+    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
 };
 use crate::model::{Output, Parameters};
 
 /// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
 const THICK: f64 = 0.01;
+/// β of a case that the table does not lead to at once, over that of the one from which it is tried next.
+const THICKER: f64 = 1000.0;
 /// Newton's method stops at this part of the tolerance.
 const NEWTON: f64 = 1e-3;
 /// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
@@ -38,17 +38,17 @@ const GAIN: f64 = 0.8;
 /// Refinement is given up after so many stalled meshes in a row.
 const STALLED_MESHES: usize = 4;
 /// The estimated error over the tolerance that a new mesh is made for.
-const AIM: f64 = 0.15;
+pub(super) const AIM: f64 = 0.15;
 /// The next case gets a new mesh if the error over the tolerance was below the first or above the second of these.
 const IDLE: f64 = 0.001;
-const CLOSE: f64 = 0.45;
+pub(super) const CLOSE: f64 = 0.45;
 /// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what
 /// lies beyond a mesh.
 const SHORT: f64 = 0.8;
 /// Part of the tolerance that what lies beyond a mesh may have in the errors before the next mesh reaches further.
 const SHORT_INLET: f64 = 0.3;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
-const BEHIND: f64 = 1e-4;
+pub(super) const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = *Settings::PANELS.end();
 /// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
@@ -134,23 +134,10 @@ impl CollocationSolver {
 
     /// The panels that would bring the error from so many times the tolerance to [`AIM`] times. Friction and flow
     /// converge faster than the pressure, about as the power 3d/2 of the number of panels.
-    fn panels(&self, present: usize, error: f64) -> usize {
+    pub(super) fn panels(&self, present: usize, error: f64) -> usize {
         let factor = (error / AIM).powf(1.0 / (1.5 * self.settings.degree as f64)).clamp(0.6, 1.8);
         let wanted = (present as f64 * factor).round() as usize;
         wanted.max(4)
-    }
-
-    /// A guess at a case from the table, on panels for the tolerance.
-    fn guess(&self, parameters: &Parameters, reach: f64) -> State {
-        let Settings { degree, tolerance } = self.settings;
-        let guess = start::guess(&self.of_table, growth_behind(degree, BEHIND * tolerance), parameters);
-        let error = guess.error.expect("known of the table") * SOLVED_WITH.tolerance / tolerance;
-        let panels = Panels::Number(self.panels(guess.mesh.panels(), error));
-        let layer = layer(parameters, guess.c);
-        let longest = Longest { at_outlet: guess.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
-        let mesh = equidistributed(&self.of_table, &guess, panels, reach, longest);
-        let mesh = if degree == mesh.degree { mesh } else { Arc::new(Mesh { degree, ..(*mesh).clone() }) };
-        guess.with_degree(&self.of_table, &self.coarse, &mesh)
     }
 
     /// Whether films are thick at a case.
@@ -174,14 +161,20 @@ impl CaseSolver for CollocationSolver {
         Ok(Workspace::new(&self.coarse, &self.fine, parameters))
     }
 
-    /// The case itself and, unless its film is thick, the thick film of the same substrate.
+    /// The case itself; unless its film is thick, another one of the same substrate from which the table may lead to
+    /// it where it does not at once; and the thick film.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
         let half_width = half_width(parameters);
         if Self::is_thick(parameters, half_width) {
             return vec![parameters.clone()];
         }
         let thick = Parameters { beta: THICK * half_width.powi(-2), ..parameters.clone() };
-        if self.marches { vec![thick] } else { vec![parameters.clone(), thick] }
+        if self.marches {
+            return vec![thick];
+        }
+        let thicker = Parameters { beta: parameters.beta / THICKER, ..parameters.clone() };
+        let between = (thicker.beta > thick.beta).then_some(thicker);
+        [Some(parameters.clone()), between, Some(thick)].into_iter().flatten().collect()
     }
 
     /// Factors of three in β at first, up to ten, down to 1.05.
@@ -205,7 +198,7 @@ impl CaseSolver for CollocationSolver {
         workspace.enter(parameters);
         let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
         if !Self::is_thick(parameters, workspace.half_width()) {
-            return Ok((self.guess(parameters, reach), Seed::Table));
+            return Ok((self.guess_from_table(parameters, reach), Seed::Table));
         }
         let Settings { degree, tolerance } = self.settings;
         let growth = growth_behind(degree, BEHIND * tolerance);
@@ -310,44 +303,6 @@ impl CaseSolver for CollocationSolver {
 }
 
 impl CollocationSolver {
-    /// The table of starting solutions, made anew by marches: for the example that writes it.
-    ///
-    /// # Panics
-    /// If a node has no solution.
-    pub fn starting_solutions() -> Vec<u8> {
-        let solver = Self::new(SOLVED_WITH).marching();
-        let nodes: Vec<(f64, State)> = starting_solutions::cases().iter().map(|case| solver.node(case)).collect();
-        starting_solutions::pack(&nodes)
-    }
-
-    /// The solution of a node with ā, on panels that are neither too many nor too few.
-    fn node(&self, case: &Parameters) -> (f64, State) {
-        const MOST_MESHES: usize = 8;
-        let (output, interrupt) = (Output::numbers(), Interrupt::new());
-        let mut context = SolveContext::new(&interrupt);
-        let mut chain = Chain::new(self, &output, &interrupt);
-        let outcome = chain.solve(case).map(|case| case.outcome.map(drop));
-        assert_eq!(outcome, Ok(Ok(())), "{case:?}");
-        let (workspace, _, state) = chain.last().expect("it is solved");
-        let reach = self.reach(Scaling::new(workspace.half_width(), case.beta));
-        let mut state = state.clone();
-        for _ in 0..MOST_MESHES {
-            let error = state.error.expect("it is evaluated");
-            if (0.5 * AIM..=CLOSE).contains(&error) {
-                break;
-            }
-            let panels = Panels::Number(self.panels(state.mesh.panels(), error));
-            let mut other = self.remeshed(case, &state, panels, reach);
-            let corrected = self.correct(workspace, case.beta, &mut other, &mut context);
-            let (acceptance, _) = Acceptance::of(workspace, (case.beta, &other), &output, self.settings.tolerance, &mut context);
-            if corrected.is_err() || !acceptance.is_accepted() {
-                break;
-            }
-            state = State { error: Some(acceptance.error), ..other };
-        }
-        (workspace.half_width(), state)
-    }
-
     /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as
     /// columns.
     pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {

@@ -1,16 +1,27 @@
 //! The start from the table: a first guess at any case from the solutions around it.
 
+use std::sync::Arc;
+
+use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed};
+use super::mesh::{Mesh, growth_behind};
 use super::reference::ReferencePanel;
-use super::scaling::Scaling;
-use super::starting_solutions::{Node, around, node};
+use super::scaling::{Scaling, layer};
+use super::settings::Settings;
+use super::solver::{BEHIND, CollocationSolver};
+use super::starting_solutions::{SOLVED_WITH, around, node};
 use super::state::State;
 use crate::exact::DryContact;
 use crate::model::Parameters;
 
-/// Contact times, over that of passing the half width, between which the modes of a substrate count as retardation:
-/// those that are faster are relaxed, those that are slower frozen.
-const FASTEST: f64 = 0.1;
-const SLOWEST: f64 = 10.0;
+/// Times, over that of passing the half width, between which the creep of several modes counts as retardation: what is
+/// faster counts as relaxed, what is slower as frozen.
+const FASTEST: f64 = 0.03;
+const SLOWEST: f64 = 30.0;
+/// The estimated error over the tolerance that the first mesh is made for. It is less than that of later ones, for a
+/// guess is not a solution: one case in twenty gets a second mesh.
+const AIM: f64 = 0.08;
+/// Errors of nodes below this one are taken as it: something else asked for their panels.
+const LEAST_ERROR: f64 = 0.02;
 
 /// A case with one retardation time whose solution is like that of another case.
 pub struct Equivalent {
@@ -23,8 +34,8 @@ pub struct Equivalent {
 }
 
 impl Equivalent {
-    /// The case itself if it has one retardation time. With several, the one that creeps as much up to the
-    /// contact time and from there on; the elastic limits are elastic cases.
+    /// The case itself if it has one retardation time. With several, the one that has crept as much at three times, of
+    /// which the middle one is that of passing the half width. The elastic limits are elastic cases.
     pub fn of(parameters: &Parameters) -> Self {
         let modes = parameters.retardation();
         let compliance = |time: f64| {
@@ -36,14 +47,15 @@ impl Equivalent {
             [] => (parameters.instantaneous_compliance(), f64::INFINITY, 0.0),
             [mode] => (1.0, mode.rate, parameters.f),
             _ => {
-                let mut time = 1.0;
-                for _ in 0..3 {
-                    time = compliance(time).sqrt();
-                }
+                let time = (0..3).fold(1.0, |time, _| compliance(time).sqrt());
                 let (instantaneous, relaxed) = (compliance(FASTEST * time), compliance(SLOWEST * time));
                 // J(t) = J∞ − (J∞ − J₀) exp(−αt)
                 let left = (relaxed - compliance(time)) / (relaxed - instantaneous);
-                (relaxed, -left.ln() / time, relaxed / instantaneous - 1.0)
+                if left > 0.0 && left < 1.0 {
+                    (relaxed, -left.ln() / time, relaxed / instantaneous - 1.0)
+                } else {
+                    (relaxed, f64::INFINITY, 0.0)
+                }
             }
         };
         let length = relaxed.sqrt();
@@ -53,21 +65,48 @@ impl Equivalent {
     }
 }
 
-/// A guess at a case from the nodes around it, on the panels of the nearest one: each rescaled to the case, pressures
-/// and logarithms of films interpolated. Panels are those of the table.
-pub fn guess(reference: &ReferencePanel, growth: f64, parameters: &Parameters) -> State {
-    let Equivalent { case, length, half_width } = Equivalent::of(parameters);
-    let to = Scaling::new(half_width, case.beta);
-    let rescaled = |index: usize| {
-        let Node { half_width, beta, state } = node(index, growth);
-        State { error: state.error, ..state.fitted(Scaling::new(half_width, beta), to) }
-    };
-    let mut nodes = around(&case, half_width);
-    nodes.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let nearest = rescaled(nodes[0].0);
-    let mut guess = nearest.clone();
-    for &(index, weight) in &nodes[1..] {
-        guess.add_difference(weight, &rescaled(index).on(reference, &nearest.mesh), &nearest);
+/// A state from the nodes around a case.
+struct Guess {
+    /// It, on the panels of the nearest node.
+    state: State,
+    /// Panels with which the error would be the tolerance of the table.
+    panels: f64,
+}
+
+impl Guess {
+    /// Nodes are rescaled to the case; pressures and logarithms of films are interpolated.
+    fn new(reference: &ReferencePanel, growth: f64, parameters: &Parameters) -> Self {
+        let Equivalent { case, length, half_width } = Equivalent::of(parameters);
+        let to = Scaling::new(half_width, case.beta);
+        let mut around = around(&case, half_width);
+        around.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let mut nodes = around.iter().map(|&(index, weight)| (node(index, growth), weight)).map(|(node, weight)| {
+            let state = node.state.fitted(Scaling::new(node.half_width, node.beta), to);
+            let factor = node.error.max(LEAST_ERROR).powf(1.0 / (1.5 * reference.degree as f64));
+            (state, weight, weight * factor * node.state.mesh.panels() as f64)
+        });
+        let (nearest, _, mut panels) = nodes.next().expect("a case has a nearest node");
+        let mut state = nearest.clone();
+        for (other, weight, of_node) in nodes {
+            state.add_difference(weight, &other.on(reference, &nearest.mesh), &nearest);
+            panels += of_node;
+        }
+        Self { state: if length == 1.0 { state } else { state.scaled(length) }, panels }
     }
-    State { error: nearest.error, ..if length == 1.0 { guess } else { guess.scaled(length) } }
+}
+
+impl CollocationSolver {
+    /// A guess at a case from the table, on panels for the tolerance.
+    pub(super) fn guess_from_table(&self, parameters: &Parameters, reach: f64) -> State {
+        let Settings { degree, tolerance } = self.settings;
+        let Guess { state, panels } = Guess::new(&self.of_table, growth_behind(degree, BEHIND * tolerance), parameters);
+        // as many panels of this degree have this error, about; fewer are too rough for any tolerance
+        let alike = SOLVED_WITH.tolerance.powf(degree as f64 / SOLVED_WITH.degree as f64);
+        let panels = panels * (alike / (AIM * tolerance.min(alike))).powf(1.0 / (1.5 * degree as f64));
+        let layer = layer(parameters, state.c);
+        let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
+        let mesh = equidistributed(&self.of_table, &state, Panels::Number(panels.round() as usize), reach, longest);
+        let mesh = if degree == mesh.degree { mesh } else { Arc::new(Mesh { degree, ..(*mesh).clone() }) };
+        state.with_degree(&self.of_table, &self.coarse, &mesh)
+    }
 }

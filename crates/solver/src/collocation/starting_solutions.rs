@@ -7,12 +7,17 @@
 //! is a number of panels `u32`; ā, c, x_out, the estimated error, the longest first panel, the largest p, the ends of
 //! ln u, and the ends of the panels, as `f32`; p and ln u between their ends as `u16`.
 
-use super::RESULTS_VERSION;
+use super::acceptance::Acceptance;
+use super::adaptation::Panels;
 use super::mesh::Mesh;
+use super::scaling::Scaling;
 use super::settings::Settings;
+use super::solver::{AIM, CLOSE, CollocationSolver};
 use super::state::State;
+use super::{RESULTS_VERSION, Workspace};
+use crate::continuation::{Chain, Interrupt, SolveContext, SolveError};
 use crate::exact::DryContact;
-use crate::model::Parameters;
+use crate::model::{Output, Parameters};
 
 /// The settings with which the nodes were solved.
 pub const SOLVED_WITH: Settings = Settings { tolerance: 1e-5, degree: 8 };
@@ -39,6 +44,8 @@ pub struct Node {
     pub beta: f64,
     /// The solution on panels of the degree of [`SOLVED_WITH`].
     pub state: State,
+    /// Its estimated error over the tolerance of [`SOLVED_WITH`].
+    pub error: f64,
 }
 
 /// A place of the grid of nodes between the one before and the next: their indices, and the part of the way.
@@ -114,8 +121,8 @@ pub fn node(index: usize, growth: f64) -> Node {
     let pressure = (0..=points).map(|_| largest * reader.part()).collect();
     let film = (0..points).map(|_| (thinnest + (thickest - thinnest) * reader.part()).exp()).collect();
     let mesh = Mesh::new(SOLVED_WITH.degree, growth, ends);
-    let state = State { mesh, pressure, film, c, outlet, error: Some(error), outlet_panel };
-    Node { half_width, beta: load / (half_width * half_width), state }
+    let state = State { mesh, pressure, film, c, outlet, error: None, outlet_panel };
+    Node { half_width, beta: load / (half_width * half_width), state, error }
 }
 
 /// Numbers read one after the other.
@@ -166,4 +173,58 @@ pub fn pack(nodes: &[(f64, State)]) -> Vec<u8> {
         }
     }
     [places, packed].concat()
+}
+
+impl CollocationSolver {
+    /// The table of starting solutions, made anew by marches: for the example that writes it.
+    ///
+    /// # Panics
+    /// If a node has no solution.
+    pub fn starting_solutions() -> Vec<u8> {
+        let solver = Self::new(SOLVED_WITH).marching();
+        let nodes: Vec<(f64, State)> = cases().iter().map(|case| solver.node(case)).collect();
+        pack(&nodes)
+    }
+
+    /// ā of a node, and its solution on panels that are neither too many nor too few.
+    fn node(&self, case: &Parameters) -> (f64, State) {
+        const MOST_MESHES: usize = 8;
+        let (output, interrupt) = (Output::numbers(), Interrupt::new());
+        let mut context = SolveContext::new(&interrupt);
+        let mut chain = Chain::new(self, &output, &interrupt);
+        let outcome = chain.solve(case).expect("nobody interrupts").outcome;
+        assert!(outcome.is_ok(), "{case:?}: {outcome:?}");
+        let (workspace, _, state) = chain.last().expect("it is solved");
+        let mut state = state.clone();
+        for _ in 0..MOST_MESHES {
+            let error = state.error.expect("it is evaluated");
+            if (0.5 * AIM..=CLOSE).contains(&error) {
+                break;
+            }
+            let panels = self.panels(state.mesh.panels(), error);
+            match self.on_panels(workspace, case, &state, panels, &mut context) {
+                Ok(Some(other)) => state = other,
+                _ => break,
+            }
+        }
+        (workspace.half_width(), state)
+    }
+
+    /// The solution on another number of panels, if it is accepted.
+    fn on_panels(
+        &self,
+        workspace: &mut Workspace,
+        case: &Parameters,
+        state: &State,
+        panels: usize,
+        context: &mut SolveContext,
+    ) -> Result<Option<State>, SolveError> {
+        let reach = self.reach(Scaling::new(workspace.half_width(), case.beta));
+        let mut state = self.remeshed(case, state, Panels::Number(panels), reach);
+        self.correct(workspace, case.beta, &mut state, context)?;
+        let solved = (case.beta, &state);
+        let (acceptance, _) =
+            Acceptance::of(workspace, solved, &Output::numbers(), SOLVED_WITH.tolerance, context);
+        Ok(acceptance.is_accepted().then_some(State { error: Some(acceptance.error), ..state }))
+    }
 }
