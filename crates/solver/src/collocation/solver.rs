@@ -1,5 +1,6 @@
 //! The collocation method as a [`CaseSolver`].
 
+use std::f64::consts::LN_10;
 use std::sync::Arc;
 
 use faer::Mat;
@@ -18,7 +19,7 @@ use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{
-    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
+    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, distance, secant,
 };
 use crate::model::{Output, Parameters};
 
@@ -26,6 +27,10 @@ use crate::model::{Output, Parameters};
 const THICK: f64 = 0.01;
 /// β of a case that the table does not lead to at once, over that of the one from which it is tried next.
 const THICKER: f64 = 1000.0;
+/// Distance of the last case from which on the table is the cheaper start: 2.5 points a decade along β, where meshes
+/// and filters are kept, and 12 along other lines.
+const FAR_ALONG_BETA: f64 = 0.4 * LN_10;
+const FAR: f64 = 0.08 * LN_10;
 /// Newton's method stops at this part of the tolerance.
 const NEWTON: f64 = 1e-3;
 /// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
@@ -175,6 +180,11 @@ impl CaseSolver for CollocationSolver {
         let thicker = Parameters { beta: parameters.beta / THICKER, ..parameters.clone() };
         let between = (thicker.beta > thick.beta).then_some(thicker);
         [Some(parameters.clone()), between, Some(thick)].into_iter().flatten().collect()
+    }
+
+    fn is_far(&self, from: &Parameters, to: &Parameters) -> bool {
+        let far = if from.alpha == to.alpha && from.f == to.f { FAR_ALONG_BETA } else { FAR };
+        !self.marches && distance(from, to) > far
     }
 
     /// Factors of three in β at first, up to ten, down to 1.05.
