@@ -14,7 +14,7 @@ mod measure;
 use std::error::Error;
 
 use stribeck_solver::collocation::{CollocationSolver, Settings};
-use stribeck_solver::continuation::{Interrupt, Seed, SolvedCase, solve_chain};
+use stribeck_solver::continuation::{Interrupt, SolvedCase, solve_chain};
 use stribeck_solver::{Output, Parameters};
 
 use measure::{quantile, true_error};
@@ -38,43 +38,46 @@ fn random_cases(count: usize) -> Vec<Parameters> {
 }
 
 fn solve(solver: &CollocationSolver, case: &Parameters) -> SolvedCase {
-    solve_chain(solver, std::slice::from_ref(case), &Output::numbers(), &Interrupt::new()).expect("nobody interrupts").remove(0)
+    solve_chain(solver, std::slice::from_ref(case), &Output::numbers(), &Interrupt::new())
+        .expect("nobody interrupts")
+        .remove(0)
+}
+
+/// The quantiles of a number of the cases that a row shows.
+fn median_and_95(cases: &[SolvedCase], number: fn(&SolvedCase) -> f64) -> [f64; 2] {
+    let numbers: Vec<f64> = cases.iter().map(number).collect();
+    [0.5, 0.95].map(|part| quantile(&numbers, part))
+}
+
+fn milliseconds(case: &SolvedCase) -> f64 {
+    1e3 * case.effort.seconds
 }
 
 fn print(name: &str, way: &str, cases: &[SolvedCase]) {
-    let of = |number: fn(&SolvedCase) -> f64, part| quantile(&cases.iter().map(number).collect::<Vec<_>>(), part);
-    let ms = |case: &SolvedCase| 1e3 * case.effort.seconds;
-    let iterations = |case: &SolvedCase| case.effort.iterations as f64;
-    let factorisations = |case: &SolvedCase| case.effort.factorisations as f64;
-    let meshes = |case: &SolvedCase| case.effort.meshes as f64;
-    let from_table = cases.iter().filter(|case| case.seed == Seed::Table).count();
+    let [ms, ms_95] = median_and_95(cases, milliseconds);
+    let counts: [fn(&SolvedCase) -> f64; 3] = [
+        |case| case.effort.iterations as f64,
+        |case| case.effort.factorisations as f64,
+        |case| case.effort.meshes as f64,
+    ];
+    let counts = counts.map(|count| median_and_95(cases, count).map(|count| count.to_string()).join(", ")).join(" | ");
+    let at_once = cases.iter().filter(|case| case.path.points.is_empty() && case.outcome.is_ok()).count();
     let lost = cases.iter().filter(|case| case.outcome.is_err()).count();
-    println!(
-        "| {name} | {way} | {:.2} | {:.2} | {} | {} | {} | {} | {} | {} | {:.1} % | {lost} |",
-        of(ms, 0.5),
-        of(ms, 0.95),
-        of(iterations, 0.5),
-        of(iterations, 0.95),
-        of(factorisations, 0.5),
-        of(factorisations, 0.95),
-        of(meshes, 0.5),
-        of(meshes, 0.95),
-        100.0 * from_table as f64 / cases.len() as f64,
-    );
+    let at_once = 100.0 * at_once as f64 / cases.len() as f64;
+    println!("| {name} | {way} | {ms:.2}, {ms_95:.2} | {counts} | {at_once:.1} % | {lost} |");
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let count = std::env::args().nth(1).map_or(Ok(1000), |text| text.parse())?;
-    let ways = [
-        ("march", CollocationSolver::new(Settings::default()).marching()),
-        ("table", CollocationSolver::new(Settings::default())),
-    ];
-    println!("| cases | way | ms: median | 95 % | iterations | 95 % | factorisations | 95 % | meshes | 95 % | from the table | lost |");
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    let solver = || CollocationSolver::new(Settings::default());
+    let ways = [("march", solver().marching()), ("table", solver())];
+    println!("Median, 95 % of each:\n");
+    println!("| cases | from | ms | iterations | factorisations | meshes | at the first try | lost |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     let reference = measure::reference().into_iter().map(|(case, _)| case).collect();
+    let mut summary = String::new();
     for (name, cases) in [("reference", reference), ("random", random_cases(count))] {
         let mut solved: [Vec<SolvedCase>; 2] = Default::default();
-        let mut apart: Vec<f64> = Vec::new();
         for case in &cases {
             let mut best: [Option<SolvedCase>; 2] = Default::default();
             for _ in 0..REPETITIONS {
@@ -85,24 +88,25 @@ fn main() -> Result<(), Box<dyn Error>> {
                     }
                 }
             }
-            let [march, table] = best.map(|best| best.expect("it was solved"));
-            if std::env::var_os("SHOW").is_some() && table.seed != Seed::Table {
-                println!("{case:?} {} {:?}", table.seed, table.effort);
+            for (solved, best) in solved.iter_mut().zip(best) {
+                solved.extend(best);
             }
-            if let (Ok(a), Ok(b)) = (&march.outcome, &table.outcome) {
-                apart.push(true_error(&a.quantities, &b.quantities));
-            }
-            solved[0].push(march);
-            solved[1].push(table);
         }
         for ((way, _), solved) in ways.iter().zip(&solved) {
             print(name, way, solved);
         }
-        let ratio = |part| {
-            let ms = |cases: &[SolvedCase]| quantile(&cases.iter().map(|case| case.effort.seconds).collect::<Vec<_>>(), part);
-            ms(&solved[0]) / ms(&solved[1])
-        };
-        println!("{name}: {:.2} times faster in the median, {:.2} at 95 %; numbers differ by {:.1e} at most", ratio(0.5), ratio(0.95), quantile(&apart, 1.0));
+        let [march, table] = &solved;
+        let pairs = march
+            .iter()
+            .zip(table)
+            .filter_map(|pair| Some((pair.0.outcome.as_ref().ok()?, pair.1.outcome.as_ref().ok()?)));
+        let apart = pairs.map(|(march, table)| true_error(&march.quantities, &table.quantities)).fold(0.0, f64::max);
+        let [before, after] = [march, table].map(|cases| median_and_95(cases, milliseconds));
+        let [median, at_95] = [before[0] / after[0], before[1] / after[1]];
+        summary += &format!(
+            "{name}: {median:.1} times faster in the median, {at_95:.1} times at 95 %; numbers differ by {apart:.1e} at most\n"
+        );
     }
+    println!("\n{summary}");
     Ok(())
 }

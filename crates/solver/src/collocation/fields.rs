@@ -14,7 +14,13 @@ use crate::model::{Fields, Lubricant, Output, Quantities, shear_traction};
 /// than the errors: so p is 0 behind this outlet, and u + w − x²/2 is this separation everywhere.
 ///
 /// Beyond the mesh p is that of the inlet film, and w the displacement of a load so far away.
-pub fn fields(displacement: &Displacement, beta: f64, richer: &State, published: &Quantities, output: &Output) -> Fields {
+pub fn fields(
+    displacement: &Displacement,
+    beta: f64,
+    richer: &State,
+    published: &Quantities,
+    output: &Output,
+) -> Fields {
     let wanted = output.fields;
     let mut fields = Fields::default();
     if wanted.is_empty() {

@@ -45,9 +45,8 @@ impl Gap {
             logarithmic: Vec::with_capacity(panels),
             outlet: state.outlet,
         };
-        let meeting = meeting_films(reference, state, |end| {
-            gap_at(mesh.film[end], w[discretisation.ends_of_film().start + end])
-        });
+        let meeting =
+            meeting_films(reference, state, |end| gap_at(mesh.film[end], w[discretisation.ends_of_film().start + end]));
         let mut logarithms = Vec::with_capacity(reference.degree);
         for panel in 0..panels {
             let (w_points, w_ends) = discretisation.on_panel(&w, panel);

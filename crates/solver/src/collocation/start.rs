@@ -45,7 +45,7 @@ impl Equivalent {
         let (relaxed, alpha, f) = match modes.as_slice() {
             [] if parameters.is_relaxed_elastic() => (1.0, f64::INFINITY, 0.0),
             [] => (parameters.instantaneous_compliance(), f64::INFINITY, 0.0),
-            [mode] => (1.0, mode.rate, parameters.f),
+            [mode, others @ ..] if others.iter().all(|other| other.rate == mode.rate) => (1.0, mode.rate, parameters.f),
             _ => {
                 let time = (0..3).fold(1.0, |time, _| compliance(time).sqrt());
                 let (instantaneous, relaxed) = (compliance(FASTEST * time), compliance(SLOWEST * time));
@@ -108,5 +108,38 @@ impl CollocationSolver {
         let mesh = equidistributed(&self.of_table, &state, Panels::Number(panels.round() as usize), reach, longest);
         let mesh = if degree == mesh.degree { mesh } else { Arc::new(Mesh { degree, ..(*mesh).clone() }) };
         state.with_degree(&self.of_table, &self.coarse, &mesh)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{RetardationMode, Substrate};
+
+    fn with_times(times: [f64; 2]) -> Parameters {
+        let modes = times.map(|time| RetardationMode { share: 0.5, time });
+        let substrate = Substrate::new(modes.to_vec()).expect("shares add up to 1");
+        Parameters { substrate, ..Parameters::new(1.0, 100.0, 10.0) }
+    }
+
+    #[test]
+    fn a_case_with_one_time_is_its_own_equivalent() {
+        for case in [Parameters::new(0.3, 20.0, 5.0), Parameters::elastic(10.0)] {
+            let Equivalent { case: found, length, .. } = Equivalent::of(&case);
+            assert_eq!((found, length), (case, 1.0));
+        }
+        assert_eq!(Equivalent::of(&with_times([1.0, 1.0])).case, Parameters::new(1.0, 100.0, 10.0));
+        let frozen = Equivalent::of(&Parameters::new(0.0, 110.0, 10.0));
+        assert!((frozen.case.beta - 10.0).abs() < 1e-12 && frozen.case.f == 0.0);
+    }
+
+    /// Times that differ little are one; far apart, the fast mode is relaxed and the slow one frozen.
+    #[test]
+    fn several_times_become_one() {
+        let near = Equivalent::of(&with_times([0.99, 1.01]));
+        assert!((near.case.alpha / near.length - 1.0).abs() < 0.05 && near.case.f > 5.0, "{:?}", near.case);
+        let far = Equivalent::of(&with_times([1e-6, 1e6]));
+        assert!(far.case.f < 1e-3, "{:?}", far.case);
+        assert!((far.length.powi(2) - 6.0 / 11.0).abs() < 1e-3, "half of the creep: {}", far.length);
     }
 }

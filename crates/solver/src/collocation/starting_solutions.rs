@@ -223,8 +223,50 @@ impl CollocationSolver {
         let mut state = self.remeshed(case, state, Panels::Number(panels), reach);
         self.correct(workspace, case.beta, &mut state, context)?;
         let solved = (case.beta, &state);
-        let (acceptance, _) =
-            Acceptance::of(workspace, solved, &Output::numbers(), SOLVED_WITH.tolerance, context);
+        let (acceptance, _) = Acceptance::of(workspace, solved, &Output::numbers(), SOLVED_WITH.tolerance, context);
         Ok(acceptance.is_accepted().then_some(State { error: Some(acceptance.error), ..state }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rayon::prelude::*;
+
+    use super::*;
+
+    /// The committed table belongs to this version of the solver: each node is the solution, as well as its tolerance
+    /// and sixteen bits tell. If this fails, run the example `starting_solutions`.
+    #[test]
+    fn the_table_is_what_the_solver_makes() {
+        assert!(is_present() && TABLE.len() < 300_000, "{} bytes", TABLE.len());
+        let solver = CollocationSolver::new(SOLVED_WITH).marching();
+        cases().par_iter().enumerate().for_each(|(index, case)| {
+            let known = node(index, 2.0);
+            let (half_width, state) = solver.node(case);
+            assert!((known.half_width / half_width - 1.0).abs() < 1e-6);
+            assert!((known.beta / case.beta - 1.0).abs() < 1e-6);
+            assert!((known.state.c / state.c - 1.0).abs() < 2.0 * SOLVED_WITH.tolerance, "{case:?}: {:e}", state.c);
+            let thinnest = |state: &State| state.film.iter().fold(state.c, |least, &u| least.min(u));
+            let largest = |state: &State| state.pressure.iter().fold(0.0, |most: f64, &p| most.max(p));
+            assert!((thinnest(&known.state) / thinnest(&state) - 1.0).abs() < 1e-2, "{case:?}");
+            assert!((largest(&known.state) / largest(&state) - 1.0).abs() < 1e-2, "{case:?}");
+        });
+    }
+
+    /// At a node the interpolation is the node, and weights add up to 1 everywhere.
+    #[test]
+    fn weights_are_those_of_an_interpolation() {
+        for (index, case) in cases().iter().enumerate() {
+            let half_width = DryContact::new(case.alpha, case.f).half_width();
+            let heaviest = around(case, half_width).into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).expect("a node");
+            assert!(heaviest.0 == index && heaviest.1 > 1.0 - 1e-12, "{case:?}: {heaviest:?}");
+        }
+        for alpha in [0.0, 1e-9, 0.3, 1e9, f64::INFINITY] {
+            for (beta, f) in [(1e-9, 0.0), (3e3, 0.2), (1e12, 1e9)] {
+                let nodes = around(&Parameters::new(alpha, beta, f), 0.7);
+                let sum: f64 = nodes.iter().map(|(_, weight)| weight).sum();
+                assert!((sum - 1.0).abs() < 1e-12 && nodes.iter().all(|&(index, _)| index < NODES), "{nodes:?}");
+            }
+        }
     }
 }

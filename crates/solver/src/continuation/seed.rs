@@ -24,8 +24,8 @@ pub enum Seed {
     Predictor,
     /// The neighbour, by way of this number of intermediate points, which are not published.
     Intermediate(usize),
-    /// The start of another case where films are thicker, by way of so many cases that are not published, this one
-    /// included.
+    /// The start of another case where films are thicker, from the thick film or the table, by way of so many cases
+    /// that are not published, this one included.
     March(usize),
 }
 

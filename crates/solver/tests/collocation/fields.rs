@@ -70,7 +70,8 @@ fn the_outlet_is_where_the_film_is_c() {
         let fields = solution(solver, case, &fields_at(x)).fields;
         let (p, u) = (fields.pressure.unwrap(), fields.film_thickness.unwrap());
         assert!(
-            (u[0] / quantities.c - 1.0).abs() < 2e-14 / quantities.c + 1e-12,
+            // the field is that of the richer panels
+            (u[0] / quantities.c - 1.0).abs() < 0.1 * solver.tolerance,
             "{case:?}: {} {}",
             u[0],
             quantities.c
