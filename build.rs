@@ -1,10 +1,12 @@
 //! Makes what the program holds of the page of `stribeck report`: its scripts, joined into one (`page.js`), and
-//! Plotly's, deflated (`plotly.deflate`), both in the directory of build products.
+//! Plotly's, deflated (`plotly.deflate`), both in the directory of build products. Tells the program its version.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::{env, fs};
 
+#[path = "build/commit.rs"]
+mod commit;
 #[path = "build/modules.rs"]
 mod modules;
 #[path = "build/plotly.rs"]
@@ -15,6 +17,7 @@ const SCRIPTS: &str = "assets/report";
 fn main() {
     println!("cargo::rerun-if-changed={SCRIPTS}");
     println!("cargo::rerun-if-changed=build");
+    commit::hand_over();
     plotly::write();
     let mut files = BTreeMap::new();
     for entry in fs::read_dir(SCRIPTS).expect("assets/report is listed") {

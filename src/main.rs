@@ -2,13 +2,15 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
-use stribeck::commands::{Cli, execute};
+use stribeck::VERSION;
+use stribeck::commands::{execute, parse};
 
 fn main() -> ExitCode {
     // Before there is a second thread.
     stribeck_sweep::store::initialise_hdf5();
-    execute(&Cli::parse(), &peak_bytes)
+    stribeck_sweep::store::sign_as(VERSION);
+    let cli = parse(std::env::args_os()).unwrap_or_else(|error| error.exit());
+    execute(&cli, &peak_bytes)
 }
 
 /// The most bytes that a piece of work has in use at once. Memory is counted by the program's allocator, which is none

@@ -21,16 +21,19 @@ use stribeck_sweep::store::{CaseEntry, Status};
 use stribeck_sweep::{Column, Extent, Grid, LaboratoryAxes, Note, NoteCounts, Plan, Sweep, Values, range};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck curve sweeps/rubber.toml                     friction against speed, drawn and as a table
-  stribeck curve sweeps/rubber.toml --csv curve.csv     all numbers, in SI units
-  stribeck curve sweeps/rubber.toml --at load=100       one of several loads
-  stribeck curve sweeps/rubber.toml --measured points.csv
-
-The sweep file has a section [laboratory] with a speed as an axis (docs/reference/sweep-file.md). Nothing is stored: to keep
-fields and numbers run the sweep. Measured points are a CSV with the columns speed, or that of the sweep file, and mu
-(docs/reference/laboratory.md). A speed of 0 is in the table and not in the drawing, which is logarithmic.")]
+  stribeck curve sweeps/gel.toml                        friction against speed, drawn and as a table
+  stribeck curve sweeps/gel.toml --csv curve.csv        all numbers, in SI units
+  stribeck curve sweeps/rubber.toml --at load=500       one of its two loads
+  stribeck curve docs/how-to/instrument-files/experiment.toml --at slide_roll_ratio=0.2 \\
+      --measured docs/how-to/instrument-files/traction.txt",
+    after_help = "\
+The sweep file has a section [laboratory] with a speed as an axis (docs/reference/sweep-file.md). Nothing is stored: to
+keep fields and numbers run the sweep. Measured points are a table with mu and where it was measured
+(docs/reference/laboratory.md). A speed of 0 is in the table and not in the drawing, which is logarithmic."
+)]
 pub struct Arguments {
     /// The sweep file, with [laboratory]
     #[arg(value_name = "SWEEP")]

@@ -202,6 +202,12 @@ pub enum CliError {
         /// The command.
         command: &'static str,
     },
+    /// A file that is written for its user to change, and that may have been changed.
+    #[error("{} is there, and `stribeck init` writes over no file; choose another name with -o", shown(file))]
+    IsThere {
+        /// The file.
+        file: PathBuf,
+    },
     /// A file whose name gives no name to a directory.
     #[error("the name of the file, {stem:?} and an extension, gives no name to a results directory; name one with -o")]
     NoName {
@@ -398,6 +404,7 @@ impl CliError {
             | CliError::Store(_)
             | CliError::Incomplete { .. }
             | CliError::Foreign { .. }
+            | CliError::IsThere { .. }
             | CliError::Slurm { .. }
             | CliError::Directory { .. }
             | CliError::Unwritten { .. }

@@ -20,16 +20,18 @@ use stribeck_sweep::engine::Signals;
 use stribeck_sweep::surface::{SurfaceBuildError, SurfaceOptions, compare_surface};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck evaluate surface.json --alpha 1 --beta 100 --f 100
-  stribeck evaluate surface.json --at speed=0.01 --at load=100 --derivatives
-  stribeck evaluate surface.json --points points.csv -o values.csv
-  stribeck evaluate surface.json --check 5000 --seed 7
-
+  stribeck evaluate results/friction/surface.json --alpha 1 --beta 100
+  stribeck evaluate results/friction/surface.json --at alpha=1 --at beta=100 --derivatives
+  stribeck evaluate results/friction/surface.json --points sweeps/points.csv -o values.csv
+  stribeck evaluate results/friction/surface.json --check 1000 --seed 7",
+    after_help = "\
 A file of points is a CSV with a column for each axis; the output has its columns, the quantities, and `status`:
 `inside` or `outside`. Values of the laboratory are in SI units. Nothing is extrapolated.
-Exit codes: 1 the check found an error above the tolerance; 2 bad input; 3 points lie outside.")]
+Exit codes: 1 the check found an error above the tolerance; 2 bad input; 3 points lie outside."
+)]
 pub struct Arguments {
     /// The surface, as `stribeck surface` makes it
     surface: PathBuf,

@@ -22,16 +22,19 @@ use stribeck_sweep::store::{CaseEntry, Origin, Status};
 const IN_MEMORY: &str = "writing to memory does not fail";
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck explain results/quick 100,1,1000             the place of the sweep nearest to these f, alpha and beta
-  stribeck explain results/quick 4f0c2b9e61d3a785       by the id in the column `case` of summary.csv
-  stribeck explain results/rubber speed=0.01,load=300   likewise, of a sweep over quantities of the laboratory
-  stribeck explain results/quick 100,1,1000 --stored    what is stored only; nothing is solved
+  stribeck explain results/quick 100,1,1000             the place nearest to these f, alpha and beta
+  stribeck explain results/experiment entrainment_speed=0.1,slide_roll_ratio=1
+  stribeck explain results/quick 100,1,1000 --stored    what is stored only; nothing is solved",
+    after_help = "\
+A case is also known by its id, in the column `case` of summary.csv.
 
 Shows where a case stands in the sweep, what is stored of it and how it came there. Then its chain is solved again up to
 it, on one thread, to show how it was reached: every point on the way with its residuals and estimated errors, and
-whether the numbers are still the same. The directory is only read, also while a run works there.")]
+whether the numbers are still the same. The directory is only read, also while a run works there."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

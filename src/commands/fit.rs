@@ -19,16 +19,21 @@ use stribeck_sweep::store::create_directory;
 use stribeck_sweep::{friction_task, points_to_fit};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck fit points.csv sweeps/rubber.toml --unknown relaxed_modulus,retardation_time
-  stribeck fit monday.txt friday.txt sweeps/rubber.toml --unknown f --bounds f=0:100 --time-limit 10m
-  stribeck fit points.csv sweeps/rubber.toml --unknown f,viscosity -o fit      pictures and tables in fit/
-  stribeck fit points.csv sweeps/rubber.toml --unknown viscosity --json
-
-The points are tables with mu, where it was measured (speed, load, …), and its standard error `error` if that is known:
-CSV, exports of instruments, .xlsx; what was understood of them is printed first. The sweep file's [laboratory] has all else, and the value that each unknown begins at. docs/reference/laboratory.md tells how it
-works and what the errors mean.")]
+  stribeck fit docs/how-to/instrument-files/traction.txt docs/how-to/instrument-files/experiment.toml \\
+      --unknown viscosity
+  stribeck fit docs/how-to/instrument-files/traction.txt docs/how-to/instrument-files/experiment.toml \\
+      --unknown viscosity,retardation_time --bounds viscosity=0.01:1 -o fit
+  stribeck fit docs/how-to/instrument-files/traction.txt docs/how-to/instrument-files/experiment.toml \\
+      --unknown viscosity --time-limit 5m --json",
+    after_help = "\
+The points are one table or several, with mu, where it was measured (speed, load, …), and its standard error `error` if
+that is known: CSV, exports of instruments, .xlsx. What was understood of them is printed first. The sweep file's
+[laboratory] has all else, and the value that each unknown begins at. docs/reference/laboratory.md tells how it works
+and what the errors mean."
+)]
 pub struct Arguments {
     /// The measured points, one table or several, and last the sweep file, with [laboratory]
     #[arg(value_name = "DATA… SWEEP", required = true, num_args = 1..)]

@@ -18,17 +18,19 @@ use stribeck_lab::{
 };
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck material rubber.csv                          the fit, and the lines for a sweep file
-  stribeck material rubber.csv --terms 12 -o fit.svg    with so many terms, and a picture of it
-  stribeck material rheometer.csv --shear --poisson-ratio 0.5
-  stribeck material isotherms.csv --reference-temperature 20degC
-  stribeck material rubber.inp --modulus-unit MPa       a Prony series of Abaqus or Ansys: nothing is fitted
-
-The file is a table of moduli over frequency (storage and loss) or over time (relaxation), or a Prony series. Times of
-the terms are spread over the measured range; those that the data do not ask for are dropped. docs/how-to/materials.md has
-more.")]
+  stribeck material docs/how-to/instrument-files/moduli.csv
+  stribeck material docs/how-to/instrument-files/moduli.csv --terms 12 -o fit.svg
+  stribeck material docs/how-to/instrument-files/moduli.csv --shear --poisson-ratio 0.5 --json
+  stribeck material docs/how-to/instrument-files/isotherms.csv --reference-temperature 20degC",
+    after_help = "\
+Prints the lines for a sweep file. The file is a table of moduli over frequency (storage and loss) or over time
+(relaxation), at one temperature or several; or it is a Prony series of Abaqus, Ansys or in a table, which is converted
+and not fitted. Times of the terms are spread over the measured range; those that the data do not ask for are dropped.
+docs/how-to/materials.md has more."
+)]
 pub struct Arguments {
     /// A table of measured moduli, or a Prony series
     #[arg(value_name = "DATA")]

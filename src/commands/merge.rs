@@ -19,15 +19,17 @@ const IN_MEMORY: &str = "writing to memory does not fail";
 const LISTED: usize = 10;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck merge /scratch/surface                       the parts that `run --part` left there
-  stribeck merge here/surface there/surface -o surface  runs of one sweep on several machines
-
-Shards are linked, or copied from another file system, so that the result is a directory like any other: it can be
+  stribeck merge shared/two-modes                       the parts that `run --part` left there
+  stribeck merge results/quick elsewhere/quick -o joined",
+    after_help = "\
+Shards are linked, or copied from another file system. So the result is a directory like any other: it can be
 resumed, extended and verified, and those it was made of may be deleted. Start again after an interruption. A case that
-is there twice has to agree within the tolerance. If cases are missing nothing is published, and the message names the
-parts they are in with the commands that finish them; exit code 4.")]
+is there twice has to agree within the tolerance. If cases are missing nothing is published. The message names the
+parts they are in with the commands that finish them; exit code 4."
+)]
 pub struct Arguments {
     /// Results directories of one sweep; their parts are joined with them
     #[arg(value_name = "DIR", required = true)]

@@ -5,6 +5,8 @@
 //! | `run`, `plan`, `status`, `solve`, `explain`, `merge`, `publish`, `slurm`, `verify` | commands: sweeps and cases |
 //! | `surface`, `evaluate` | commands: friction as a function |
 //! | `curve`, `fit`, `material`, `plot`, `report`, `study` | commands: experiments, pictures and methods |
+//! | `init`, `completions`, `man`, `schema` | commands: what a user starts with |
+//! | `command_line` | the whole command line: groups of commands, layout of help |
 //! | `destination` | the results directory of a sweep |
 //! | `published` | the published data set, for commands that show it |
 //! | `run_report`, `trace_report` | what a run tells of itself; how a case was reached |
@@ -21,6 +23,8 @@
 //! | `output_file` | files that a command writes for its user |
 //! | `sbatch_option` | options of sbatch that a user adds |
 
+mod command_line;
+mod completions;
 mod console;
 mod curve;
 mod destination;
@@ -31,6 +35,8 @@ mod fit;
 mod fit_progress;
 mod fitted_friction;
 mod fitted_material;
+mod init;
+mod man;
 mod material;
 mod material_text;
 mod measured;
@@ -46,6 +52,7 @@ mod report;
 mod run;
 mod run_report;
 mod sbatch_option;
+mod schema;
 mod sensitivities;
 mod shell;
 mod shifted;
@@ -65,40 +72,12 @@ mod verify;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::Subcommand;
 
 use crate::study::Meter;
+pub use command_line::{Cli, GROUPS, command_line, parse};
 use error::CliError;
 pub use shell::set_command_line;
-
-/// The command line.
-#[derive(Clone, Debug, Parser)]
-#[command(
-    name = "stribeck",
-    version,
-    about = "Generalized Stribeck surfaces: friction of a lubricated cylinder sliding on a viscoelastic half space",
-    after_help = EXAMPLES,
-    arg_required_else_help = true,
-    max_term_width = 100
-)]
-pub struct Cli {
-    #[command(subcommand)]
-    command: Command,
-}
-
-const EXAMPLES: &str = "\
-Examples:
-  stribeck plan sweeps/quick.toml                       what a sweep will cost
-  stribeck run sweeps/quick.toml                        run it, or resume it; results in results/quick
-  stribeck solve --alpha 1 --beta 100 --f 10            a single case
-  stribeck explain results/quick 100,1,1000             why this one is as it is
-  stribeck plot results/quick                           pictures of it, in results/quick/figures
-  stribeck report results/quick                         one page of it, for a browser
-  stribeck study sweeps/study-quick.toml                error against run time
-  stribeck material rubber.csv --terms 12               a substrate from measured moduli
-
-Exit codes: 0 all cases converged; 2 bad input; 3 done, but some cases failed; 4 the disk or a file;
-130 interrupted, the same command resumes.";
 
 #[derive(Clone, Debug, Subcommand)]
 enum Command {
@@ -136,6 +115,14 @@ enum Command {
     Surface(surface::Arguments),
     /// Evaluate a surface at points, or check it
     Evaluate(evaluate::Arguments),
+    /// Write a sweep file to start from, with comments
+    Init(init::Arguments),
+    /// Print what completes commands in a shell
+    Completions(completions::Arguments),
+    /// Write the manual pages
+    Man(man::Arguments),
+    /// Print the JSON schema of sweep files, for editors
+    Schema(schema::Arguments),
 }
 
 /// How a command ended that did what it was asked to.
@@ -185,6 +172,10 @@ pub fn execute(cli: &Cli, meter: Meter<'_>) -> ExitCode {
         Command::Material(arguments) => material::execute(arguments),
         Command::Surface(arguments) => surface::execute(arguments),
         Command::Evaluate(arguments) => evaluate::execute(arguments),
+        Command::Init(arguments) => init::execute(arguments),
+        Command::Completions(arguments) => completions::execute(arguments),
+        Command::Man(arguments) => man::execute(arguments),
+        Command::Schema(arguments) => schema::execute(arguments),
     };
     match ending {
         Ok(exit) => exit.code().into(),

@@ -18,14 +18,16 @@ use stribeck_sweep::{Extent, Grid, Sweep};
 const IN_MEMORY: &str = "writing to memory does not fail";
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck plan sweeps/surface.toml
-  stribeck plan sweeps/surface.toml -o /scratch/surface --threads 32
-
+  stribeck plan sweeps/surface.toml -o elsewhere/surface --threads 32",
+    after_help = "\
 Nothing is solved and nothing is written. Cases that the results directory has already are told apart
-from new ones, so this also shows what an extended or half finished sweep has left to do. Every stored byte
-is compared with its record, as a run does before it uses it; --quick looks at the sizes of the files alone.")]
+from new ones: this also shows what an extended or half finished sweep has left to do. Every stored byte
+is compared with its record, as a run does before it uses it. --quick looks at the sizes of the files alone."
+)]
 pub struct Arguments {
     /// The sweep file (TOML); docs/reference/sweep-file.md has its keys
     sweep: PathBuf,

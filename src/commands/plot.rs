@@ -11,25 +11,28 @@ use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console, published};
 use crate::format::count;
-use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, pictures};
+use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, largest_error, pictures};
 use stribeck_input::{printable, shown};
 use stribeck_sweep::Sweep;
 use stribeck_sweep::store::create_directory;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck plot results/quick                                       all that makes sense
   stribeck plot results/quick --what surfaces,maps --of mu_tot --format png
   stribeck plot results/quick --what curves --of mu_v --along alpha --beta 10,100,1000 --f 100
   stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
-  stribeck plot results/surface --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
-  stribeck plot results/surface --what stress --alpha 0.1,0.3,1,10 --beta 1000
-  stribeck plot results/rubber --what curves --of mu_drag --along speed --measured points.csv
-
+  stribeck plot results/quick --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
+  stribeck plot results/quick --what stress --f 100 --alpha 0.1,1,10 --beta 1000
+  stribeck plot results/experiment --what curves --of mu_drag --along entrainment_speed \\
+      --measured docs/how-to/instrument-files/traction.txt",
+    after_help = "\
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
-nearest ones it has, which the picture names. Columns and fields are those of docs/reference/output.md; docs/explanation/paper-figures.md
-shows pictures of each kind with their commands.")]
+nearest ones it has, which the picture names. Columns and fields are those of docs/reference/columns.md.
+docs/explanation/paper-figures.md shows pictures of each kind with their commands."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]
@@ -149,7 +152,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
         text += &format!("{}\n", shown(&file));
     }
-    text += &format!("{}, each with its numbers as .csv\n", count(pictures.len() as u64, "picture"));
+    text += &format!("{}, each with its numbers as .csv", count(pictures.len() as u64, "picture"));
+    if let Some(error) = largest_error(&sweep, &request)?.filter(|_| pictures.iter().any(Picture::has_curves)) {
+        text += &format!("; estimated errors are at most {error:.0e} of the largest value");
+    }
+    text += "\n";
     console::print(&text)?;
     Ok(Exit::Success)
 }

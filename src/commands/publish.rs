@@ -10,14 +10,16 @@ use stribeck_input::shown;
 use stribeck_sweep::campaign::{Event, publish_stored};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck publish results/quick                        results.h5 and the tables again, from what is stored
-  stribeck publish results/quick --partial              what an interrupted run has so far
-
-A run publishes by itself when all is solved. With --partial places that are not solved yet have no numbers, the status
-failed and the reason `not solved yet`; results.h5 says how many they are in its attribute `partial`, and plot and report
-say so too. The run goes on as if nothing had been published, and replaces these files at its end.")]
+  stribeck publish results/quick --partial              what an interrupted run has so far",
+    after_help = "\
+A run publishes by itself when all is solved. With --partial, places that are not solved yet have no numbers, the status
+failed and the reason `not solved yet`. The attribute `partial` of results.h5 says how many they are; plot and report
+say so too. The run goes on as if nothing had been published, and replaces these files at its end."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

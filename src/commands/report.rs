@@ -12,15 +12,17 @@ use crate::report::{BEGINNING, page};
 use stribeck_input::shown;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck report results/quick                         then open results/quick/report.html
   stribeck report results/quick -o for-a-colleague.html
-  stribeck report results/rubber --measured points.csv  with measured points in the curves of friction
-
+  stribeck report results/experiment --measured docs/how-to/instrument-files/traction.txt",
+    after_help = "\
 One file that works without a network, in any browser of 2021 or later: surfaces and maps with a slider for f, any
 case with its fields, curves, errors against seconds, failures, a table to sort and download, and the sweep file.
-Large sweeps are thinned, and the page says how. docs/how-to/report.md has more.")]
+Large sweeps are thinned, and the page says how. docs/how-to/report.md has more."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

@@ -18,16 +18,21 @@ use stribeck_sweep::engine::{Progress, ProgressStyle, Signals};
 use stribeck_sweep::{Extent, Grid, Part};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck run sweeps/quick.toml                        results in results/quick
-  stribeck run sweeps/quick.toml -o /scratch/quick --threads 8
-  stribeck run my.toml --quiet 2> run.log               messages only, no progress
-  stribeck run my.toml -o /shared/my --part 3/8         the third of eight parts, for another machine each
-
-Run the same command again to resume a sweep that was interrupted; if nothing is left to do it says so.
+  stribeck run sweeps/quick.toml -o elsewhere/quick --threads 8
+  stribeck run sweeps/gel.toml --quiet 2> gel.log       messages only, no progress
+  stribeck run docs/how-to/instrument-files/experiment.toml
+  stribeck run sweeps/two-modes.toml -o shared/two-modes --part 1/2
+  stribeck run sweeps/two-modes.toml -o shared/two-modes --part 2/2    on another machine",
+    after_help = "\
+Run the same command again to resume a sweep that was interrupted. If nothing is left to do it says so.
 Values can be added to the axes of a sweep: what is solved is used again. Ctrl-C stores what is finished
-and ends the run with exit code 130; a second Ctrl-C ends it at once, which loses no stored case either.")]
+and ends the run with exit code 130. A second Ctrl-C ends it at once, which loses no stored case either.
+`stribeck merge` publishes parts together."
+)]
 pub struct Arguments {
     /// The sweep file (TOML); docs/reference/sweep-file.md has its keys
     sweep: PathBuf,

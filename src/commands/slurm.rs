@@ -25,16 +25,18 @@ const USUAL_ARRAY_SIZE: u32 = 1001;
 const EARLY: u64 = 60;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck slurm my.toml -o /shared/my --tasks 64 --cpus 4 --time 02:00:00 --partition short --submit
-  stribeck slurm my.toml -o /shared/my --tasks 5000 --time 60 --account abc --sbatch=--constraint=avx2
-  stribeck slurm my.toml -o /shared/my --tasks 64 --setup \"module load hdf5\"
-
-Writes DIR/slurm/part.sh and DIR/slurm/merge.sh, and with --submit submits them: an array of the parts (several arrays,
-if there are more tasks than the site allows in one), and a job that merges when all of them have ended. A part that is
-near its time limit stores what is finished and requeues itself; one whose node fails is requeued by Slurm. Without
---submit the commands to be typed are printed. docs/how-to/cluster.md has more.")]
+  stribeck slurm sweeps/hundred-thousand.toml -o shared/many --tasks 64 --cpus 4 --time 02:00:00
+  stribeck slurm sweeps/film.toml -o shared/film --tasks 8 --account abc --sbatch=--constraint=avx2
+  stribeck slurm sweeps/surface.toml -o shared/surface --tasks 4 --setup \"module load hdf5\"",
+    after_help = "\
+Writes DIR/slurm/part.sh and DIR/slurm/merge.sh, and prints the commands that submit them. With --submit it submits
+them itself: an array of the parts (several arrays, if there are more tasks than the site allows in one), and a job that
+merges when all of them have ended. A part that is near its time limit stores what is finished and requeues itself; one
+whose node fails is requeued by Slurm. docs/how-to/cluster.md has more."
+)]
 pub struct Arguments {
     /// The sweep file (TOML)
     sweep: PathBuf,

@@ -19,22 +19,24 @@ use stribeck_sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
 pub const ESTIMATE_POINTS: usize = relaxation::Settings::ESTIMATE_POINTS;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck solve --alpha 1 --beta 100 --f 10
   stribeck solve --alpha inf --beta 100 --f 10          relaxed: the elastic case, whatever f is
-  stribeck solve --alpha 1 --beta 1000 --f 100 --tolerance 1e-8 --json | jq .mu_tot
+  stribeck solve --alpha 1 --beta 1000 --f 100 --tolerance 1e-8 --json
   stribeck solve --alpha 1 --beta 100 --f 10 --modes 0.7:1,0.3:100
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0        pure rolling
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0 --modes 0.5:1 --roller-modes 0.5:1
-  stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 1601
-  stribeck solve --batch cases.csv --tolerance 1e-7 > solved.csv
-
-Friction coefficients are over a0/R; docs/reference/output.md has all names and units. With --json the keys are the columns of
-summary.csv and slide_roll, seed, path, iterations, factorisations, unknowns, seconds; path has the points that were solved on the
-way to the case; a number that is not known is null, an infinite alpha is \"inf\". With --sensitivities there are also
-dmu_v_dln_alpha and the like.
-Exit code 3: the case failed.")]
+  stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 401
+  stribeck solve --batch sweeps/points.csv --tolerance 1e-7 > solved.csv",
+    after_help = "\
+Friction coefficients are over a0/R; docs/reference/columns.md has all names and units. With --json the keys are the
+columns of summary.csv and slide_roll, seed, path, iterations, factorisations, unknowns, seconds. The key path has the
+points that were solved on the way to the case. A number that is not known is null, an infinite alpha is \"inf\".
+With --sensitivities there are also dmu_v_dln_alpha and the like.
+Exit code 3: the case failed."
+)]
 pub struct Arguments {
     /// Slide time over retardation time, at least 0, or inf
     #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]

@@ -26,13 +26,15 @@ const LISTED_REGIONS: usize = 12;
 const LONGEST_REASON: usize = 160;
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
   stribeck status results/quick
-  watch -n 10 stribeck status --quick /scratch/surface  follow a sweep that runs somewhere else
-
+  stribeck status results/quick --quick                 fast enough for `watch -n 10`, to follow a run",
+    after_help = "\
 The directory is only read, also while a run works there. Every stored byte is compared with its record, as a run
-does before it uses it; --quick looks at the sizes of the files alone.")]
+does before it uses it. --quick looks at the sizes of the files alone."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

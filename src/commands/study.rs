@@ -26,16 +26,18 @@ const COPY: &str = "study.toml";
 const TABLES: [&str; 2] = ["study.csv", "study.md"];
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck study sweeps/study-quick.toml                tables and pictures in results/study-quick
-  stribeck study sweeps/study-stability.toml -o map --threads 4
-  stribeck study my-study.toml --quiet && column -s, -t results/my-study/study.csv | less -S
-
-Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG;
+  stribeck study sweeps/study-small.toml                tables and pictures in results/study-small
+  stribeck study sweeps/study-small.toml --quiet -o elsewhere/study --threads 2",
+    after_help = "\
+Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG.
 docs/reference/study-file.md has the keys of a study file and the columns. A case that fails is a row with its reason.
 Where run times are measured one thread is used unless --threads says otherwise: with more, times are those
-of a busy machine. Ctrl-C writes what is finished and ends with exit code 130; a study is not resumed.")]
+of a busy machine. Ctrl-C writes what is finished and ends with exit code 130; a study is not resumed.
+Exit code 3: a case failed, as some do by intent in sweeps/study-quick.toml, which takes a minute."
+)]
 pub struct Arguments {
     /// The study file (TOML)
     study: PathBuf,

@@ -19,15 +19,18 @@ use stribeck_sweep::engine::Signals;
 use stribeck_sweep::surface::{Progress, SurfaceBuildError, SurfaceOptions, build};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck surface sweeps/surface-of-paper.toml         in results/surface-of-paper
-  stribeck surface sweeps/surface-of-paper.toml -o /scratch/s --threads 8
-  stribeck evaluate results/surface-of-paper/surface.json --alpha 1 --beta 200
-
+  stribeck init --surface -o friction.toml
+  stribeck surface friction.toml                        in results/friction
+  stribeck surface friction.toml --quiet --threads 8    again: solved cases are used",
+    after_help = "\
 The sweep file has one to three axes that are ranges, and may have a section [surface] with the tolerance and
-the quantities (docs/how-to/surface.md). Run the same command again after an interruption: solved cases are used again.
-Exit code 3 means that a case failed, or that the surface was written without reaching its tolerance.")]
+the quantities (docs/how-to/surface.md). `stribeck evaluate` reads the surface. Run the same command again after an
+interruption: solved cases are used again.
+Exit code 3 means that a case failed, or that the surface was written without reaching its tolerance."
+)]
 pub struct Arguments {
     /// The sweep file, whose axes are ranges
     sweep: PathBuf,

@@ -11,12 +11,13 @@ use stribeck_input::shown;
 use stribeck_sweep::campaign::{VerifyReport, verify};
 
 #[derive(Clone, Debug, Args)]
-#[command(after_help = "\
+#[command(
+    before_help = "\
 Examples:
-  stribeck verify results/quick
-  stribeck verify results/quick && rsync -a results/quick backup:
-
-Every byte is read. Exit code 0: all is as it was written; 4: something is not, and what to do is said.")]
+  stribeck verify results/quick",
+    after_help = "\
+Every byte is read. Exit code 0: all is as it was written; 4: something is not, and what to do is said."
+)]
 pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]

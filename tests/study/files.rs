@@ -174,7 +174,7 @@ fn the_shipped_studies_are_valid() {
         }
     }
     names.sort();
-    assert_eq!(names, ["study-accuracy", "study-quick", "study-stability"]);
+    assert_eq!(names, ["study-accuracy", "study-quick", "study-small", "study-stability"]);
 }
 
 #[test]

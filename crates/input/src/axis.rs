@@ -49,7 +49,11 @@ enum Scale {
     Log,
 }
 
-const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "scale"];
+/// The keys of a range.
+pub const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "scale"];
+
+/// The scales of a range, the default first.
+pub const RANGE_SCALES: [&str; 2] = ["linear", "log"];
 
 impl Quantity {
     /// True for a value that the quantity may have.
@@ -175,7 +179,8 @@ fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: &impl Values) ->
     let help = "a range is { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }";
     let [from_entry, to_entry] = [range.require("from", help)?, range.require("to", help)?];
     let points = range.require("points", help)?.whole(2..=quantity.limit())?;
-    let choices = [("linear", Scale::Linear), ("log", Scale::Log)];
+    let [linear, log] = RANGE_SCALES;
+    let choices = [(linear, Scale::Linear), (log, Scale::Log)];
     let scale = range.get("scale").map(|scale| scale.choice(&choices)).transpose()?.unwrap_or_default();
 
     let finite = |end: &Entry<'_>| match quantity.read(end)? {

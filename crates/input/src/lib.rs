@@ -34,7 +34,7 @@ mod extent;
 mod file;
 mod sanitize;
 
-pub use axis::{Quantity, Values, Varying, read as read_axis, read_varying};
+pub use axis::{Quantity, RANGE_KEYS, RANGE_SCALES, Values, Varying, read as read_axis, read_varying};
 pub use entry::{Entry, Section};
 pub use error::{Fault, InputError, Invalid, is_of_disk};
 pub use file::{Kind, document, parse, read};

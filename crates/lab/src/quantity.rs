@@ -58,7 +58,7 @@ impl LaboratoryQuantity {
         [Self::Speed, Self::RollerSpeed, Self::SlideRollRatio, Self::EntrainmentSpeed, Self::FlatSpeed];
 
     /// Temperatures of soft bodies and fluids (K): a number outside was meant in another unit.
-    const TEMPERATURES: std::ops::RangeInclusive<f64> = 100.0..=2000.0;
+    pub const TEMPERATURES: std::ops::RangeInclusive<f64> = 100.0..=2000.0;
 
     /// Name in sweep files and results.
     pub fn name(self) -> &'static str {

@@ -54,6 +54,7 @@ mod _native {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         // When a package is imported there are seldom other threads.
         stribeck_sweep::store::initialise_hdf5();
+        stribeck_sweep::store::sign_as(stribeck::VERSION);
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("FIELDS", Field::ALL.map(Field::name))?;
         module.add("QUANTITIES", LaboratoryQuantity::ALL.map(|quantity| (quantity.name(), quantity.units())))

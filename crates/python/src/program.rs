@@ -3,9 +3,8 @@
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::Parser;
 use pyo3::prelude::*;
-use stribeck::commands::{Cli, execute, set_command_line};
+use stribeck::commands::{execute, parse, set_command_line};
 
 /// Runs the program with a command line, whose first word is the path that starts it, and returns the exit code.
 #[pyfunction]
@@ -13,7 +12,7 @@ pub fn main(py: Python<'_>, words: Vec<OsString>) -> i32 {
     py.detach(|| {
         set_command_line(words.clone());
         let words = std::iter::once(OsString::from("stribeck")).chain(words.into_iter().skip(1));
-        match Cli::try_parse_from(words) {
+        match parse(words) {
             Ok(cli) => code(execute(&cli, &peak_bytes)),
             Err(error) => {
                 // Without a terminal to print to there is no one to tell.

@@ -327,6 +327,7 @@ fn sensitivities_come_back_and_change_no_published_byte_of_a_sweep_without_them(
     for expected in chains(&more).into_iter().flatten() {
         let held = store.entry(expected.id).unwrap().unwrap();
         assert_eq!(held.sensitivities, expected.sensitivities);
+        assert_eq!(held.sensitivity_errors, expected.sensitivity_errors);
         assert_eq!(held.sensitivities.is_some(), expected.outcome == Status::Converged);
     }
     publish(&mut store).unwrap();
@@ -582,7 +583,8 @@ fn a_first_start_killed_before_its_first_record_is_resumed() {
 
 #[test]
 fn the_documentation_lists_every_column_field_and_header() {
-    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/output.md")).unwrap();
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/output.md")).unwrap();
     for column in Column::ALL {
         let shown = if column.in_summary() { "yes" } else { "no" };
         let row = format!("| `{}` | {} | {shown} |", column.name(), column.units());

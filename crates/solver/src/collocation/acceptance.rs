@@ -4,8 +4,7 @@
 use super::adaptation::indicators;
 use super::estimate::{Estimate, estimate};
 use super::fields::fields;
-use super::log_moments::MOST_MOMENTS;
-use super::reference::{ReferencePanel, evaluate};
+use super::reference::{ReferencePanel, dot};
 use super::state::State;
 use super::system::unknowns;
 use super::workspace::Workspace;
@@ -25,19 +24,15 @@ const ROUGH_TENSION: f64 = -1e-2;
 /// polynomial may dip below zero between positive values.
 pub(super) fn tension(reference: &ReferencePanel, state: &State) -> (f64, usize) {
     const LOW: f64 = 1e-2;
-    const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
     let most = state.pressure.iter().fold(0.0, |a: f64, &p| a.max(p));
     let size = reference.degree + 1;
-    let mut coefficients = [0.0; MOST_MOMENTS];
     let (mut least, mut place) = (0.0, 0);
     for (panel, nodes) in state.pressure.windows(size).step_by(reference.degree).enumerate() {
         if nodes.iter().all(|&p| p > LOW * most) {
             continue;
         }
-        reference.coefficients_of_nodes(nodes, &mut coefficients[..size]);
-        let between = |gap: &[f64]| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]));
-        let values = reference.nodes.windows(2).flat_map(between).map(|t| evaluate(&coefficients[..size], t));
-        for value in values.chain(nodes.iter().copied()) {
+        let between = reference.between_nodes.chunks_exact(size).map(|row| dot(row, nodes));
+        for value in between.chain(nodes.iter().copied()) {
             if value < least {
                 (least, place) = (value, panel);
             }

@@ -20,7 +20,8 @@
 //! | `adaptation.rs` | where panels are wanted |
 //! | `estimate.rs`, `bounds.rs`, `acceptance.rs` | how large the errors are, and whether the solution is accepted |
 //! | `parts.rs`, `truncation.rs` | sources of error: panels, and what lies beyond the mesh |
-//! | `quantities.rs`, `fields.rs` | the numbers and the fields of a solution |
+//! | `quantities.rs` | the numbers of a solution |
+//! | `gap.rs`, `fields.rs` | film and surface between the points, and the fields of a solution |
 //! | `sensitivity.rs`, `adjoint.rs` | derivatives of friction with respect to α, β and f |
 //! | `friction_partials.rs`, `inlet_partials.rs` | partial derivatives of friction with respect to the unknowns |
 //! | `substrate_derivatives.rs`, `retardation_derivatives.rs` | derivatives of w with respect to α and f |

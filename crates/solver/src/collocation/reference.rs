@@ -23,6 +23,8 @@ pub struct ReferencePanel {
     pub derivative: Vec<f64>,
     /// Value at the Gauss points from values at the nodes, d × (d + 1).
     pub values: Vec<f64>,
+    /// Value at some places between neighbouring nodes from values at the nodes, 7d × (d + 1).
+    pub between_nodes: Vec<f64>,
     /// Legendre coefficients from values at the nodes, (d + 1) × (d + 1).
     pub node_coefficients: Vec<f64>,
     /// Legendre coefficients from values at the Gauss points, d × d.
@@ -76,6 +78,13 @@ impl ReferencePanel {
                 own_log_moments[k * degree + i] = *moment;
             }
         }
+        const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
+        let mut between_nodes = Vec::with_capacity(BETWEEN.len() * degree * size);
+        for t in nodes.windows(2).flat_map(|gap| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]))) {
+            legendre(t, &mut polynomial);
+            let value = |j: usize| (0..size).map(|k| polynomial[k] * node_coefficients[k * size + j]).sum::<f64>();
+            between_nodes.extend((0..size).map(value));
+        }
         let rich_points: Vec<f64> = std::iter::once(-1.0).chain(points.iter().copied()).chain([1.0]).collect();
         let rich_derivative = differentiation(&rich_points);
         Self {
@@ -86,6 +95,7 @@ impl ReferencePanel {
             weights,
             derivative,
             values,
+            between_nodes,
             node_coefficients,
             point_coefficients,
             end_values,

@@ -29,9 +29,10 @@ const BLEND: [f64; 4] = [0.03872, 1.032, 1.478, 2.3];
 /// | --- | --- | --- |
 /// | elastic, every β | 0.2 % | 0.1 % |
 /// | any α, f up to 10⁴, β from 10 to 10⁸ (the range that was fitted) | 2 % | 0.4 % |
-/// | any α, f up to 10⁶, β from 10⁻⁴ to 10¹⁰ | 5 % near α = 1 and β = 0.3, 2 % elsewhere | 0.4 % |
+/// | any α, f up to 10⁶, β from 10⁻⁴ to 10¹⁰ | 5.1 % near α = 1 for β from 0.1 to 1, 2 % elsewhere | 0.4 % |
 ///
-/// on cases that were not fitted (`cargo run --release -p stribeck-solver --example film_formula`). Two limits are
+/// on cases that were not fitted (`cargo run --release -p stribeck-solver --example film_formula`); 1.95 % is at
+/// α = 0.231, f = 200, β = 10, 5.06 % at α = 0.548, f = 100, β = 1. Two limits are
 /// exact at any α and f: 1/(πβ) for β → 0, and for β → ∞ the power −3/5 with its factor, but for the five digits of
 /// 0.44583. For α → 0 (instantaneous modulus) and α → ∞ (relaxed) it becomes the formula of the elastic film, with the
 /// errors of the first row.

@@ -26,13 +26,14 @@ pub fn columns(first: Option<&Point>, output: &Output) -> Vec<FurtherColumn> {
     columns
 }
 
-/// The averages over both runs of an instrument that swaps the faster body.
+/// The averages over both runs of an instrument that swaps the faster body: name and what it is.
+pub const AVERAGES: [(&str, &str); 2] = [
+    ("mu_sliding", "half the difference of mu_drag with the flat and with the roller faster"),
+    ("mu_rolling", "mean of mu_drag with the flat and with the roller faster"),
+];
+
 fn averages() -> [FurtherColumn; 2] {
-    [
-        ("mu_sliding", "half the difference of mu_drag with the flat and with the roller faster"),
-        ("mu_rolling", "mean of mu_drag with the flat and with the roller faster"),
-    ]
-    .map(|(name, long_name)| FurtherColumn { name: name.to_owned(), long_name: long_name.to_owned() })
+    AVERAGES.map(|(name, long_name)| FurtherColumn { name: name.to_owned(), long_name: long_name.to_owned() })
 }
 
 /// [D(S) − D(−S)]/2 with S ≥ 0 and [D(S) + D(−S)]/2, in this order, from the values of both runs.

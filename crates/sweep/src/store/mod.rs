@@ -53,6 +53,8 @@ mod verify;
 mod warning;
 mod writing;
 
+use std::sync::OnceLock;
+
 pub use catalog::{Catalog, Counts, Origin};
 pub use claims::Inspection;
 pub use contents::Contents;
@@ -60,7 +62,7 @@ pub use data_set::{Cost, DataSet};
 pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
 pub use files::{create_directory, holds_text, write_whole};
-pub use further_columns::{FurtherColumn, columns as further_columns};
+pub use further_columns::{AVERAGES, FurtherColumn, columns as further_columns};
 pub use hdf5_environment::initialise as initialise_hdf5;
 pub use history::{Beginning, History, Start};
 pub use joining::{Agreement, Joined};
@@ -69,12 +71,28 @@ pub use placed::{PlacedNumbers, Placing};
 pub use publication::{Point, Publication};
 pub use publish::Published;
 pub use record::Ending;
+pub use sensitivity_columns::errors_of_derivatives;
 pub use verify::{Problem, VerifyReport, verify};
 pub use warning::Warning;
 pub use writing::Store;
 
+/// The version that log and published files are signed with, where it says more than that of this crate.
+static VERSION: OnceLock<&str> = OnceLock::new();
+
+/// Says which version of the program writes, for instance with its commit. The first call counts.
+pub fn sign_as(version: &'static str) {
+    VERSION.get_or_init(|| version);
+}
+
+/// The version that writes.
+fn version() -> &'static str {
+    VERSION.get().copied().unwrap_or(env!("CARGO_PKG_VERSION"))
+}
+
 /// The program that writes, as it signs log and published files.
-const PROGRAM: &str = concat!("stribeck ", env!("CARGO_PKG_VERSION"));
+pub(crate) fn program() -> String {
+    format!("stribeck {}", version())
+}
 
 /// Seconds since 1970. A clock set before that counts as 1970: times are for people to read, nothing depends on them.
 fn clock() -> u64 {

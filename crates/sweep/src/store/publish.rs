@@ -16,7 +16,7 @@ use super::record::{CaseRecord, FileRecord, Record};
 use super::replacement::put_in_place;
 use super::results::Results;
 use super::tables::{Summary, Timings};
-use super::{Catalog, Contents, PROGRAM, Status, Store, StoreError, clock};
+use super::{Catalog, Contents, Status, Store, StoreError, clock, program};
 use crate::{CaseId, Field, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
@@ -92,7 +92,7 @@ struct Survey {
 /// Looks up every place of the grid before anything is written.
 fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, StoreError> {
     let mut hasher = blake3::Hasher::new();
-    for text in [PROGRAM, publication.title, publication.sweep_text] {
+    for text in [program().as_str(), publication.title, publication.sweep_text] {
         hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
     }
     let contents = Contents::of(&store.output);
@@ -206,8 +206,8 @@ impl<'a> Files<'a> {
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let sensitivities = if output.sensitivities { reader.sensitivities(case) } else { None };
-        let numbers = point.numbers_of(&reader.values(case), sensitivities.as_ref(), swapped.as_ref(), output);
+        let sensitivities = if output.sensitivities { reader.sensitivities(case) } else { [None; 2] };
+        let numbers = point.numbers_of(&reader.values(case), sensitivities, swapped.as_ref(), output);
         let mut sources = Vec::new();
         for field in self.results.fields().fields() {
             let source = if point.follows_from_film(field) { Field::FilmThickness } else { field };
@@ -229,7 +229,7 @@ impl<'a> Files<'a> {
     /// A place without a case, of a partial publication.
     fn missing_place(&mut self, point: Point) -> Result<Place, StoreError> {
         let output = &self.store.output;
-        let numbers = point.numbers_of(&Values::NONE, None, point.swapped.map(|_| Values::NONE).as_ref(), output);
+        let numbers = point.numbers_of(&Values::NONE, [None; 2], point.swapped.map(|_| Values::NONE).as_ref(), output);
         let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status: Status::Failed, reason: NOT_SOLVED.to_owned(), values, more, notes };
         self.summary.row(&place)?;

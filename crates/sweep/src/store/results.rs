@@ -13,7 +13,7 @@ use super::field_blocks::{FieldBlocks, places_in_block};
 use super::further_columns::FurtherColumn;
 use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
-use super::{PROGRAM, Status};
+use super::{Status, program, version};
 use crate::grid_index::indices;
 use crate::{CaseId, Column, Dimension, Field, Note, Unit};
 use stribeck_lab::{Experiment, Scales};
@@ -154,7 +154,7 @@ impl Results {
 fn describe_file(file: &NewFile, publication: &Publication<'_>) -> Result<()> {
     file.set_text("Conventions", "CF-1.10")?;
     file.set_text("title", publication.title)?;
-    file.set_text("history", &format!("{PROGRAM}: run sweep.toml"))?;
+    file.set_text("history", &format!("{}: run sweep.toml", program()))?;
     file.set_text(
         "source",
         "numerical solution of the lubricated sliding of a rigid cylinder on a viscoelastic half space",
@@ -163,7 +163,7 @@ fn describe_file(file: &NewFile, publication: &Publication<'_>) -> Result<()> {
     file.set_text("method", publication.method)?;
     file.set_number("tolerance", publication.tolerance)?;
     file.set_text("sweep", publication.sweep_text)?;
-    file.set_text("stribeck_version", env!("CARGO_PKG_VERSION"))
+    file.set_text("stribeck_version", version())
 }
 
 /// The dimensions of the variables, and what describes them beside.

@@ -13,7 +13,7 @@ use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace, synchronise_logs};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
 use super::shard::{check_shard, shard_name, write_shard};
-use super::{CaseEntry, Catalog, Contents, Ending, PROGRAM, PackedCase, Status, StoreError, Warning, clock};
+use super::{CaseEntry, Catalog, Contents, Ending, PackedCase, Status, StoreError, Warning, clock, program};
 use crate::Field;
 use stribeck_solver::Output;
 
@@ -87,7 +87,7 @@ impl Store {
     /// # Errors
     /// [`StoreError::File`] if the log cannot be written.
     pub fn begin(&mut self, sweep: &str, cases: u64, threads: u64) -> Result<(), StoreError> {
-        let (program, sweep) = (PROGRAM.to_owned(), sweep.to_owned());
+        let (program, sweep) = (program(), sweep.to_owned());
         self.append(&Record::Start { program, sweep, cases, threads, time: clock() }).map(drop)
     }
 

@@ -339,7 +339,7 @@ impl Work<'_> {
         SurfaceFile {
             format: FORMAT.to_owned(),
             title: self.surface.sweep.title.clone(),
-            program: concat!("stribeck ", env!("CARGO_PKG_VERSION")).to_owned(),
+            program: crate::store::program(),
             results_version: collocation::RESULTS_VERSION,
             tolerance: self.surface.settings.tolerance,
             axes: self.domain.axes(),

@@ -118,7 +118,7 @@ fn is_rigid(entry: &Entry<'_>) -> Result<bool, Fault> {
     if !body.get("rigid").map_or(Ok(false), |rigid| rigid.boolean())? {
         return Ok(false);
     }
-    let others = keys(entry.path()).iter().filter(|key| **key != "rigid");
+    let others = keys(entry.path()).into_iter().filter(|key| *key != "rigid");
     match others.into_iter().find_map(|key| body.get(key)) {
         None => Ok(true),
         Some(other) => {

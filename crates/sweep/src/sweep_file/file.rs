@@ -53,7 +53,7 @@ pub(super) fn interpret_document(
     document: &DeTable<'_>,
     folder: Option<&Path>,
 ) -> Result<Sweep, Fault> {
-    let root = Section::new("", 0..0, document, keys(""), home)?;
+    let root = Section::new("", 0..0, document, &keys(""), home)?;
     if let Some(surface) = root.get("surface") {
         surface::read_settings(&surface)?;
     }

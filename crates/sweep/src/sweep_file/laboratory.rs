@@ -87,7 +87,8 @@ fn check_temperatures(section: &Section<'_>, given: &[Given], laws: &Temperature
     let Some(entry) = section.get(LaboratoryQuantity::Temperature.name()) else { return Ok(()) };
     if *laws == TemperatureLaws::default() {
         let what = "nothing changes with `laboratory.temperature`";
-        let help = "give [flat] a `shift`, or the viscosity a law (docs/reference/sweep-file.md), or remove the temperature";
+        let help =
+            "give [flat] a `shift`, or the viscosity a law (docs/reference/sweep-file.md), or remove the temperature";
         return Err(entry.fault(what, "without a law", help).unquoted());
     }
     let temperatures = given.iter().filter(|given| given.quantity == LaboratoryQuantity::Temperature);

@@ -13,6 +13,7 @@
 //! | `modulus` | a modulus of a section: relaxed or instantaneous, Young's or shear |
 //! | `named_series` | Prony series in files that a sweep file names |
 //! | `temperature` | the readers of laws of temperature |
+//! | `schema` | the JSON schema of sweep files |
 //! | `surface` | the section `[surface]`, and a sweep file whose ranges are the domain of a surface |
 //! | `file` | the reader of the whole file, and of `[axes]` |
 
@@ -22,6 +23,7 @@ mod laboratory;
 mod modulus;
 mod named_series;
 mod output;
+mod schema;
 mod sections;
 mod solver;
 mod specification;
@@ -30,6 +32,7 @@ mod surface;
 mod temperature;
 
 pub use file::{read_axes, read_title};
+pub use schema::schema;
 pub use solver::{read_error, read_points};
 pub use specification::{Method, SolverSettings, Sweep};
 pub use substrate::read as read_substrate;

@@ -14,6 +14,9 @@ use stribeck_lab::{Dimension, MaterialData, MaterialFile, MaterialFileError, Mat
 const HELP: &str =
     "write relaxation = { file = \"prony.csv\" }, with modulus_unit = \"MPa\" where the file names no unit";
 
+/// The keys of a table that names a file.
+pub(super) const FILE_KEYS: [&str; 2] = ["file", "modulus_unit"];
+
 /// The series that a sweep file names files for.
 #[derive(Default)]
 pub(super) struct NamedSeries(Vec<One>);
@@ -66,7 +69,7 @@ impl NamedSeries {
 impl One {
     /// Reads the series of a table `{ file, modulus_unit }`.
     fn read(entry: &Entry<'_>, folder: &Path, in_want: Option<usize>) -> Result<Self, Fault> {
-        let keys = entry.section(&["file", "modulus_unit"], |_| None)?;
+        let keys = entry.section(&FILE_KEYS, |_| None)?;
         let name = keys.require("file", HELP)?;
         let modulus_unit = keys.get("modulus_unit").map(|unit| read_unit(&unit)).transpose()?;
         let file = name.text()?;

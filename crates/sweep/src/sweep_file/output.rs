@@ -6,11 +6,14 @@ use crate::Field;
 use stribeck_input::{Entry, Fault, Quantity, read_axis};
 use stribeck_solver::{CavityShear, FieldSelection, Output};
 
+/// What may fill the gap behind the film by name, the default first.
+pub(super) const CAVITY_SHEARS: [(&str, CavityShear); 3] =
+    [("full", CavityShear::Full), ("streamers", CavityShear::Streamers), ("none", CavityShear::None)];
+
 /// Reads `[output]` of a sweep that is solved by a method.
 pub(super) fn read(entry: &Entry<'_>, method: Method) -> Result<Output, Fault> {
     let section = section(entry)?;
     let defaults = Output::default();
-    let shears = [("full", CavityShear::Full), ("streamers", CavityShear::Streamers), ("none", CavityShear::None)];
     Ok(Output {
         fields: section.get("fields").map(|entry| read_fields(&entry)).transpose()?.unwrap_or(defaults.fields),
         x: match section.get("x") {
@@ -19,7 +22,7 @@ pub(super) fn read(entry: &Entry<'_>, method: Method) -> Result<Output, Fault> {
         },
         limits: section.get("limits").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.limits),
         cavity_shear: match section.get("cavity_shear") {
-            Some(entry) => entry.choice(&shears)?,
+            Some(entry) => entry.choice(&CAVITY_SHEARS)?,
             None => defaults.cavity_shear,
         },
         sensitivities: match section.get("sensitivities") {

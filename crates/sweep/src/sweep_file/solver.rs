@@ -6,13 +6,20 @@ use stribeck_input::{Entry, Fault};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
 
+/// The methods by name, the default first.
+pub(super) const METHODS: [(&str, Method); 2] =
+    [("collocation", Method::Collocation), ("relaxation", Method::Relaxation)];
+
+/// The accelerations by name, the default first.
+pub(super) const ACCELERATIONS: [(&str, Acceleration); 2] =
+    [("anderson", Acceleration::Anderson), ("none", Acceleration::None)];
+
 /// Reads `[solver]`.
 pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
     let section = section(entry)?;
     let defaults = SolverSettings::default();
-    let methods = [("collocation", Method::Collocation), ("relaxation", Method::Relaxation)];
     Ok(SolverSettings {
-        method: section.get("method").map(|entry| entry.choice(&methods)).transpose()?.unwrap_or_default(),
+        method: section.get("method").map(|entry| entry.choice(&METHODS)).transpose()?.unwrap_or_default(),
         tolerance: section.get("tolerance").map(|entry| read_error(&entry)).transpose()?.unwrap_or(defaults.tolerance),
         relaxation: section
             .get("relaxation")
@@ -53,7 +60,6 @@ const ESTIMATE_POINTS: usize = Settings::ESTIMATE_POINTS;
 fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
     let section = section(entry)?;
     let defaults = Settings::default();
-    let accelerations = [("anderson", Acceleration::Anderson), ("none", Acceleration::None)];
     let settings = Settings {
         domain: section.get("domain").map(|entry| read_domain(&entry)).transpose()?.unwrap_or(defaults.domain),
         points: section.get("points").map(|entry| read_points(&entry)).transpose()?.unwrap_or(defaults.points),
@@ -70,7 +76,7 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
             None => defaults.tolerance,
         },
         acceleration: match section.get("acceleration") {
-            Some(entry) => entry.choice(&accelerations)?,
+            Some(entry) => entry.choice(&ACCELERATIONS)?,
             None => defaults.acceleration,
         },
         estimate: section.get("estimate").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.estimate),

@@ -14,6 +14,11 @@ const TERMS: &str = "write relaxation = [{ modulus = \"0.5 MPa\", time = \"1 s\"
                      { modulus = \"0.1 MPa\", time = \"10 s\" }], or { fraction = 0.3, time = \"1 s\" } with fractions of the \
                      instantaneous modulus; or { file = \"prony.csv\" }";
 
+/// The keys of a mode.
+pub(super) const MODE_KEYS: [&str; 2] = ["share", "time"];
+/// The keys of a term.
+pub(super) const TERM_KEYS: [&str; 3] = ["modulus", "fraction", "time"];
+
 /// What a body says of itself, for what `[laboratory]` leaves out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MaterialDefaults {
@@ -109,7 +114,7 @@ pub(super) fn substrate_of(
 
 pub(super) fn read_modes(modes_entry: &Entry<'_>) -> Result<Vec<RetardationMode>, Fault> {
     let read_mode = |mode: Entry<'_>| {
-        let mode = mode.section(&["share", "time"], |_| None)?;
+        let mode = mode.section(&MODE_KEYS, |_| None)?;
         let [share_entry, time_entry] = [mode.require("share", MODES)?, mode.require("time", MODES)?];
         let (share, time) = (share_entry.number()?, time_entry.number()?);
         if !(share > 0.0 && share <= 1.0) {
@@ -154,7 +159,7 @@ fn read_relaxation(
 /// Terms by their moduli, or by their fractions of the instantaneous modulus.
 fn read_terms(entry: &Entry<'_>) -> Result<PronySeries, Fault> {
     let read_term = |term: Entry<'_>| {
-        let keys = term.section(&["modulus", "fraction", "time"], |_| None)?;
+        let keys = term.section(&TERM_KEYS, |_| None)?;
         let time = Dimension::Time.read(&keys.require("time", TERMS)?)?;
         let part = match (keys.get("modulus"), keys.get("fraction")) {
             (Some(modulus), None) => (PronyParts::Moduli, Dimension::Modulus.read(&modulus)?),

@@ -13,11 +13,15 @@ use super::file::{KIND, interpret_document};
 use super::sections::section;
 use super::specification::{Method, Sweep};
 use crate::{Column, Grid};
-use stribeck_input::{Entry, Fault, InputError};
+use stribeck_input::{Entry, Fault, InputError, RANGE_KEYS, Section};
 use stribeck_surface::Spread;
 
 /// The tolerances that a surface may have.
-const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-7..=1e-2;
+pub(super) const TOLERANCE: std::ops::RangeInclusive<f64> = 1e-7..=1e-2;
+/// The numbers of points that it may be compared with.
+pub(super) const POINTS: std::ops::RangeInclusive<usize> = 1000..=100_000;
+/// The seeds of these points.
+pub(super) const SEED: std::ops::RangeInclusive<usize> = 0..=u32::MAX as usize;
 /// Nodes and points to compare with are solved so many times tighter.
 const TIGHTER: f64 = 100.0;
 
@@ -102,7 +106,7 @@ fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<SurfaceSwe
     let mut sweep = interpret_document(name, text, &ends, folder)?;
     let settings = match document.get_ref().get("surface").map(Spanned::get_ref) {
         Some(DeValue::Table(_)) => {
-            let root = stribeck_input::Section::new("", 0..0, document.get_ref(), super::sections::keys(""), |_| None)?;
+            let root = Section::new("", 0..0, document.get_ref(), &super::sections::keys(""), |_| None)?;
             root.get("surface").map(|entry| read_settings(&entry)).transpose()?.unwrap_or_default()
         }
         _ => SurfaceSettings::default(),
@@ -148,8 +152,7 @@ fn take_range(key: &str, value: &mut Spanned<DeValue<'_>>) -> Result<Option<Rang
             return Err(Fault::new(span, what, "a list", help).unquoted());
         }
         DeValue::Table(table) if table.contains_key("from") => {
-            let known = ["from", "to", "points", "scale"];
-            if let Some(other) = table.keys().find(|name| !known.contains(&name.get_ref().as_ref())) {
+            if let Some(other) = table.keys().find(|name| !RANGE_KEYS.contains(&name.get_ref().as_ref())) {
                 let what = format!("a range has `from`, `to`, `points` and `scale`, and no `{}`", other.get_ref());
                 return Err(Fault::new(other.span(), what, "unknown key", "remove it").unquoted());
             }
@@ -157,6 +160,8 @@ fn take_range(key: &str, value: &mut Spanned<DeValue<'_>>) -> Result<Option<Rang
                 let help = "write { from = 1.0, to = 1000.0, scale = \"log\" }";
                 return Err(Fault::new(span, format!("the range `{key}` needs `to`"), "no `to`", help).unquoted());
             };
+            let range = Section::new(key, span.clone(), table, &RANGE_KEYS, |_| None)?;
+            range.get("points").map(|points| points.whole(2..=1_000_000)).transpose()?;
             let logarithmic = match table.get("scale").map(|scale| (scale.span(), scale.get_ref())) {
                 None => false,
                 Some((_, DeValue::String(scale))) if scale == "log" => true,
@@ -251,17 +256,17 @@ pub(super) fn read_settings(entry: &Entry<'_>) -> Result<SurfaceSettings, Fault>
         settings.quantities = quantities;
     }
     if let Some(entry) = section.get("points") {
-        settings.points = entry.whole(1000..=100_000)?;
+        settings.points = entry.whole(POINTS)?;
     }
     if let Some(entry) = section.get("seed") {
-        settings.seed = entry.whole(0..=u32::MAX as usize)? as u64;
+        settings.seed = entry.whole(SEED)? as u64;
     }
     Ok(settings)
 }
 
 /// True for columns that are functions of the place: estimated errors and residuals are none, and the approximation of
 /// μ_h is a formula.
-fn is_function(column: Column) -> bool {
+pub(super) fn is_function(column: Column) -> bool {
     !(column.is_error() || matches!(column, Column::LoadResidual | Column::EnergyResidual | Column::ApproxMuH))
 }
 

@@ -1,6 +1,6 @@
 //! Laws of temperature in a sweep file: `shift` of a body, and a viscosity that changes.
 
-use stribeck_input::{Entry, Fault, Section, Values};
+use stribeck_input::{Entry, Fault, RANGE_KEYS, Section, Values};
 use stribeck_lab::{Dimension, LaboratoryQuantity, ShiftLaw, TemperatureUnit, ViscosityLaw, ViscosityTable};
 
 const SHIFT: &str = "write shift = { law = \"wlf\", c1 = 17.4, c2 = \"51.6 K\", reference = \"20 degC\" }, or \
@@ -10,14 +10,18 @@ const VISCOSITY: &str = "write viscosity = { law = \"arrhenius\", value = \"0.1 
                          reference = \"40 degC\" }, or { table = [{ temperature = \"40 degC\", value = \"0.1 Pa s\" }, \
                          { temperature = \"100 degC\", value = \"12 mPa s\" }] }";
 
+/// The laws of `shift` by name, with the keys that each has beside `law` and `reference`.
+pub(super) const SHIFT_LAWS: [(&str, &[&str]); 2] = [("wlf", &["c1", "c2"]), ("arrhenius", &["activation_energy"])];
+/// The laws of a viscosity by name, with the keys that each has beside `law`, `value` and `reference`.
+pub(super) const VISCOSITY_LAWS: [(&str, &[&str]); 2] = [("vogel", &["b", "c"]), ("arrhenius", &["activation_energy"])];
+
 /// Reads `shift`: how the times of a body change with temperature.
 pub(super) fn read_shift(entry: &Entry<'_>) -> Result<ShiftLaw, Fault> {
     let law = entry.section(&["law", "c1", "c2", "activation_energy", "reference"], |_| None)?;
-    let laws = [("wlf", true), ("arrhenius", false)];
-    let is_wlf = law.require("law", SHIFT)?.choice(&laws)?;
+    let [(wlf, of_wlf), (arrhenius, of_arrhenius)] = SHIFT_LAWS;
+    let is_wlf = law.require("law", SHIFT)?.choice(&[(wlf, true), (arrhenius, false)])?;
     let reference = temperature(&law, "reference", SHIFT)?;
-    let foreign = if is_wlf { &["activation_energy"][..] } else { &["c1", "c2"] };
-    refuse(&law, foreign, SHIFT)?;
+    refuse(&law, if is_wlf { of_arrhenius } else { of_wlf }, SHIFT)?;
     Ok(match is_wlf {
         true => {
             let (c1, c2) = (positive(&law, "c1", SHIFT)?, difference(&law, "c2", SHIFT)?);
@@ -31,12 +35,11 @@ pub(super) fn read_shift(entry: &Entry<'_>) -> Result<ShiftLaw, Fault> {
 /// is a number or an axis.
 pub(super) fn read_viscosity(entry: &Entry<'_>) -> Result<Option<(f64, ViscosityLaw)>, Fault> {
     const OF_LAW: [&str; 7] = ["law", "value", "activation_energy", "b", "c", "reference", "table"];
-    const OF_RANGE: [&str; 4] = ["from", "to", "points", "scale"];
     if !entry.is_section() {
         return Ok(None);
     }
     // What is neither is told by the reader of axes.
-    let Ok(either) = entry.section(&[&OF_LAW[..], &OF_RANGE].concat(), |_| None) else { return Ok(None) };
+    let Ok(either) = entry.section(&[&OF_LAW[..], &RANGE_KEYS].concat(), |_| None) else { return Ok(None) };
     if OF_LAW.iter().all(|key| either.get(key).is_none()) {
         return Ok(None);
     }
@@ -46,10 +49,11 @@ pub(super) fn read_viscosity(entry: &Entry<'_>) -> Result<Option<(f64, Viscosity
         let table = read_table(&table)?;
         return Ok(Some((table.first(), ViscosityLaw::Table(table))));
     }
-    let is_vogel = law.require("law", VISCOSITY)?.choice(&[("vogel", true), ("arrhenius", false)])?;
+    let [(vogel, of_vogel), (arrhenius, of_arrhenius)] = VISCOSITY_LAWS;
+    let is_vogel = law.require("law", VISCOSITY)?.choice(&[(vogel, true), (arrhenius, false)])?;
     let value = Dimension::Viscosity.read(&law.require("value", VISCOSITY)?)?;
     let reference = temperature(&law, "reference", VISCOSITY)?;
-    refuse(&law, if is_vogel { &["activation_energy"] } else { &["b", "c"] }, VISCOSITY)?;
+    refuse(&law, if is_vogel { of_arrhenius } else { of_vogel }, VISCOSITY)?;
     let found = match is_vogel {
         true => {
             let (b, c) = (difference(&law, "b", VISCOSITY)?, difference(&law, "c", VISCOSITY)?);
