@@ -55,7 +55,7 @@ proptest! {
         prop_assert!(solved.outcome.is_ok(), "{:?}", solved.outcome);
     }
 
-    /// Four in five start from the table; the others march, and are solved too.
+    /// Most start from the table; the others march, and are solved too.
     #[test]
     fn no_case_with_several_modes_is_lost(
         alpha in -4.0..4.0,
