@@ -499,6 +499,10 @@ fn sensitivities_are_shown_where_they_are_asked_for() {
         assert_eq!(object[name].as_f64(), Some(value), "{name}");
         assert!(plain.get(name).is_none());
     }
+    let errors = solution.sensitivity_errors.expect("asked for");
+    for (name, error) in Sensitivities::NAMES.into_iter().zip(errors.row()) {
+        assert_eq!(object["sensitivity_errors"][name].as_f64(), Some(error), "{name}");
+    }
     let directory = tempdir().expect("a temporary directory");
     let arguments = format!("solve {case} --sensitivities");
     let table = out(&say(directory.path(), &arguments.split_whitespace().collect::<Vec<_>>()));

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::program::{code, err, out, say};
 use stribeck_solver::Output;
+use stribeck_solver::collocation::RESULTS_VERSION;
 use stribeck_sweep::CaseId;
 use stribeck_sweep::store::{CaseEntry, Catalog, Inspection, Status, Store, Timing};
 use stribeck_sweep::{Fingerprint, Plan, Recipe, SolverRecipe, Sweep};
@@ -221,6 +222,7 @@ fn stored_by_an_earlier_version(directory: &Path, sweep: &Sweep) -> usize {
         values: stribeck_sweep::Values::UNKNOWN,
         fields: stribeck_solver::Fields::default(),
         sensitivities: None,
+        sensitivity_errors: None,
         timing: Timing::default(),
     };
     let mut cases = 0;
@@ -241,7 +243,9 @@ fn results_of_an_earlier_version_are_stale_and_never_used() {
     assert_eq!(cases, 35);
     let (state, text) = plan(directory.path());
     assert_eq!(state, "0 reused, 0 new, 35 stale, 0 failed before");
-    assert!(text.contains("stale      35: solved with version of the results 2, now 3\n"), "{text}");
+    let (before, now) = (RESULTS_VERSION - 1, RESULTS_VERSION);
+    let why = format!("stale      35: solved with version of the results {before}, now {now}\n");
+    assert!(text.contains(&why), "{text}");
     let after = run(directory.path(), &BASE);
     assert!(after == ran(&BASE).1, "as if the earlier version had never been");
     assert_eq!(plan(directory.path()).0, "35 reused, 0 new, 0 failed before");

@@ -208,6 +208,8 @@ fn sensitivities_are_the_derivatives_of_what_is_published() {
             let difference = (8.0 * (at(3) - at(1)) - (at(4) - at(0))) / (12.0 * STEP);
             let stated = number(&rows[2], &format!("dln_{mu}_dln_{varied}"));
             assert!((stated - difference).abs() < 1e-5, "{mu} by {varied}: {stated} {difference}");
+            let error = number(&rows[2], &format!("error_dln_{mu}_dln_{varied}"));
+            assert!((0.0..1e-4).contains(&error), "{mu} by {varied}: {error:e}");
         }
     }
 }

@@ -48,6 +48,30 @@ fn only(pictures: &[PathBuf]) -> PathBuf {
     picture.with_extension("csv")
 }
 
+/// Estimated errors are bars where they can be seen, and a word where they cannot.
+#[test]
+fn errors_are_bars_where_they_can_be_seen() {
+    let axes = "[axes]\nf = [10.0]\nalpha = [1.0]\nbeta = [10.0, 30.0, 100.0]\n";
+    let coarse = "[solver]\nmethod = \"relaxation\"\n[solver.relaxation]\npoints = 201\nestimate = true\n";
+    for (solver, has_bars) in [(coarse, true), ("[solver]\ntolerance = 1e-5\n", false)] {
+        let directory = with_results(&format!("{axes}{solver}[output]\nfields = []\n"));
+        let run = say(directory.path(), &["plot", "results/small", "--what", "curves", "--of", "mu_h", "--bare"]);
+        let said = out(&run);
+        let largest = said.rsplit_once("estimated errors are at most ").expect(&said).1;
+        let largest: f64 = largest.split(' ').next().unwrap().parse().expect(largest);
+        assert!(if has_bars { largest > 1e-4 } else { largest <= 1e-5 }, "{said}");
+        let data = DataSet::open(&directory.path().join("results/small")).expect("published");
+        let (values, errors) = (data.column(Column::MuH).unwrap(), data.column(Column::ErrorMuH).unwrap());
+        let table = rows(&directory.path().join("results/small/figures/mu_h-along-beta.csv"));
+        let bars: Vec<_> = table.iter().filter(|row| row["kind"] == "estimated error").collect();
+        assert_eq!(!bars.is_empty(), has_bars, "{errors:?}");
+        for bar in bars {
+            let place = [10.0, 30.0, 100.0].iter().position(|beta| *beta == number(bar, "beta")).unwrap();
+            assert_eq!(number(bar, "value"), values[place] * errors[place]);
+        }
+    }
+}
+
 #[test]
 fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
     let directory = with_results(SMALL);

@@ -91,6 +91,7 @@ fn made_up(directory: &Path, shape: [usize; 3], output: &Output, failing: usize)
                 hysteresis_traction: field(output.fields.hysteresis_traction, &|x| x * (-x * x / size).exp()),
             },
             sensitivities: None,
+            sensitivity_errors: None,
             timing: Timing {
                 seconds: 1e-3 * size,
                 iterations: 5,
@@ -274,6 +275,7 @@ fn a_page_of_outdated_results_says_so() {
         values: Values::UNKNOWN,
         fields: Fields::default(),
         sensitivities: None,
+        sensitivity_errors: None,
         timing: Timing::default(),
     };
     store.commit(&[late]).unwrap();

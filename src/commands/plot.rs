@@ -11,7 +11,7 @@ use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console, published};
 use crate::format::count;
-use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, pictures};
+use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, largest_error, pictures};
 use stribeck_input::{printable, shown};
 use stribeck_sweep::Sweep;
 use stribeck_sweep::store::create_directory;
@@ -152,7 +152,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
         text += &format!("{}\n", shown(&file));
     }
-    text += &format!("{}, each with its numbers as .csv\n", count(pictures.len() as u64, "picture"));
+    text += &format!("{}, each with its numbers as .csv", count(pictures.len() as u64, "picture"));
+    if let Some(error) = largest_error(&sweep, &request)?.filter(|_| pictures.iter().any(Picture::has_curves)) {
+        text += &format!("; estimated errors are at most {error:.0e} of the largest value");
+    }
+    text += "\n";
     console::print(&text)?;
     Ok(Exit::Success)
 }

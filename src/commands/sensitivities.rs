@@ -2,10 +2,17 @@
 
 use crate::format::{Align, table_line};
 use stribeck_solver::Sensitivities;
+use stribeck_sweep::store::errors_of_derivatives;
 use stribeck_sweep::{Column, Values};
 
-/// A table of dμ/d ln θ and d ln μ/d ln θ for θ = α, β and f at the slide-to-roll ratio S; a dash where μ = 0.
-pub fn table(sensitivities: &Sensitivities, values: &Values, slide_roll: f64) -> String {
+/// A table of dμ/d ln θ with their errors, where they are known, and of d ln μ/d ln θ, for θ = α, β and f at the
+/// slide-to-roll ratio S; a dash where μ = 0.
+pub fn table(
+    sensitivities: &Sensitivities,
+    errors: Option<&Sensitivities>,
+    values: &Values,
+    slide_roll: f64,
+) -> String {
     let mut text = String::new();
     let columns = [Align::Left(15), Align::Right(13), Align::Right(13), Align::Right(13), Align::Left(0)];
     let mut row = |symbol: &str, [alpha, beta, f]: [String; 3], unit: &str| {
@@ -22,6 +29,10 @@ pub fn table(sensitivities: &Sensitivities, values: &Values, slide_roll: f64) ->
     ];
     for (column, derivatives) in derivatives {
         row(column.name(), derivatives.map(|value| format!("{value:.6e}")), "a0/R");
+        if let Some(errors) = errors {
+            let errors = errors_of_derivatives(errors, column, slide_roll);
+            row("  its error", errors.map(|error| format!("{error:.0e}")), "a0/R");
+        }
     }
     for (column, derivatives) in derivatives.into_iter().take(4) {
         let mu = values[column];

@@ -7,7 +7,7 @@ use super::sensitivities;
 use crate::format::{Align, count, duration, table_line};
 use stribeck_solver::continuation::{Path, PathPoint};
 use stribeck_solver::{Parameters, Sensitivities};
-use stribeck_sweep::store::{CaseEntry, Status};
+use stribeck_sweep::store::{CaseEntry, Status, errors_of_derivatives};
 use stribeck_sweep::{Column, Method, SolverSettings};
 
 /// A case as it was asked for, what came of it, and how it was reached.
@@ -50,7 +50,8 @@ fn quantities(entry: &CaseEntry, slide_roll: f64) -> String {
     }
     text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
     if let Some(known) = &entry.sensitivities {
-        text += &format!("\n{}", sensitivities::table(known, &entry.values, slide_roll));
+        text +=
+            &format!("\n{}", sensitivities::table(known, entry.sensitivity_errors.as_ref(), &entry.values, slide_roll));
     }
     text
 }
@@ -146,6 +147,7 @@ impl SolvedProblem<'_> {
         if let Some(known) = &entry.sensitivities {
             let row = Sensitivities { hydrodynamic: known.hydrodynamic_at(self.slide_roll), ..*known }.row();
             pairs.extend(Sensitivities::NAMES.into_iter().zip(row.map(Value::from)));
+            pairs.extend(entry.sensitivity_errors.map(|errors| ("sensitivity_errors", self.errors_of(&errors))));
         }
         pairs.push(("seed", Value::from(self.seed())));
         let point = |point: &PathPoint| {
@@ -158,6 +160,14 @@ impl SolvedProblem<'_> {
         pairs.push(("unknowns", Value::from(self.unknowns)));
         pairs.push(("seconds", Value::from(entry.timing.seconds)));
         serde_json::to_string_pretty(&Object(pairs)).expect("strings and numbers can be written") + "\n"
+    }
+
+    /// The errors of the derivatives, by their names.
+    fn errors_of(&self, errors: &Sensitivities) -> Value {
+        let of = |column| errors_of_derivatives(errors, column, self.slide_roll);
+        let errors = [Column::MuV, Column::MuH, Column::MuPressure].map(of).concat();
+        let named = Sensitivities::NAMES.into_iter().zip(errors);
+        named.map(|(name, error)| (name.to_owned(), Value::from(error))).collect::<serde_json::Map<_, _>>().into()
     }
 }
 

@@ -1,6 +1,7 @@
 //! A quantity along an axis, one curve for each value of another.
 
 use super::curve_family::{CurveFamily, beside, curve_families, member_colour};
+use super::error_bars::error_bars;
 use super::measured_points::measured_points;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
@@ -120,10 +121,7 @@ fn draw(
     let mut table = Table::new(&[&["quantity", "kind"], &sweep.coordinate_names()[..], &["value"]].concat());
     let (mut solved, mut references, mut measured) = (Vec::new(), Vec::new(), Vec::new());
     for (place, column) in columns.iter().copied().enumerate() {
-        let count = family.members.len();
-        let colours: Vec<Colour> = (0..count)
-            .map(|member| if columns.len() > 1 { Colour::Kind(place) } else { member_colour(member, count) })
-            .collect();
+        let colours = colours(family, columns, place);
         let mut curves = solutions(sweep, family, column, &mut table)?;
         for (curve, colour) in curves.iter_mut().zip(&colours) {
             curve.colour = *colour;
@@ -143,6 +141,12 @@ fn draw(
     }
     let logarithmic = request.scale.is_logarithmic(solved.iter().flat_map(|curve| &curve.points).map(|point| point.1));
     let wanted: Vec<Curve> = solved.iter().chain(&measured).cloned().collect();
+    let span = span(&solved, logarithmic);
+    let mut bars = Vec::new();
+    for (place, column) in columns.iter().copied().enumerate() {
+        let colours = colours(family, columns, place);
+        bars.extend(error_bars(sweep, (family, column), &colours, (span, logarithmic), &mut table)?);
+    }
     let range = request.y.or_else(|| vertical_range(&wanted, &references, logarithmic));
     let x_label = sweep.axis(family.along).label.clone();
     let chart = Lines {
@@ -150,9 +154,25 @@ fn draw(
         subtitle: subtitle(sweep, family),
         x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
         y: LineAxis { label: Quantity::common_label(columns, sweep.data.laboratory), logarithmic, range },
-        curves: solved.into_iter().chain(references).chain(measured).collect(),
+        curves: solved.into_iter().chain(bars).chain(references).chain(measured).collect(),
     };
     Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
+}
+
+/// The colours of the members of a family for the column at a place of those that are drawn together.
+fn colours(family: &CurveFamily, columns: &[Column], place: usize) -> Vec<Colour> {
+    let count = family.members.len();
+    let colour = |member| if columns.len() > 1 { Colour::Kind(place) } else { member_colour(member, count) };
+    (0..count).map(colour).collect()
+}
+
+/// What curves span on a vertical axis: decades if it is logarithmic.
+fn span(curves: &[Curve], logarithmic: bool) -> f64 {
+    let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
+    let places = values.map(|value| if logarithmic { value.log10() } else { value }).filter(|value| value.is_finite());
+    let (low, high) =
+        places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    high - low
 }
 
 /// The curve of each member of a family, named by the member and black.

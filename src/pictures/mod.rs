@@ -19,6 +19,7 @@ mod cost;
 mod curve_family;
 mod curves;
 mod error;
+mod error_bars;
 mod loops;
 mod maps;
 mod measured_points;
@@ -42,6 +43,15 @@ pub use sweep_data::SweepData;
 pub use table::Table;
 
 use stribeck_sweep::Column;
+
+/// The largest estimated error of the columns that curves of a request show, each over its largest value; `None` where none is known.
+///
+/// # Errors
+/// [`PictureError`] if the data set cannot be read.
+pub fn largest_error(sweep: &SweepData, request: &Request) -> Result<Option<f64>, PictureError> {
+    let columns = curves::named_columns(request, &curves::friction(sweep, request));
+    error_bars::largest(sweep, &columns)
+}
 
 /// The pictures that are asked for; where no kind is named, all that this data set has something for.
 ///

@@ -38,7 +38,12 @@ impl<'o> Results<'o> {
     /// Adds a place with its case, and where bodies are swapped with the case there.
     pub fn add(&mut self, point: Point, entry: &CaseEntry, swapped: Option<&CaseEntry>) {
         let swapped = swapped.map(|entry| entry.values.at_slide_roll(-point.slide_roll));
-        let numbers = point.numbers_of(&entry.values, entry.sensitivities.as_ref(), swapped.as_ref(), self.output);
+        let numbers = point.numbers_of(
+            &entry.values,
+            [entry.sensitivities, entry.sensitivity_errors],
+            swapped.as_ref(),
+            self.output,
+        );
         for (field, rows) in &mut self.fields {
             let source = if point.follows_from_film(*field) { Field::FilmThickness } else { *field };
             match source.of(&entry.fields) {

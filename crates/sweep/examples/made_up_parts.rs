@@ -61,6 +61,7 @@ fn made_up(plan: &Plan, case: &Parameters) -> CaseEntry {
         values: Values(std::array::from_fn(|column| (seed + column as f64).sin())),
         fields: Fields::default(),
         sensitivities: None,
+        sensitivity_errors: None,
         timing: Timing {
             seconds: 1e-4 * (1.0 + seed.cos().abs()),
             iterations: 3,

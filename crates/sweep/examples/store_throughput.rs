@@ -157,6 +157,7 @@ fn entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> CaseEntry {
         values: Values::converged(&solution.quantities, &solution.errors, &case.limits),
         fields: solution.fields,
         sensitivities: solution.sensitivities,
+        sensitivity_errors: solution.sensitivity_errors,
         timing: Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit: None },
     }
 }

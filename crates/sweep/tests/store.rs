@@ -327,6 +327,7 @@ fn sensitivities_come_back_and_change_no_published_byte_of_a_sweep_without_them(
     for expected in chains(&more).into_iter().flatten() {
         let held = store.entry(expected.id).unwrap().unwrap();
         assert_eq!(held.sensitivities, expected.sensitivities);
+        assert_eq!(held.sensitivity_errors, expected.sensitivity_errors);
         assert_eq!(held.sensitivities.is_some(), expected.outcome == Status::Converged);
     }
     publish(&mut store).unwrap();

@@ -10,8 +10,8 @@ use super::state::State;
 use crate::model::{Fields, Lubricant, Output, Quantities, shear_traction};
 
 /// The fields of the output, from the solution on richer panels, whose polynomials know best what lies between the
-/// points. They are laid over the published outlet and separation, from which those of the richer panels differ by less
-/// than the errors: so p is 0 behind this outlet, and u + w − x²/2 is this separation everywhere.
+/// points. They are laid over the published outlet, c and separation, from which those of the richer panels differ by
+/// less than the errors: so p is 0 behind this outlet, where u is this c, and u + w − x²/2 is this separation everywhere.
 ///
 /// Beyond the mesh p is that of the inlet film, and w the displacement of a load so far away.
 pub fn fields(
@@ -40,7 +40,7 @@ pub fn fields(
     if wanted.film_thickness || wanted.displacement || wanted.shear_traction {
         let (film, deformed) = film(&gap, displacement, richer, published, output);
         if wanted.shear_traction {
-            let lubricant = Lubricant { beta, c: richer.c, outlet, cavity_shear: output.cavity_shear };
+            let lubricant = Lubricant { beta, c: published.c, outlet, cavity_shear: output.cavity_shear };
             let shear = output.x.iter().zip(&film).map(|(&x, &u)| shear_traction(&lubricant, x, u, 1.0));
             fields.shear_traction = Some(shear.collect());
         }
@@ -82,7 +82,10 @@ fn film(
             false => Known::Displacement(displacement.beyond(&richer.pressure, y) - richer_at_outlet),
         };
         match known {
-            Known::Film(u) => (u, undeformed - u),
+            Known::Film(u) => {
+                let u = u + (c - richer.c);
+                (u, undeformed - u)
+            }
             Known::Displacement(w) => (undeformed - (w + at_outlet), w + at_outlet),
         }
     };

@@ -6,7 +6,7 @@ use super::reference::{ReferencePanel, dot, evaluate, evaluate_slope};
 use super::state::State;
 
 /// On a panel where w changes by more than so many times the thinnest film, ln u is the polynomial.
-const THIN: f64 = 5.0;
+const THIN: f64 = 2.0;
 
 /// The gap u, or the displacement w, at any place of a mesh, behind the outlet too, as polynomials on its panels.
 ///

@@ -28,7 +28,7 @@ fn a_fixed_sweep_costs_no_more_than_it_did() {
     println!("iterations, factorisations, meshes and unknowns a case: {counts:.3?}");
     // all but the first two of a chain come from the predictor
     assert!(cases - predicted <= 14.0, "{} of {cases} cases not predicted", cases - predicted);
-    for (count, bound) in counts.into_iter().zip([3.0, 2.25, 0.3, 113.0]) {
+    for (count, bound) in counts.into_iter().zip([3.0, 2.25, 0.32, 113.0]) {
         assert!(count <= bound, "{counts:?}");
     }
 }

@@ -15,21 +15,22 @@ pub fn case_entry(plan: &Plan, parameters: &Parameters, case: SolvedCase) -> Cas
     };
     let timing = Timing { seconds, iterations, factorisations, seed: Some(case.seed), time_limit };
     let failure_kind = case.outcome.as_ref().err().map(|failure| failure.kind.name().to_owned());
-    let (outcome, reason, values, fields, sensitivities) = match case.outcome {
+    let (outcome, reason, values, fields, [sensitivities, sensitivity_errors]) = match case.outcome {
         Ok(solution) => {
             let values = Values::converged(&solution.quantities, &solution.errors, &case.limits);
-            (Status::Converged, String::new(), values, solution.fields, solution.sensitivities)
+            let sensitivities = [solution.sensitivities, solution.sensitivity_errors];
+            (Status::Converged, String::new(), values, solution.fields, sensitivities)
         }
         Err(failure) => {
             let mut reason = failure.to_string();
             if matches!(failure.kind, FailureKind::Panic { .. } | FailureKind::ChainPanic { .. }) {
                 reason += &format!("; please report it with `{}`", solve_command(plan.recipe(), parameters));
             }
-            (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), None)
+            (Status::Failed, reason, Values::failed(&case.limits), Fields::default(), [None; 2])
         }
     };
     let id = plan.id(parameters);
-    CaseEntry { id, outcome, reason, failure_kind, values, fields, sensitivities, timing }
+    CaseEntry { id, outcome, reason, failure_kind, values, fields, sensitivities, sensitivity_errors, timing }
 }
 
 /// Makes failed cases of a chain whose thread panicked outside of its solver: a panic of a solver fails its own case

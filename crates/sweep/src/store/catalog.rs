@@ -224,6 +224,7 @@ impl Catalog {
         let Some(slot) = self.index.any(id) else { return Ok(None) };
         let shard = self.open_shard(slot.shard)?;
         let row = usize::from(slot.row);
+        let [sensitivities, sensitivity_errors] = shard.reader.sensitivities(row);
         let entry = CaseEntry {
             id,
             outcome: shard.reader.status(row),
@@ -231,7 +232,8 @@ impl Catalog {
             failure_kind: shard.cases[row].failure_kind().map(str::to_owned),
             values: shard.reader.values(row),
             fields: shard.reader.all_fields(row)?,
-            sensitivities: shard.reader.sensitivities(row),
+            sensitivities,
+            sensitivity_errors,
             timing: shard.cases[row].timing(),
         };
         Ok(Some(entry))

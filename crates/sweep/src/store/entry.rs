@@ -78,6 +78,8 @@ pub struct CaseEntry {
     pub fields: Fields,
     /// How friction changes with the parameters, if the store's output asks for it; `None` for a failed case.
     pub sensitivities: Option<Sensitivities>,
+    /// Their estimated errors; `None` also where shards of earlier versions have none.
+    pub sensitivity_errors: Option<Sensitivities>,
     /// What it cost.
     pub timing: Timing,
 }

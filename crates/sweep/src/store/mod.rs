@@ -71,6 +71,7 @@ pub use placed::{PlacedNumbers, Placing};
 pub use publication::{Point, Publication};
 pub use publish::Published;
 pub use record::Ending;
+pub use sensitivity_columns::errors_of_derivatives;
 pub use verify::{Problem, VerifyReport, verify};
 pub use warning::Warning;
 pub use writing::Store;

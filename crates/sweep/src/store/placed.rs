@@ -20,12 +20,12 @@ pub struct PlacedNumbers {
 impl Point {
     /// The numbers of its case, from those at S = 1 over a₀/R.
     ///
-    /// `sensitivities` are those of the solution, where the output has them. `swapped` are the numbers of the case with
+    /// `sensitivities` are those of the solution and their errors, where the output has them. `swapped` are the numbers of the case with
     /// the bodies swapped, at the opposite slide-to-roll ratio, where bodies are swapped.
     pub fn numbers_of(
         &self,
         values: &Values,
-        sensitivities: Option<&Sensitivities>,
+        sensitivities: [Option<Sensitivities>; 2],
         swapped: Option<&Values>,
         output: &Output,
     ) -> PlacedNumbers {

@@ -206,8 +206,8 @@ impl<'a> Files<'a> {
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
-        let sensitivities = if output.sensitivities { reader.sensitivities(case) } else { None };
-        let numbers = point.numbers_of(&reader.values(case), sensitivities.as_ref(), swapped.as_ref(), output);
+        let sensitivities = if output.sensitivities { reader.sensitivities(case) } else { [None; 2] };
+        let numbers = point.numbers_of(&reader.values(case), sensitivities, swapped.as_ref(), output);
         let mut sources = Vec::new();
         for field in self.results.fields().fields() {
             let source = if point.follows_from_film(field) { Field::FilmThickness } else { field };
@@ -229,7 +229,7 @@ impl<'a> Files<'a> {
     /// A place without a case, of a partial publication.
     fn missing_place(&mut self, point: Point) -> Result<Place, StoreError> {
         let output = &self.store.output;
-        let numbers = point.numbers_of(&Values::NONE, None, point.swapped.map(|_| Values::NONE).as_ref(), output);
+        let numbers = point.numbers_of(&Values::NONE, [None; 2], point.swapped.map(|_| Values::NONE).as_ref(), output);
         let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status: Status::Failed, reason: NOT_SOLVED.to_owned(), values, more, notes };
         self.summary.row(&place)?;

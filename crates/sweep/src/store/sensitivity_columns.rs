@@ -53,46 +53,57 @@ impl Input {
     }
 }
 
-/// The columns of a sweep, those of one friction coefficient together.
+/// The columns of a sweep, those of one friction coefficient together; then those of their errors.
 pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<FurtherColumn> {
     let inputs = Input::all(experiment);
-    let column = |mu: &Column, input: &Input| {
-        let (mu, input) = (mu.name(), input.name());
-        let name = format!("dln_{mu}_dln_{input}");
-        FurtherColumn { name, long_name: format!("relative change of {mu} over that of {input}") }
+    let pairs = || FRICTION.iter().flat_map(|mu| inputs.iter().map(move |input| (mu.name(), input.name())));
+    let derivative = |(mu, input): (&str, &str)| FurtherColumn {
+        name: format!("dln_{mu}_dln_{input}"),
+        long_name: format!("relative change of {mu} over that of {input}"),
     };
-    FRICTION.iter().flat_map(|mu| inputs.iter().map(|input| column(mu, input)).collect::<Vec<_>>()).collect()
+    let error = |(mu, input): (&str, &str)| FurtherColumn {
+        name: format!("error_dln_{mu}_dln_{input}"),
+        long_name: format!("estimated error of the relative change of {mu} over that of {input}"),
+    };
+    pairs().map(derivative).chain(pairs().map(error)).collect()
 }
 
-/// Their values for a case with these numbers over a₀/R at a slide-to-roll ratio; NaN without sensitivities, and where
-/// μ = 0.
+/// Their values for a case with these numbers over a₀/R at a slide-to-roll ratio, from the sensitivities and their
+/// errors; NaN where there are none, and where μ = 0.
 pub(super) fn values(
-    sensitivities: Option<&Sensitivities>,
+    [sensitivities, errors]: [Option<Sensitivities>; 2],
     values: &Values,
     slide_roll: f64,
     experiment: Option<&Experiment>,
 ) -> Vec<f64> {
     let inputs = Input::all(experiment);
-    let Some(sensitivities) = sensitivities else { return vec![f64::NAN; FRICTION.len() * inputs.len()] };
     let relative = |column: Column, input: &Input| {
-        let mu = values[column];
-        if mu == 0.0 {
-            return f64::NAN;
-        }
-        let powers = input.powers(experiment);
-        let derivatives = derivatives(sensitivities, column, slide_roll);
-        let [with_alpha, with_beta, with_f] = derivatives.map(|derivative| derivative / mu);
-        let by_strength = if *input == Input::Strength { with_f } else { 0.0 };
+        let (mu, powers) = (values[column], input.powers(experiment));
+        let Some(sensitivities) = sensitivities.filter(|_| mu != 0.0) else { return f64::NAN };
         // S stands before C alone
         let sheared = [Column::MuH, Column::MuTot, Column::MuDrag].contains(&column);
         let by_ratio = if sheared { values[Column::MuShear] / mu * powers.slide_roll } else { 0.0 };
-        let own = by_strength + by_ratio;
-        // Where the flat comes to rest α grows without bound; what does not depend on α stays as it is.
-        let by_alpha = if with_alpha == 0.0 { 0.0 } else { with_alpha * powers.alpha };
-        by_alpha + with_beta * powers.beta + own + powers.friction
+        let changes = changes(derivatives(&sensitivities, column, slide_roll), mu, *input, &powers);
+        changes.iter().sum::<f64>() + by_ratio + powers.friction
     };
-    let of = |column: Column| inputs.iter().map(move |input| relative(column, input)).collect::<Vec<_>>();
-    FRICTION.into_iter().flat_map(of).collect()
+    let error = |column: Column, input: &Input| {
+        let (mu, powers) = (values[column], input.powers(experiment));
+        let Some(errors) = errors.filter(|_| mu != 0.0) else { return f64::NAN };
+        let changes = changes(errors_of_derivatives(&errors, column, slide_roll), mu, *input, &powers);
+        changes.iter().map(|change| change.abs()).sum()
+    };
+    let pairs = || FRICTION.into_iter().flat_map(|column| inputs.iter().map(move |input| (column, input)));
+    let relative = pairs().map(|(column, input)| relative(column, input));
+    relative.chain(pairs().map(|(column, input)| error(column, input))).collect()
+}
+
+/// What dμ/d ln θ for θ = α, β, f add to d ln μ/d ln q of an input q with these powers.
+fn changes(derivatives: [f64; 3], mu: f64, input: Input, powers: &Powers) -> [f64; 3] {
+    let [with_alpha, with_beta, with_f] = derivatives.map(|derivative| derivative / mu);
+    // Where the flat comes to rest α grows without bound; what does not depend on α stays as it is.
+    let by_alpha = if with_alpha == 0.0 { 0.0 } else { with_alpha * powers.alpha };
+    let by_strength = if input == Input::Strength { with_f } else { 0.0 };
+    [by_alpha, with_beta * powers.beta, by_strength]
 }
 
 /// dμ/d ln θ of one of [`FRICTION`] for θ = α, β, f.
@@ -105,6 +116,25 @@ fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -
         Column::MuShear => sensitivities.shear(),
         _ => sensitivities.drag_at(slide_roll),
     }
+}
+
+/// The errors of dμ/d ln θ of a friction coefficient for θ = α, β, f at a slide-to-roll ratio, from those of F_v, F_h and
+/// P: what is made of several has the sum of their errors.
+pub fn errors_of_derivatives(errors: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 3] {
+    // μ_h = S F_h + (1 − S) P and D = F_v + S F_h − (1 + S) P
+    let (own, ahead, against) = (slide_roll.abs(), (1.0 - slide_roll).abs(), (1.0 + slide_roll).abs());
+    let of = |i: usize| {
+        let (v, h, p) = (errors.viscoelastic[i], errors.hydrodynamic[i], errors.pressure[i]);
+        match column {
+            Column::MuV => v,
+            Column::MuH => own * h + ahead * p,
+            Column::MuTot => v + own * h + ahead * p,
+            Column::MuPressure => p,
+            Column::MuShear => h + p,
+            _ => v + own * h + against * p,
+        }
+    };
+    std::array::from_fn(of)
 }
 
 #[cfg(test)]
@@ -144,7 +174,7 @@ mod tests {
             pressure: [-0.1, 0.3, -0.2],
         };
         let names: Vec<String> = columns(Some(&experiment)).into_iter().map(|column| column.name).collect();
-        let values = values(Some(&sensitivities), &friction(0.5, 0.25, -0.125), 1.0, Some(&experiment));
+        let values = values([Some(sensitivities); 2], &friction(0.5, 0.25, -0.125), 1.0, Some(&experiment));
         assert_eq!(names.len(), values.len());
         let of = |mu: &str, input: &str| {
             values[names.iter().position(|name| *name == format!("dln_{mu}_dln_{input}")).expect(input)]
@@ -168,14 +198,47 @@ mod tests {
     fn dimensionless_cases_have_their_own_derivatives() {
         let sensitivities =
             Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.4, -0.5, 0.6], pressure: [-0.1, 0.2, -0.3] };
-        let values = values(Some(&sensitivities), &friction(0.0, 0.5, -0.25), 1.0, None);
+        let values = values([Some(sensitivities), None], &friction(0.0, 0.5, -0.25), 1.0, None);
         assert!(values[..3].iter().all(|value| value.is_nan()), "mu_v is 0");
         let rows =
             [[0.8, -1.0, 1.2], [0.8, -1.0, 1.2], [0.6, -0.9, 1.2], [0.4, -0.8, 1.2], [0.5 / 0.75, -0.7 / 0.75, 1.2]];
-        for (value, expected) in values[3..].iter().zip(rows.as_flattened()) {
+        for (value, expected) in values[3..18].iter().zip(rows.as_flattened()) {
             assert!((value - expected).abs() < 1e-15, "{values:?}");
         }
         assert_eq!(columns(None)[8].name, "dln_mu_tot_dln_f");
-        assert!(super::values(None, &Values::UNKNOWN, 1.0, None).iter().all(|value| value.is_nan()));
+        assert!(values[18..].iter().all(|value| value.is_nan()), "no errors are known");
+        assert!(super::values([None; 2], &Values::UNKNOWN, 1.0, None).iter().all(|value| value.is_nan()));
+    }
+    /// What is published is the largest change that errors of F_v, F_h and P can make together.
+    #[test]
+    fn errors_are_what_errors_of_the_parts_do_at_most() {
+        let known = Sensitivities {
+            viscoelastic: [0.3, -0.2, 0.5],
+            hydrodynamic: [0.4, -0.5, 0.6],
+            pressure: [-0.1, 0.2, -0.3],
+        };
+        let errors = Sensitivities { viscoelastic: [0.01; 3], hydrodynamic: [0.02; 3], pressure: [0.005; 3] };
+        for slide_roll in [1.0, 0.3, -0.7] {
+            let friction = friction(0.5, 0.25, -0.125);
+            let of = |known| values([Some(known), Some(errors)], &friction, slide_roll, None);
+            let exact = of(known);
+            let mut largest = vec![0.0_f64; 18];
+            for signs in 0..8 {
+                let sign = |place: i32| if signs >> place & 1 == 0 { 1.0 } else { -1.0 };
+                let moved =
+                    |values: [f64; 3], error: [f64; 3], sign: f64| std::array::from_fn(|i| values[i] + sign * error[i]);
+                let there = of(Sensitivities {
+                    viscoelastic: moved(known.viscoelastic, errors.viscoelastic, sign(0)),
+                    hydrodynamic: moved(known.hydrodynamic, errors.hydrodynamic, sign(1)),
+                    pressure: moved(known.pressure, errors.pressure, sign(2)),
+                });
+                for (largest, (a, b)) in largest.iter_mut().zip(there.iter().zip(&exact)) {
+                    *largest = largest.max((a - b).abs());
+                }
+            }
+            for (place, (largest, error)) in largest.iter().zip(&exact[18..]).enumerate() {
+                assert!((largest - error).abs() < 1e-12, "{place}: {largest} {error}");
+            }
+        }
     }
 }

@@ -62,10 +62,10 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
     let values: Vec<f64> = entries().flat_map(|entry| entry.values.0).collect();
     file.write("values", ArrayView2::from_shape((cases.len(), Column::ALL.len()), &values)?)?;
     if contents.sensitivities {
-        let unknown = [f64::NAN; SENSITIVITIES];
-        let row = |entry: &CaseEntry| entry.sensitivities.map_or(unknown, |known| known.row());
-        let values: Vec<f64> = entries().flat_map(row).collect();
-        file.write("sensitivities", ArrayView2::from_shape((cases.len(), SENSITIVITIES), &values)?)?;
+        let row = |known: Option<Sensitivities>| known.map_or([f64::NAN; SENSITIVITIES], |known| known.row());
+        let both = |entry: &CaseEntry| [row(entry.sensitivities), row(entry.sensitivity_errors)].concat();
+        let values: Vec<f64> = entries().flat_map(both).collect();
+        file.write("sensitivities", ArrayView2::from_shape((cases.len(), 2 * SENSITIVITIES), &values)?)?;
     }
 
     if !contents.fields.is_empty() {
@@ -111,7 +111,7 @@ pub(super) struct ShardReader {
     statuses: Vec<Status>,
     reasons: Vec<VarLenUnicode>,
     values: Array2<f64>,
-    /// Of [`Sensitivities::NAMES`], if the shard has them.
+    /// Of [`Sensitivities::NAMES`], then their errors, if the shard has them.
     sensitivities: Option<Array2<f64>>,
     /// In the order of [`Field::ALL`].
     fields: [Option<Chunks>; Field::ALL.len()],
@@ -134,7 +134,8 @@ impl ShardReader {
             let mut sensitivities = None;
             if contents.sensitivities {
                 let rows = file.dataset("sensitivities")?.read_2d::<f64>()?;
-                if rows.dim() != (cases, SENSITIVITIES) {
+                // Those of earlier versions have no errors.
+                if ![(cases, SENSITIVITIES), (cases, 2 * SENSITIVITIES)].contains(&rows.dim()) {
                     fault = Some(format!("sensitivities has the shape {:?}", rows.shape()));
                 }
                 sensitivities = Some(rows);
@@ -184,10 +185,14 @@ impl ShardReader {
         Values(std::array::from_fn(|column| self.values[(row, column)]))
     }
 
-    /// How friction of a case changes with the parameters; `None` if the shard has it not, or the case failed.
-    pub(super) fn sensitivities(&self, row: usize) -> Option<Sensitivities> {
-        let values = self.sensitivities.as_ref()?;
-        Sensitivities::from_row(std::array::from_fn(|column| values[(row, column)]))
+    /// How friction of a case changes with the parameters, and the errors of that; `None` if the shard has it not, or
+    /// the case failed.
+    pub(super) fn sensitivities(&self, row: usize) -> [Option<Sensitivities>; 2] {
+        let part = |first: usize| {
+            let values = self.sensitivities.as_ref().filter(|values| first < values.ncols())?;
+            Sensitivities::from_row(std::array::from_fn(|column| values[(row, first + column)]))
+        };
+        [part(0), part(SENSITIVITIES)]
     }
 
     /// A field of a case as it is packed; `None` if the shard has it not, or the case failed.

@@ -64,6 +64,11 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
             hydrodynamic: [-alpha, 1.0 / beta, f / 3.0],
             pressure: [alpha / 3.0, -1.0 / beta, f],
         }),
+        sensitivity_errors: (output.sensitivities && !failed).then(|| Sensitivities {
+            viscoelastic: [alpha, beta, f].map(|error| 1e-6 * error),
+            hydrodynamic: [1e-6; 3],
+            pressure: [2e-6; 3],
+        }),
         timing: Timing {
             seconds: 0.125 + beta / 3.0,
             iterations: 300,

@@ -1,0 +1,70 @@
+//! Estimated errors of solutions: bars where they can be seen.
+
+use super::PictureError;
+use super::curve_family::CurveFamily;
+use super::sweep_data::SweepData;
+use super::table::Table;
+use stribeck_charts::{Colour, Curve, Stroke};
+use stribeck_sweep::Column;
+
+/// Half a bar over the height of the curves from which on it is drawn: about the width of a line.
+const VISIBLE: f64 = 0.005;
+
+/// The estimated errors of a column at all places, in its unit; NaN where there is none, `None` where a column has none.
+///
+/// That of μ_v is over μ_v, or over μ_tot/1000 where μ_v is below that.
+pub(super) fn errors(sweep: &SweepData, column: Column) -> Result<Option<Vec<f64>>, PictureError> {
+    let Some(error) = column.error() else { return Ok(None) };
+    let (errors, mut scales) = (sweep.data.column(error)?, sweep.data.column(column)?);
+    if column == Column::MuV {
+        for (scale, total) in scales.iter_mut().zip(sweep.data.column(Column::MuTot)?) {
+            *scale = scale.abs().max(1e-3 * total.abs());
+        }
+    }
+    Ok(Some(errors.iter().zip(scales).map(|(error, scale)| error * scale.abs()).collect()))
+}
+
+/// The largest estimated error of some columns, each over its largest value; `None` where none is known.
+pub(super) fn largest(sweep: &SweepData, columns: &[Column]) -> Result<Option<f64>, PictureError> {
+    let most = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let mut largest = 0.0;
+    for column in columns {
+        if let Some(errors) = errors(sweep, *column)? {
+            // 0 over 0 is no error
+            largest = f64::max(largest, most(&errors) / most(&sweep.data.column(*column)?));
+        }
+    }
+    Ok(Some(largest).filter(|largest| *largest > 0.0))
+}
+
+/// The bars of the curves of a column, one curve for each member of the family in these colours, in a picture whose
+/// curves span `span` on its vertical axis. The table gets a row for each.
+pub(super) fn error_bars(
+    sweep: &SweepData,
+    (family, column): (&CurveFamily, Column),
+    colours: &[Colour],
+    (span, logarithmic): (f64, bool),
+    table: &mut Table,
+) -> Result<Vec<Curve>, PictureError> {
+    let Some(errors) = errors(sweep, column)? else { return Ok(Vec::new()) };
+    let values = sweep.data.column(column)?;
+    let mut bars = Vec::new();
+    for (member, colour) in family.members.iter().zip(colours) {
+        for point in &family.points {
+            let indices = family.at(*member, *point);
+            let (x, place) = (sweep.value(family.along, *point), sweep.data.place(indices));
+            let (value, error) = (values[place], errors[place]);
+            let half = if logarithmic { (1.0 + error / value).log10() } else { error };
+            // NaN is not drawn
+            if !(half > VISIBLE * span) {
+                continue;
+            }
+            let least = if logarithmic { (value - error).max(1e-3 * value) } else { value - error };
+            let points = vec![(x, least), (x, value + error)];
+            let (label, failed, stroke, marked) = (String::new(), Vec::new(), Stroke::Solid, false);
+            bars.push(Curve { label, points, failed, stroke, colour: *colour, marked });
+            table.row(&[column.name(), "estimated error"], &[&sweep.coordinates(indices)[..], &[error]].concat());
+        }
+    }
+    Ok(bars)
+}
