@@ -34,7 +34,7 @@ Examples:
 Friction coefficients are over a0/R; docs/reference/columns.md has all names and units. With --json the keys are the
 columns of summary.csv and slide_roll, seed, path, iterations, factorisations, unknowns, seconds. The key path has the
 points that were solved on the way to the case. A number that is not known is null, an infinite alpha is \"inf\".
-With --sensitivities there are also dmu_v_dln_alpha and the like.
+With --sensitivities there are also dmu_v_dln_alpha and the like, and sensitivity_errors.
 Exit code 3: the case failed."
 )]
 pub struct Arguments {

@@ -27,8 +27,8 @@ Examples:
   stribeck surface friction.toml --quiet --threads 8    again: solved cases are used",
     after_help = "\
 The sweep file has one to three axes that are ranges, and may have a section [surface] with the tolerance and
-the quantities (docs/how-to/surface.md). `stribeck evaluate` reads the surface. Run the same command again after an
-interruption: solved cases are used again.
+the quantities (docs/how-to/surface.md). `stribeck evaluate` reads the surface. Run the same command again after
+an interruption: solved cases are used again.
 Exit code 3 means that a case failed, or that the surface was written without reaching its tolerance."
 )]
 pub struct Arguments {

@@ -15,6 +15,7 @@ pub fn describe_seed(seed: Seed) -> &'static str {
         Seed::Elastic => "the elastic solution at the same beta",
         Seed::RescaledElastic => "the elastic solution for the instantaneous modulus",
         Seed::ThickFilm => "the film of a rigid cylinder on a rigid plane",
+        Seed::Table => "the built-in table of solutions",
         Seed::Neighbour => "the case before it in its chain",
         Seed::Predictor => "extrapolated from the two cases before it in its chain",
         Seed::Intermediate(_) => "the case before it in its chain, by way of cases between them that are not published",

@@ -29,7 +29,7 @@ fn outcomes(settings: Settings, chain: &[Parameters]) -> Vec<SolvedCase> {
     solve_chain(&solver, chain, &output, &Interrupt::new()).expect("nobody interrupts")
 }
 
-/// What to print besides the first two tables.
+/// What to print besides the first table.
 #[derive(Default)]
 struct Options {
     whole_box: bool,
@@ -66,7 +66,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact = exact.into_iter().collect::<Result<Vec<_>, _>>().map_err(|failure| failure.to_string())?;
 
     tolerances::print("Each case alone", &alone, &exact);
-    tolerances::print("Chains of four β, a decade apart", &chains, &exact);
     if options.whole_box {
         println!("The whole box, each case alone:\n");
         whole_box::print();

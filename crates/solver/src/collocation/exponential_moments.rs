@@ -1,6 +1,6 @@
 //! ∫ κ e^{−κ(s − t)} P_k(s) ds over the rest of the reference panel: the retardation filter (T8) of a polynomial.
 
-use super::legendre::legendre;
+use super::legendre::{legendre, legendre_together};
 use super::log_moments::MOST_MOMENTS;
 use crate::model::gauss;
 
@@ -61,15 +61,18 @@ fn by_quadrature(kappa: f64, t: f64, q: impl Fn(f64) -> f64, moments: &mut [f64]
     let count = moments.len();
     let pieces = (kappa * (1.0 - t) / SMOOTH).ceil().max(1.0);
     let length = (1.0 - t) / pieces;
-    let mut polynomial = [0.0; MOST_MOMENTS];
+    let mut polynomial = [[0.0; gauss::POINTS]; MOST_MOMENTS];
     for piece in 0..pieces as usize {
         let from = t + piece as f64 * length;
-        for (part, weight) in gauss::unit_interval() {
-            let s = from + part * length;
-            legendre(s, &mut polynomial[..count]);
-            let passed = kappa * (s - t);
-            let factor = weight * length * kappa * (-passed).exp() * q(passed);
-            for (moment, value) in moments.iter_mut().zip(&polynomial) {
+        let (mut places, mut factors) = ([0.0; gauss::POINTS], [0.0; gauss::POINTS]);
+        for ((place, factor), (part, weight)) in places.iter_mut().zip(&mut factors).zip(gauss::unit_interval()) {
+            *place = from + part * length;
+            let passed = kappa * (*place - t);
+            *factor = weight * length * kappa * (-passed).exp() * q(passed);
+        }
+        legendre_together(&places, &mut polynomial[..count]);
+        for (moment, values) in moments.iter_mut().zip(&polynomial) {
+            for (factor, value) in factors.iter().zip(values) {
                 *moment += factor * value;
             }
         }

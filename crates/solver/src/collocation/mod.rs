@@ -14,7 +14,9 @@
 //! | `exponential_moments.rs`, `retardation.rs` | the retardation filter |
 //! | `displacement.rs`, `matrix.rs` | w of a mesh and a substrate |
 //! | `inlet.rs` | the film ahead of the mesh |
-//! | `thick_film.rs`, `scaling.rs`, `transfer.rs` | where solutions start, and how they are carried on |
+//! | `starting_solutions.rs`, `start.rs` | the table of solutions, and the start from it |
+//! | `thick_film.rs` | the start of a march |
+//! | `scaling.rs`, `transfer.rs` | how solutions are carried on |
 //! | `adaptation.rs` | where panels are wanted |
 //! | `estimate.rs`, `bounds.rs`, `acceptance.rs` | how large the errors are, and whether the solution is accepted |
 //! | `parts.rs`, `truncation.rs` | sources of error: panels, and what lies beyond the mesh |
@@ -57,6 +59,8 @@ mod scaling;
 mod sensitivity;
 mod settings;
 mod solver;
+mod start;
+mod starting_solutions;
 mod state;
 mod substrate_derivatives;
 mod system;

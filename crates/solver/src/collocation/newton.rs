@@ -12,6 +12,10 @@ use crate::model::{CavityShear, Sensitivities};
 
 /// Iterations after which the corrector is given up.
 const MOST_ITERATIONS: u64 = 40;
+/// A step of so many times the solution, or of [`WILD`] times after [`SETTLED`] iterations, leads nowhere.
+const LOST: f64 = 1e4;
+const WILD: f64 = 2.0;
+const SETTLED: u64 = 10;
 /// A chord step that leaves more than this of the one before is not worth its while: a factorisation costs about five.
 const CHORD_RATE: f64 = 0.2;
 /// Steps that are as small as this may be made of rounding errors.
@@ -70,6 +74,9 @@ impl Corrector {
                 (before, fresh) = (f64::INFINITY, false);
             }
             context.note_residual(iteration, size);
+            if size > LOST || (iteration >= SETTLED && size > WILD) {
+                return Err(FailureKind::NewtonStalled { iterations: iteration, step: size }.into());
+            }
             let part = self.system.admissible(state);
             self.system.advance(state, part);
             let rate = size / before;

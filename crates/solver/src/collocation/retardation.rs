@@ -52,6 +52,12 @@ impl Weights {
         dot(&self.points[place * e.len()..(place + 1) * e.len()], e) + left * ends[0] + right * ends[1]
     }
 
+    /// The weights of e at the Gauss points, d × (d + 1): those of the first point in all places first.
+    fn by_point(&self) -> Vec<f64> {
+        let (places, degree) = (self.ends.len(), self.points.len() / self.ends.len());
+        (0..degree).flat_map(|point| (0..places).map(move |place| self.points[place * degree + point])).collect()
+    }
+
     /// Adds to the weights of e a factor times what this place takes of it: the transpose of [`Weights::apply`].
     pub fn add_transposed(&self, place: usize, factor: f64, e: &mut [f64], ends: &mut [f64; 2]) {
         let row = &self.points[place * e.len()..(place + 1) * e.len()];
@@ -169,16 +175,26 @@ impl RetardationFilter {
         for (index, filter) in self.panels.iter().enumerate().skip(first / degree).rev() {
             let rows = index * degree..(index + 1) * degree;
             let ends = discretisation.ends(index);
-            let weights = &filter.displacement;
+            let weights = filter.displacement.by_point();
             for (j, handed_on) in outlet.iter_mut().enumerate() {
                 let e = elastic.column(j);
                 let (on_panel, ends) = (&e[rows.clone()], [e[ends.0], e[ends.1]]);
-                let at = |i: usize| filter.decay[i] * *handed_on + weights.apply(i, on_panel, ends);
-                let column = &mut sum.column_mut(j)[rows.start - first..rows.end - first];
-                for (i, sum) in column.iter_mut().enumerate() {
-                    *sum += weight * at(i);
+                let mut at = [0.0; MOST_MOMENTS];
+                let at = &mut at[..=degree];
+                // all places together, which do not wait for one another
+                for (weights, e) in weights.chunks_exact(at.len()).zip(on_panel) {
+                    for (at, weight) in at.iter_mut().zip(weights) {
+                        *at += weight * e;
+                    }
                 }
-                *handed_on = at(degree);
+                for ((at, of_ends), decay) in at.iter_mut().zip(&filter.displacement.ends).zip(&filter.decay) {
+                    *at = decay * *handed_on + (*at + of_ends[0] * ends[0] + of_ends[1] * ends[1]);
+                }
+                let column = &mut sum.column_mut(j)[rows.start - first..rows.end - first];
+                for (sum, at) in column.iter_mut().zip(&*at) {
+                    *sum += weight * at;
+                }
+                *handed_on = at[degree];
             }
         }
         for (j, outlet) in outlet.iter().enumerate() {

@@ -61,10 +61,16 @@ impl State {
     /// A guess at another case from a solution: lengths as the widths, then films as the films where they are thin.
     /// Ahead of the contact the film is that of the geometry and stays.
     pub fn rescaled(&self, from: Scaling, to: Scaling) -> Self {
-        let mut stretch = to.width / from.width;
-        if stretch.ln().abs() < SAME_WIDTH {
-            stretch = 1.0;
-        }
+        let stretch = to.width / from.width;
+        self.stretched(if stretch.ln().abs() < SAME_WIDTH { 1.0 } else { stretch }, from, to)
+    }
+
+    /// The same with panels that are always stretched as the widths.
+    pub fn fitted(&self, from: Scaling, to: Scaling) -> Self {
+        self.stretched(to.width / from.width, from, to)
+    }
+
+    fn stretched(&self, stretch: f64, from: Scaling, to: Scaling) -> Self {
         let mut state = if stretch == 1.0 { self.clone() } else { self.scaled(stretch) };
         let ln_thinning = (to.film / from.film / (stretch * stretch)).ln();
         let c = state.c;

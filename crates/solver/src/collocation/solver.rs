@@ -1,5 +1,6 @@
 //! The collocation method as a [`CaseSolver`].
 
+use std::f64::consts::LN_10;
 use std::sync::Arc;
 
 use faer::Mat;
@@ -12,17 +13,24 @@ use super::mesh::growth_behind;
 use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
 use super::settings::Settings;
+use super::starting_solutions::{self, SOLVED_WITH};
 use super::state::State;
 use super::system::unknowns;
 use super::thick_film;
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{
-    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, secant,
+    CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, distance, secant,
 };
 use crate::model::{Output, Parameters};
 
 /// ā²β at which a march begins: films so thick that Newton's method converges from the rigid film.
 const THICK: f64 = 0.01;
+/// β of a case that the table does not lead to at once, over that of the one from which it is tried next.
+const THICKER: f64 = 1000.0;
+/// Distance of the last case from which on the table is the cheaper start: 2.5 points a decade along β, where meshes
+/// and filters are kept, and 12 along other lines.
+const FAR_ALONG_BETA: f64 = 0.4 * LN_10;
+const FAR: f64 = 0.08 * LN_10;
 /// Newton's method stops at this part of the tolerance.
 const NEWTON: f64 = 1e-3;
 /// Largest indicator of a mesh on which a solution is good enough to go on from, and the one of a new mesh.
@@ -35,17 +43,17 @@ const GAIN: f64 = 0.8;
 /// Refinement is given up after so many stalled meshes in a row.
 const STALLED_MESHES: usize = 4;
 /// The estimated error over the tolerance that a new mesh is made for.
-const AIM: f64 = 0.15;
+pub(super) const AIM: f64 = 0.15;
 /// The next case gets a new mesh if the error over the tolerance was below the first or above the second of these.
 const IDLE: f64 = 0.001;
-const CLOSE: f64 = 0.45;
+pub(super) const CLOSE: f64 = 0.45;
 /// It also gets a new mesh if the old one would reach less than this part of the length wanted: no estimate sees what
 /// lies beyond a mesh.
 const SHORT: f64 = 0.8;
 /// Part of the tolerance that what lies beyond a mesh may have in the errors before the next mesh reaches further.
 const SHORT_INLET: f64 = 0.3;
 /// Part of the tolerance that panels behind the outlet may leave, which are not refined with the others.
-const BEHIND: f64 = 1e-4;
+pub(super) const BEHIND: f64 = 1e-4;
 /// Most panels of a mesh.
 const MOST_PANELS: usize = *Settings::PANELS.end();
 /// Flow c of the thinnest films that can be told from rounding errors: those of (T12), some 10⁻¹⁶, count a few hundred
@@ -58,6 +66,10 @@ pub struct CollocationSolver {
     pub(super) panels: Option<usize>,
     /// How many times as far as it takes meshes reach.
     pub(super) farther: f64,
+    /// Whether cases without neighbours march from a thick film, though there is a table.
+    pub(super) marches: bool,
+    /// Of the panels of the table.
+    pub(super) of_table: Arc<ReferencePanel>,
     pub(super) coarse: Arc<ReferencePanel>,
     pub(super) fine: Arc<ReferencePanel>,
 }
@@ -71,11 +83,15 @@ impl CollocationSolver {
         let Settings { tolerance, degree } = settings;
         assert!(Settings::TOLERANCE.contains(&tolerance), "no solver for a tolerance of {tolerance:e}");
         assert!(Settings::DEGREE.contains(&degree), "no solver with panels of degree {degree}");
+        let coarse = Arc::new(ReferencePanel::new(settings.degree));
+        let same = degree == SOLVED_WITH.degree;
         Self {
             settings,
             panels: None,
             farther: 1.0,
-            coarse: Arc::new(ReferencePanel::new(settings.degree)),
+            marches: !starting_solutions::is_present(),
+            of_table: if same { Arc::clone(&coarse) } else { Arc::new(ReferencePanel::new(SOLVED_WITH.degree)) },
+            coarse,
             fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
         }
     }
@@ -85,6 +101,13 @@ impl CollocationSolver {
     #[must_use]
     pub fn reaching(self, times: f64) -> Self {
         Self { farther: times, ..self }
+    }
+
+    /// The same solver without the table of starting solutions, by marches alone: to study what it saves, and to make
+    /// it.
+    #[must_use]
+    pub fn marching(self) -> Self {
+        Self { marches: true, ..self }
     }
 
     /// How far a mesh reaches.
@@ -116,10 +139,15 @@ impl CollocationSolver {
 
     /// The panels that would bring the error from so many times the tolerance to [`AIM`] times. Friction and flow
     /// converge faster than the pressure, about as the power 3d/2 of the number of panels.
-    fn panels(&self, present: usize, error: f64) -> usize {
+    pub(super) fn panels(&self, present: usize, error: f64) -> usize {
         let factor = (error / AIM).powf(1.0 / (1.5 * self.settings.degree as f64)).clamp(0.6, 1.8);
         let wanted = (present as f64 * factor).round() as usize;
         wanted.max(4)
+    }
+
+    /// Whether films are thick at a case.
+    fn is_thick(parameters: &Parameters, half_width: f64) -> bool {
+        parameters.beta <= THICK * half_width.powi(-2)
     }
 
     pub(super) fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
@@ -138,10 +166,25 @@ impl CaseSolver for CollocationSolver {
         Ok(Workspace::new(&self.coarse, &self.fine, parameters))
     }
 
-    /// The case itself if its film is thick, else the thick film of the same substrate.
+    /// The case itself; unless its film is thick, another one of the same substrate from which the table may lead to
+    /// it where it does not at once; and the thick film.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
-        let beta = parameters.beta.min(THICK * half_width(parameters).powi(-2));
-        vec![Parameters { beta, ..parameters.clone() }]
+        let half_width = half_width(parameters);
+        if Self::is_thick(parameters, half_width) {
+            return vec![parameters.clone()];
+        }
+        let thick = Parameters { beta: THICK * half_width.powi(-2), ..parameters.clone() };
+        if self.marches {
+            return vec![thick];
+        }
+        let thicker = Parameters { beta: parameters.beta / THICKER, ..parameters.clone() };
+        let between = (thicker.beta > thick.beta).then_some(thicker);
+        [Some(parameters.clone()), between, Some(thick)].into_iter().flatten().collect()
+    }
+
+    fn is_far(&self, from: &Parameters, to: &Parameters) -> bool {
+        let far = if from.alpha == to.alpha && from.f == to.f { FAR_ALONG_BETA } else { FAR };
+        !self.marches && distance(from, to) > far
     }
 
     /// Factors of three in β at first, up to ten, down to 1.05.
@@ -164,6 +207,9 @@ impl CaseSolver for CollocationSolver {
     ) -> Result<(State, Seed), SolveError> {
         workspace.enter(parameters);
         let reach = self.reach(Scaling::new(workspace.half_width(), parameters.beta));
+        if !Self::is_thick(parameters, workspace.half_width()) {
+            return Ok((self.guess_from_table(parameters, reach), Seed::Table));
+        }
         let Settings { degree, tolerance } = self.settings;
         let growth = growth_behind(degree, BEHIND * tolerance);
         let mesh = thick_film::mesh(degree, growth, parameters.beta, reach);

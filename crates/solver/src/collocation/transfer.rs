@@ -12,6 +12,11 @@ impl State {
     /// The same state on other panels: p and ln u by their polynomials. (Linear interpolation of p would be an error of
     /// the size of the film.) Beyond the old mesh p falls as x^{−3}, and u grows as x²/2.
     pub fn on(&self, reference: &ReferencePanel, mesh: &Arc<Mesh>) -> Self {
+        self.with_degree(reference, reference, mesh)
+    }
+
+    /// [`State::on`] from panels of one degree to panels of another.
+    pub fn with_degree(&self, reference: &ReferencePanel, of_mesh: &ReferencePanel, mesh: &Arc<Mesh>) -> Self {
         let mut onto = Self {
             mesh: Arc::clone(mesh),
             pressure: Vec::new(),
@@ -21,11 +26,11 @@ impl State {
             error: None,
             outlet_panel: self.outlet_panel,
         };
-        self.interpolate(reference, &mut onto);
+        self.interpolate(reference, of_mesh, &mut onto);
         onto
     }
 
-    fn interpolate(&self, reference: &ReferencePanel, onto: &mut Self) {
+    fn interpolate(&self, reference: &ReferencePanel, of_mesh: &ReferencePanel, onto: &mut Self) {
         let (degree, size) = (reference.degree, reference.degree + 1);
         let reach = self.mesh.reach();
         let mut coefficients = [0.0; MOST_MOMENTS];
@@ -35,7 +40,7 @@ impl State {
 
         onto.pressure.push(0.0);
         for ends in onto.mesh.film.windows(2) {
-            for t in &reference.nodes[1..] {
+            for t in &of_mesh.nodes[1..] {
                 let y = at(ends, *t);
                 if y > reach {
                     onto.pressure.push(old.0 * ((self.outlet + reach) / (self.outlet + y)).powi(3));
@@ -52,7 +57,7 @@ impl State {
         }
         current = usize::MAX;
         for ends in onto.mesh.film.windows(2) {
-            for t in &reference.points {
+            for t in &of_mesh.points {
                 let y = at(ends, *t);
                 if y > reach {
                     onto.film.push(old.1 + 0.5 * ((self.outlet + y).powi(2) - last_x * last_x));

@@ -17,7 +17,8 @@ use crate::model::{Limits, Output, Parameters};
 ///
 /// These seeds are tried in their order: the predictor from the last two solved cases; a walk from the last one, whose
 /// first step is the whole way; from each of the solver's origins, its start there and a walk to the case. The first
-/// case has the origins alone. So every number is a function of the chain, and of nothing that happens elsewhere. A
+/// origin comes before the predictor where the last case is [far](CaseSolver::is_far). The first case has the origins
+/// alone. So every number is a function of the chain, and of nothing that happens elsewhere. A
 /// [conclusive](FailureKind::is_conclusive) failure ends the search. Cases that are not
 /// [computable](Parameters::computable) fail without a try.
 ///
@@ -157,8 +158,10 @@ impl<S: CaseSolver> SeedSearch<'_, '_, S> {
         let mut attempts: Vec<Failure> = Vec::new();
         let predictor = (self.solved.len() == 2).then_some(SeedStrategy::Predictor);
         let neighbour = (!self.solved.is_empty()).then_some(SeedStrategy::Neighbour);
-        let origins = iter::once_with(|| solver.origins(parameters)).flatten().map(SeedStrategy::Origin);
-        for strategy in predictor.into_iter().chain(neighbour).chain(origins) {
+        let far = self.solved.last().is_some_and(|(last, _)| solver.is_far(last, parameters));
+        let mut origins = iter::once_with(|| solver.origins(parameters)).flatten().map(SeedStrategy::Origin);
+        let first = if far { origins.next() } else { None };
+        for strategy in first.into_iter().chain(predictor).chain(neighbour).chain(origins) {
             match self.try_seed(strategy, parameters, &mut seed, &mut path, &mut context) {
                 Ok((state, solution)) => {
                     push(self.solved, parameters.clone(), state);

@@ -146,6 +146,12 @@ pub trait CaseSolver: Sync {
     /// Cases from which a case can be reached when no neighbour helps, best first; the first may be the case itself.
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters>;
 
+    /// Whether a solved case is so far away that a case is better tried from the first of its
+    /// [origins](CaseSolver::origins) before it is tried from there.
+    fn is_far(&self, _from: &Parameters, _to: &Parameters) -> bool {
+        false
+    }
+
     /// How long the steps between cases may be.
     fn step_control(&self) -> StepControl;
 

@@ -16,14 +16,16 @@ pub enum Seed {
     RescaledElastic,
     /// The film under a rigid cylinder on a rigid plane, at the case itself.
     ThickFilm,
+    /// The built-in table of solutions, at the case itself.
+    Table,
     /// The converged neighbour along the chain.
     Neighbour,
     /// Extrapolated from the last two cases of the chain.
     Predictor,
     /// The neighbour, by way of this number of intermediate points, which are not published.
     Intermediate(usize),
-    /// The start of another case where films are thicker, by way of so many cases that are not published, this one
-    /// included.
+    /// The start of another case where films are thicker, from the thick film or the table, by way of so many cases
+    /// that are not published, this one included.
     March(usize),
 }
 
@@ -36,6 +38,7 @@ impl Seed {
             Seed::Elastic => "elastic",
             Seed::RescaledElastic => "rescaled-elastic",
             Seed::ThickFilm => "thick-film",
+            Seed::Table => "table",
             Seed::Neighbour => "neighbour",
             Seed::Predictor => "predictor",
             Seed::Intermediate(_) => "intermediate",
@@ -79,6 +82,7 @@ impl FromStr for Seed {
             Seed::Elastic,
             Seed::RescaledElastic,
             Seed::ThickFilm,
+            Seed::Table,
             Seed::Neighbour,
             Seed::Predictor,
             Seed::Intermediate(points),
@@ -94,9 +98,9 @@ mod tests {
 
     #[test]
     fn a_seed_is_read_as_it_is_written() {
-        let alone = [Seed::None, Seed::Hertz, Seed::Elastic, Seed::RescaledElastic, Seed::ThickFilm, Seed::Neighbour];
+        let alone = [Seed::None, Seed::Hertz, Seed::Elastic, Seed::RescaledElastic, Seed::ThickFilm, Seed::Table];
         let counted = [0, 1, 12].into_iter().flat_map(|points| [Seed::Intermediate(points), Seed::March(points)]);
-        for seed in alone.into_iter().chain([Seed::Predictor]).chain(counted) {
+        for seed in alone.into_iter().chain([Seed::Neighbour, Seed::Predictor]).chain(counted) {
             assert_eq!(seed.to_string().parse(), Ok(seed));
         }
         for text in ["", "march", "march-", "march--1", "march-01", "Hertz", "hertz-1"] {

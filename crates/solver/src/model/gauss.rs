@@ -1,7 +1,9 @@
 //! Gauss–Legendre quadrature.
 
+/// Number of nodes of the rule.
+pub const POINTS: usize = 16;
 /// Positive nodes and weights of the sixteen-point rule on [−1, 1].
-const SIXTEEN: [(f64, f64); 8] = [
+const SIXTEEN: [(f64, f64); POINTS / 2] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_6),
     (0.458_016_777_657_227_4, 0.169_156_519_395_002_54),

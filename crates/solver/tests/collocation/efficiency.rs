@@ -1,9 +1,9 @@
 //! What a fixed sweep costs, in counts and not in seconds: efficiency cannot be lost unseen.
 
 use stribeck_solver::Parameters;
-use stribeck_solver::continuation::Seed;
+use stribeck_solver::continuation::{Effort, Seed};
 
-use crate::collocation::cases::{numbers, outcomes, settings};
+use crate::collocation::cases::{ROWS, numbers, outcomes, settings};
 
 /// The chains of `benches/collocation.rs`: f = 100, seven α, 20 β a decade, tolerance 1e-5. A bound is some percent
 /// above what was counted; who makes the method cheaper lowers it.
@@ -29,6 +29,26 @@ fn a_fixed_sweep_costs_no_more_than_it_did() {
     // all but the first two of a chain come from the predictor
     assert!(cases - predicted <= 14.0, "{} of {cases} cases not predicted", cases - predicted);
     for (count, bound) in counts.into_iter().zip([3.0, 2.25, 0.32, 113.0]) {
+        assert!(count <= bound, "{counts:?}");
+    }
+}
+
+/// The cases of the reference, each alone. A bound is some percent above what was counted.
+#[test]
+fn a_case_alone_costs_no_more_than_it_did() {
+    let solved: Vec<_> =
+        ROWS.iter().map(|case| outcomes(settings(1e-5), std::slice::from_ref(case), &numbers())).collect();
+    let cases: Vec<_> = solved.into_iter().flatten().collect();
+    assert!(cases.iter().all(|case| case.outcome.is_ok() && case.seed == Seed::Table));
+    let mean = |number: fn(&Effort) -> f64| cases.iter().map(|case| number(&case.effort)).sum::<f64>() / 84.0;
+    let counts = [
+        mean(|effort| effort.iterations as f64),
+        mean(|effort| effort.factorisations as f64),
+        mean(|effort| effort.meshes as f64),
+        mean(|effort| effort.unknowns as f64),
+    ];
+    println!("iterations, factorisations, meshes and unknowns of a case alone: {counts:.3?}");
+    for (count, bound) in counts.into_iter().zip([5.5, 2.5, 2.2, 115.0]) {
         assert!(count <= bound, "{counts:?}");
     }
 }

@@ -107,7 +107,7 @@ fn flow_error(settings: Settings, case: &Parameters) -> f64 {
 fn the_flow_is_conserved_between_the_points() {
     cases().par_iter().for_each(|case| {
         let errors = [settings(1e-4), settings(1e-8), EXACT].map(|settings| flow_error(settings, case));
-        assert!(errors[0] < 0.05 && errors[1] < 2e-2 && errors[2] < 1e-4, "{case:?}: {errors:?}");
+        assert!(errors[0] < 0.1 && errors[1] < 5e-3 && errors[2] < 1e-4, "{case:?}: {errors:?}");
     });
 }
 

@@ -15,4 +15,5 @@ mod random;
 mod range;
 mod reference;
 mod sensitivities;
+mod table;
 mod tolerance;

@@ -6,7 +6,7 @@ use stribeck_solver::collocation::Settings;
 
 use crate::extremes::cases::{SHIPPED, Set, Verdict, outcome, outcomes, verdicts};
 
-/// Most iterations of a case that is solved from its neighbours, or by a march from a thick film; and of one that
+/// Most iterations of a case that is solved from its neighbours, from the table, or by a march; and of one that
 /// fails.
 const MOST_ITERATIONS: u64 = 300;
 const MOST_IN_VAIN: u64 = 1000;
