@@ -68,24 +68,34 @@ fn examples(help: &str) -> String {
 
 /// What stands below the options in help: paragraphs, and lines that are indented.
 fn notes(help: &str) -> String {
-    let mut text = String::new();
-    let mut is_block = false;
-    for line in help.lines() {
-        if line.starts_with("  ") != is_block && !line.is_empty() {
-            is_block = !is_block;
-            let blank = if text.is_empty() || text.ends_with("\n\n") { "" } else { "\n" };
-            text += &if is_block { format!("{blank}```text\n") } else { "```\n\n".to_owned() };
+    let is_block = |line: &&str| line.starts_with("  ");
+    let lines: Vec<&str> = help.lines().collect();
+    let mut parts = Vec::new();
+    for run in lines.chunk_by(|one, next| is_block(one) == is_block(next) && !one.is_empty() && !next.is_empty()) {
+        match run[0] {
+            "" => {}
+            first if is_block(&first) => {
+                let inner: Vec<&str> = run.iter().map(|line| &line[2..]).collect();
+                parts.push(format!("```text\n{}\n```\n", inner.join("\n")));
+            }
+            _ => parts.push(filled(&escaped(&run.join(" ")))),
         }
-        match is_block {
-            true => text += &line[line.len().min(2)..],
-            false => text += &escaped(line),
+    }
+    parts.join("\n")
+}
+
+/// A paragraph in lines of at most 120 characters.
+fn filled(text: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let line = lines.last_mut().expect("one line at least");
+        match line.is_empty() {
+            true => line.push_str(word),
+            false if line.chars().count() + 1 + word.chars().count() <= 120 => *line += &format!(" {word}"),
+            false => lines.push(word.to_owned()),
         }
-        text.push('\n');
     }
-    if is_block {
-        text += "```\n";
-    }
-    text
+    lines.join("\n") + "\n"
 }
 
 /// The row of an option or an argument.

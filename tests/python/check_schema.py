@@ -9,10 +9,10 @@ to JSON; valid files are tried with the numbers, too.
 import json
 import math
 import sys
-import tomllib
 from pathlib import Path
 
 import fastjsonschema
+import tomllib
 
 
 def without_infinities(value):
@@ -34,6 +34,7 @@ def problem(validate, document):
 
 
 def main():
+    """Validates the cases and says how many are as expected."""
     schema, cases = (json.loads(Path(name).read_text()) for name in sys.argv[1:])
     validate = fastjsonschema.compile(schema, use_default=False)
     wrong = 0
