@@ -247,9 +247,13 @@ fn rows(cases: &[Solved]) -> String {
         });
         text += &table_line(&columns, &cells);
     }
-    text + "\nmu_drag = mu_v + S mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow; \
-            S = 1 if the roller does not turn\n\
-            error: the largest estimated relative error of mu_drag, mu_v, mu_h and the film c\n"
+    let slide_roll = cases[0].experiment.motion.slide_roll();
+    text + &format!(
+        "\nmu_drag = mu_v + S mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow; \
+         S = {} here\n\
+         error: the largest estimated relative error of mu_drag, mu_v, mu_h and the film c\n",
+        shortest(slide_roll)
+    )
 }
 
 /// All numbers in SI units: what is given, and the columns of the summary.

@@ -11,8 +11,9 @@ use super::sweep_data::SweepData;
 use super::table::Table;
 use super::{Axis, AxisWords, PictureError};
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
-use stribeck_sweep::Column;
+use stribeck_solver::shortest;
 use stribeck_sweep::store::Status;
+use stribeck_sweep::{Column, GridIndex};
 
 /// Curves with more points than this have no markers.
 const MOST_MARKED: usize = 45;
@@ -51,10 +52,28 @@ pub(super) fn named_columns(request: &Request, otherwise: &[Column]) -> Vec<Colu
 }
 
 /// What all curves of a picture have in common.
-fn subtitle(sweep: &SweepData, family: &CurveFamily) -> String {
+fn subtitle(sweep: &SweepData, family: &CurveFamily, columns: &[Column]) -> String {
     let held = sweep.held_along(family.along, family.start[family.along.dimension()]);
     let fixed = Some(sweep.list(&family.fixed, family.start)).filter(|words| !words.is_empty());
-    held.into_iter().chain(fixed).collect::<Vec<_>>().join(", ")
+    held.into_iter().chain(fixed).chain(sum_of_parts(sweep, family, columns)).collect::<Vec<_>>().join(", ")
+}
+
+/// How the drag is made of its parts (T54), where all of them are drawn: the slide-to-roll ratio S stands before C.
+fn sum_of_parts(sweep: &SweepData, family: &CurveFamily, columns: &[Column]) -> Option<String> {
+    let parts = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure];
+    let grid = &sweep.sweep.as_ref()?.grid;
+    if !parts.iter().all(|part| columns.contains(part)) {
+        return None;
+    }
+    let ratio = |member, point| grid.slide_roll(GridIndex::from(family.at(member, point)));
+    let mut ratios = family.members.iter().flat_map(|member| family.points.iter().map(|point| ratio(*member, *point)));
+    let first = ratios.next()?;
+    let shear = match ratios.all(|ratio| ratio == first) {
+        true if first == 1.0 => "C".to_owned(),
+        true => format!("{} C", shortest(first)),
+        false => "S C".to_owned(),
+    };
+    Some(format!("drag = μᵥ + {shear} − P"))
 }
 
 /// The pictures of these columns along the axis asked for, or along each that has several values.
@@ -151,7 +170,7 @@ fn draw(
     let x_label = sweep.axis(family.along).label.clone();
     let chart = Lines {
         title: sweep.data.title.clone(),
-        subtitle: subtitle(sweep, family),
+        subtitle: subtitle(sweep, family, columns),
         x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
         y: LineAxis { label: Quantity::common_label(columns, sweep.data.laboratory), logarithmic, range },
         curves: solved.into_iter().chain(bars).chain(references).chain(measured).collect(),

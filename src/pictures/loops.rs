@@ -73,8 +73,10 @@ pub(super) fn loops(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>
         let mut coordinates = sweep.coordinates(*indices);
         solved.list(&mut table, "solution", &coordinates);
         let colour = member_colour(i, cases.indices.len());
+        // areas are over the scales
+        let mu_v = if sweep.data.laboratory { "μᵥR/a₀" } else { "μᵥ" };
         let label = format!(
-            "{}: area {}, μᵥ {}",
+            "{}: area {}, {mu_v} {}",
             cases.label(sweep, *indices),
             rounded(solved.area),
             rounded(friction[sweep.data.place(*indices)] / sweep.factor(Column::MuV.units(), *indices)),
