@@ -1,15 +1,25 @@
 //! The version of the program with the commit that it is built from, where that is known.
 //!
 //! It is known in a clone of the repository, or where a packager gives it in the variable `STRIBECK_COMMIT`. Elsewhere
-//! the version stands alone. The text depends on the sources alone, so that the same sources give the same program.
+//! the version stands alone. It is the last commit that changed the sources: the same sources give the same program, and
+//! what is published with it.
 
 use std::env;
 use std::path::Path;
 use std::process::Command;
 
 /// What the program is made of.
-const SOURCES: [&str; 8] =
-    ["src", "crates/*/src", "crates/*/Cargo.toml", "assets", "build", "build.rs", "Cargo.toml", "Cargo.lock"];
+const SOURCES: [&str; 9] = [
+    "src",
+    "crates/*/src",
+    "crates/*/build.rs",
+    "crates/*/Cargo.toml",
+    "assets",
+    "build",
+    "build.rs",
+    "Cargo.toml",
+    "Cargo.lock",
+];
 
 /// Hands the version to the crate as `STRIBECK_VERSION`, as in `0.1.0 (1a2b3c4d5e6f)`.
 pub fn hand_over() {
@@ -34,12 +44,13 @@ fn of_repository() -> Option<String> {
     // Whether something is changed since the commit is to be seen again after each change.
     SOURCES.into_iter().filter(|name| !name.contains('*')).for_each(|name| watch(Path::new(name)));
     for member in Path::new("crates").read_dir().ok()?.flatten() {
-        ["src", "Cargo.toml"].into_iter().for_each(|name| watch(&member.path().join(name)));
+        ["src", "build.rs", "Cargo.toml"].into_iter().for_each(|name| watch(&member.path().join(name)));
     }
-    let commit = git(&["rev-parse", "--short=12", "HEAD"])?;
     let sources = SOURCES.map(|name| format!(":(glob){name}{}", if name.contains('.') { "" } else { "/**" }));
     let question = ["status", "--porcelain", "--"].into_iter().chain(sources.iter().map(String::as_str));
     let changed = git(&question.collect::<Vec<_>>())?;
+    let last = ["log", "-1", "--format=%h", "--abbrev=12", "--"].into_iter();
+    let commit = git(&last.chain(sources.iter().map(String::as_str)).collect::<Vec<_>>())?;
     Some(if changed.is_empty() { commit } else { format!("{commit}, modified") })
 }
 

@@ -57,7 +57,7 @@ fn errors_are_bars_where_they_can_be_seen() {
         let directory = with_results(&format!("{axes}{solver}[output]\nfields = []\n"));
         let run = say(directory.path(), &["plot", "results/small", "--what", "curves", "--of", "mu_h", "--bare"]);
         let said = out(&run);
-        let largest = said.rsplit_once("estimated errors are at most ").expect(&said).1;
+        let largest = said.rsplit_once("estimated errors of curves are at most ").expect(&said).1;
         let largest: f64 = largest.split(' ').next().unwrap().parse().expect(largest);
         assert!(if has_bars { largest > 1e-4 } else { largest <= 1e-5 }, "{said}");
         let data = DataSet::open(&directory.path().join("results/small")).expect("published");

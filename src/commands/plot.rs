@@ -153,12 +153,19 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         text += &format!("{}\n", shown(&file));
     }
     text += &format!("{}, each with its numbers as .csv", count(pictures.len() as u64, "picture"));
-    if let Some(error) = largest_error(&sweep, &request)?.filter(|_| pictures.iter().any(Picture::has_curves)) {
-        text += &format!("; estimated errors are at most {error:.0e} of the largest value");
+    let has_curves = arguments.what.is_empty() || arguments.what.contains(&Kind::Curves);
+    if let Some(error) = largest_error(&sweep, &request)?.filter(|_| has_curves) {
+        text += &format!("; estimated errors of curves are at most {} of the largest value", rounded_up(error));
     }
     text += "\n";
     console::print(&text)?;
     Ok(Exit::Success)
+}
+
+/// An error with one digit, not rounded below itself.
+fn rounded_up(error: f64) -> String {
+    let unit = 10_f64.powf(error.log10().floor());
+    format!("{:.0e}", (error / unit).ceil() * unit)
 }
 
 /// The files of a picture and of its numbers. A table is ours if a picture of ours stands beside it.

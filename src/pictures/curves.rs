@@ -23,8 +23,12 @@ pub(super) const ERRORS: [Column; 4] = [Column::ErrorMuV, Column::ErrorMuH, Colu
 
 /// The pictures of curves that are asked for.
 pub(super) fn curves(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
-    let columns = [&friction(sweep, request)[..], &[Column::C]].concat();
-    along_each(sweep, request, Kind::Curves, &named_columns(request, &columns))
+    along_each(sweep, request, Kind::Curves, &columns(sweep, request))
+}
+
+/// The columns that curves show.
+pub(super) fn columns(sweep: &SweepData, request: &Request) -> Vec<Column> {
+    named_columns(request, &[&friction(sweep, request)[..], &[Column::C]].concat())
 }
 
 /// Errors along each axis: for sweeps that have no map of them.

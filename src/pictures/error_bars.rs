@@ -10,15 +10,19 @@ use stribeck_sweep::Column;
 /// Half a bar over the height of the curves from which on it is drawn: about the width of a line.
 const VISIBLE: f64 = 0.005;
 
+/// What a curve is taken to span at least, in decades or over its value: bars of one that is constant are no news.
+const FLAT: f64 = 0.01;
+
 /// The estimated errors of a column at all places, in its unit; NaN where there is none, `None` where a column has none.
 ///
-/// That of μ_v is over μ_v, or over μ_tot/1000 where μ_v is below that.
+/// That of μ_v is over μ_v, or over a thousandth of μ_tot at S = 1 where μ_v is below that.
 pub(super) fn errors(sweep: &SweepData, column: Column) -> Result<Option<Vec<f64>>, PictureError> {
     let Some(error) = column.error() else { return Ok(None) };
     let (errors, mut scales) = (sweep.data.column(error)?, sweep.data.column(column)?);
     if column == Column::MuV {
-        for (scale, total) in scales.iter_mut().zip(sweep.data.column(Column::MuTot)?) {
-            *scale = scale.abs().max(1e-3 * total.abs());
+        let (shear, pressure) = (sweep.data.column(Column::MuShear)?, sweep.data.column(Column::MuPressure)?);
+        for (scale, (shear, pressure)) in scales.iter_mut().zip(shear.iter().zip(pressure)) {
+            *scale = scale.abs().max(1e-3 * (*scale + shear + pressure).abs());
         }
     }
     Ok(Some(errors.iter().zip(scales).map(|(error, scale)| error * scale.abs()).collect()))
@@ -56,7 +60,7 @@ pub(super) fn error_bars(
             let (value, error) = (values[place], errors[place]);
             let half = if logarithmic { (1.0 + error / value).log10() } else { error };
             // NaN is not drawn
-            if !(half > VISIBLE * span) {
+            if !(half > VISIBLE * span.max(if logarithmic { FLAT } else { FLAT * value.abs() })) {
                 continue;
             }
             let least = if logarithmic { (value - error).max(1e-3 * value) } else { value - error };

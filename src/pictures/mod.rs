@@ -44,13 +44,13 @@ pub use table::Table;
 
 use stribeck_sweep::Column;
 
-/// The largest estimated error of the columns that curves of a request show, each over its largest value; `None` where none is known.
+/// The largest estimated error of the columns that curves of a request show, each over its largest value; `None` where
+/// none is known.
 ///
 /// # Errors
 /// [`PictureError`] if the data set cannot be read.
 pub fn largest_error(sweep: &SweepData, request: &Request) -> Result<Option<f64>, PictureError> {
-    let columns = curves::named_columns(request, &curves::friction(sweep, request));
-    error_bars::largest(sweep, &columns)
+    error_bars::largest(sweep, &curves::columns(sweep, request))
 }
 
 /// The pictures that are asked for; where no kind is named, all that this data set has something for.

@@ -15,11 +15,6 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// True if it has curves.
-    pub fn has_curves(&self) -> bool {
-        matches!(self.chart, Chart::Lines(_))
-    }
-
     /// True if points stand in it that were measured.
     pub fn shows_points(&self) -> bool {
         let is_points = |curve: &Curve| curve.stroke == Stroke::Points;

@@ -48,9 +48,14 @@ __judge() {
     [ "$2" -eq "$__announced" ] && return
     __broken $3 && __fail "$1" "$2" "$4"
 }
+# The beginning of a block, with the code that its fence announces.
+__open() {
+    __announced=$1
+    trap '__judge "$LINENO" "$?" "${PIPESTATUS[*]}" "$BASH_COMMAND"' ERR
+}
 # The end of a block: line and exit code of the last command.
 __close() {
-    if [ "$__announced" -ne 0 ] && [ "$2" -ne "$__announced" ]; then
+    if [ "$2" -ne "$__announced" ] && ! { [ "$__announced" -eq 0 ] && [ "$2" -eq 141 ]; }; then
         __fail "$1" "$2" "the last command of this block, which should exit with $__announced"
     fi
     __announced=0
@@ -61,7 +66,6 @@ __python() {
     read -r answer <&"${PYTHON[0]}" || answer=$1
     [ "$answer" = done ] || __fail "$answer" 1 "this line of Python"
 }
-trap '__judge "$LINENO" "$?" "${PIPESTATUS[*]}" "$BASH_COMMAND"' ERR
 """
 
 
@@ -84,6 +88,12 @@ def is_run(fence):
     return fence.language in ("sh", "python") and "no-run" not in fence.options
 
 
+def hides_failures(fence):
+    """Whether a block that is run joins commands so that the failure of one is not seen."""
+    is_shell = fence.language == "sh" and "no-run" not in fence.options
+    return is_shell and any("&&" in line for line in fence.lines)
+
+
 def wrong_fences(text):
     """What is wrong with the fences of a page: a message for each, with its line."""
     wrong = []
@@ -98,6 +108,8 @@ def wrong_fences(text):
                 say(f"`{fence.language},{option}` is no fence here")
         if len(fence.options) > 1:
             say("a fence has one option at most")
+        if hides_failures(fence):
+            say("a block that is run has one command a line: bash does not see what fails before `&&`")
         if "no-run" in fence.options and fence.language == "sh":
             for line, words in split_commands(fence):
                 message = wrong_command(words, tracked())
@@ -116,17 +128,24 @@ def as_script(text):
             lines[fence.line - 1] = f"__python {fence.line} {fence.end}"
             continue
         code = next((int(match[1]) for match in map(EXITS.fullmatch, fence.options) if match), 0)
-        lines[fence.line - 1] = f"__announced={code}"
+        lines[fence.line - 1] = f"__open {code}"
         lines[fence.line : fence.end - 1] = fence.lines
         lines[fence.end - 1] = f'__close {fence.end - 1} "$?"'
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines) + '\n: >"$PAGE_DONE"\n'
 
 
 @functools.cache
 def tracked(root=ROOT):
     """The names of the files in the repository, with new ones that it does not ignore: no results, no build."""
     git = ["git", "-c", "safe.directory=*", "-C", str(root), "ls-files", "-z", "-co", "--exclude-standard"]
-    names = subprocess.run(git, capture_output=True, check=True).stdout.decode().split("\0")
+    if (root / ".git").exists():
+        names = subprocess.run(git, capture_output=True, check=True).stdout.decode().split("\0")
+    else:
+        # A tree without its repository, as a release has it.
+        built = {"target", ".venv", ".tools", "results"}
+        names = [
+            str(path.relative_to(root)) for path in root.rglob("*") if path.relative_to(root).parts[0] not in built
+        ]
     # A file that was removed is listed until that is committed.
     return sorted(name for name in names if name and (root / name).is_file())
 
@@ -177,7 +196,7 @@ def run_page(name, text, directories, *, seconds=60):
         PageError: with the line, the command and the output of the first block that fails.
     """
     work = directories.work
-    script, page, failure, log = (work / file for file in ("page.sh", "page.md", "failure", "output"))
+    script, page, failure, done, log = (work / file for file in ("page.sh", "page.md", "failure", "done", "output"))
     page.write_text(text, encoding="utf-8")
     # The prelude is a file of its own: the page's script has the lines of the page.
     prelude = work / "prelude.sh"
@@ -185,7 +204,7 @@ def run_page(name, text, directories, *, seconds=60):
     has_python = any(fence.language == "python" for fence in filter(is_run, read_fences(text)))
     prelude.write_text((interpreter if has_python else "") + PRELUDE, encoding="utf-8")
     script.write_text(as_script(text), encoding="utf-8")
-    variables = environment(directories) | {"PAGE_FAILURE": str(failure)}
+    variables = environment(directories) | {"PAGE_FAILURE": str(failure), "PAGE_DONE": str(done)}
     with log.open("wb") as output:
         process = subprocess.Popen(
             ["bash", "-c", f". '{prelude}'; . '{script}'"],
@@ -213,3 +232,5 @@ def run_page(name, text, directories, *, seconds=60):
         raise PageError(name, int(line), f"exit code {status} of: {command.strip()}", said)
     if code != 0:
         raise PageError(name, 1, f"the terminal ended with exit code {code}", said)
+    if not done.exists():
+        raise PageError(name, 1, "the terminal ended before the end of the page", said)

@@ -6,7 +6,8 @@ use super::open_store::open_store;
 use super::parts::part_states;
 use super::publication::publish;
 use super::sweep_directory::{part_directories, read_copy};
-use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory};
+use super::{CampaignError, Event, MergedCatalog, Observer, PartState, Pending, SweepDirectory, available_threads};
+use crate::engine::solver_threads;
 use crate::store::{Catalog, Ending, Inspection, Joined, Published, Store};
 use crate::{Column, Method, Plan, Sweep, Values};
 use stribeck_solver::viscoelastic_error_scale;
@@ -70,7 +71,8 @@ pub fn merge(sources: &[PathBuf], target: &Path, observe: &mut Observer<'_>) -> 
         MergeOutcome::Incomplete(Missing { cases: missing, parts: incomplete_parts(sources, &sweep, &plan)? })
     } else {
         observe(Event::Publishing);
-        MergeOutcome::Published(publish(&sweep, &plan, &mut store)?)
+        let threads = solver_threads(available_threads())?;
+        MergeOutcome::Published(threads.install(|| publish(&sweep, &plan, &mut store))?)
     };
     Ok(MergeReport { joined, outcome })
 }

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use super::merge::join_all;
 use super::sweep_directory::part_directories;
-use super::{CampaignError, Observer, SweepDirectory, open_store, read_sweep, sweep_file};
+use super::{CampaignError, Observer, SweepDirectory, available_threads, open_store, read_sweep, sweep_file};
+use crate::engine::solver_threads;
 use crate::store::{Inspection, Point, Publication, Published, Store, StoreError};
 use crate::{Grid, GridIndex, Plan, Sweep};
 
@@ -46,7 +47,8 @@ pub fn publish_stored(
         &mut store,
         observe,
     )?;
-    let published = publish_places(&sweep, &plan, &mut store, partial)?;
+    let threads = solver_threads(available_threads())?;
+    let published = threads.install(|| publish_places(&sweep, &plan, &mut store, partial))?;
     Ok((sweep, published))
 }
 

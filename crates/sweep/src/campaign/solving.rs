@@ -21,7 +21,7 @@ const PART_CHAINS: usize = 64;
 const COMMIT_INTERVAL: Duration = Duration::from_millis(100);
 const LONGEST_WAIT: Duration = Duration::from_secs(10);
 
-/// Values of fields that may wait to be written: 32 MB.
+/// Values of fields that may wait to be written, packed: 32 MB at most.
 const WAITING_FIELD_VALUES: usize = 1 << 22;
 
 /// What a run solves, and how.

@@ -111,8 +111,8 @@ impl Engine {
     /// Solves `chains`, started in their order, and commits them soon after they finish, in groups.
     ///
     /// - `solve` is called once for each chain, on a solver thread. What else is to be done with its cases before they
-    ///   are written, it does there. It gives up with [`Interrupted`] soon after
-    ///   `interrupt` is requested; what it finished nevertheless is committed.
+    ///   are written, it does there. It gives up with [`Interrupted`] soon after `interrupt` is requested; what it
+    ///   finished nevertheless is committed.
     /// - `panicked` makes failed cases of a chain whose solver panicked, from the message of the panic. They are
     ///   committed like any others, and the other chains go on.
     /// - `commit` is called on the calling thread only, so it needs no lock. It gets the chains that finished since it

@@ -18,14 +18,20 @@ use crate::grid_index::indices;
 /// About so many bytes has a block.
 const BYTES: usize = 1 << 20;
 
+/// Most places of a block: each takes some memory until its block is written, however few its values are.
+const MOST_PLACES: usize = 1 << 13;
+
 /// So many places of a row make a block: rows are cut evenly.
 pub(super) fn places_in_block(length: usize, width: usize) -> usize {
-    let most = (BYTES / (size_of::<f64>() * width.max(1))).max(1);
+    let most = (BYTES / (size_of::<f64>() * width.max(1))).clamp(1, MOST_PLACES);
     length.div_ceil(length.div_ceil(most).max(1)).max(1)
 }
 
-/// Packed values of blocks that wait to be written together: so many are unpacked and packed again in parallel.
+/// Values of the blocks that wait to be written together: so many are unpacked and packed again in parallel.
 const AT_ONCE: usize = 1 << 22;
+
+/// A place that waits takes about the memory of so many values beside its own.
+const OF_PLACE: usize = 32;
 
 /// The fields of a publication while they are written, place after place.
 pub(super) struct FieldBlocks {
@@ -77,7 +83,7 @@ impl FieldBlocks {
         let length = self.shape.last().copied().unwrap_or(1);
         let first = place - place % length % self.places;
         if self.waiting.last().is_none_or(|block| block.first != first) {
-            let values = self.places * self.x.len() * self.fields.len();
+            let values = self.places * (self.x.len() + OF_PLACE) * self.fields.len();
             if self.waiting.len() * values >= AT_ONCE {
                 self.flush()?;
             }
@@ -140,7 +146,8 @@ mod tests {
             let blocks = length.div_ceil(places);
             // The last block is no scrap, and there are not twice as many as there must be.
             prop_assert!(blocks * places - length < blocks);
-            prop_assert!(places == 1 || places == length || 2 * bytes + width * size_of::<f64>() * 2 >= BYTES);
+            let is_full = 2 * bytes + width * size_of::<f64>() * 2 >= BYTES || 2 * places + 2 >= MOST_PLACES;
+            prop_assert!(places == 1 || places == length || is_full);
         }
     }
 }

@@ -12,7 +12,8 @@ use ndarray::{ArrayView, Dimension};
 
 use super::hdf5_environment;
 
-/// Strength of the compression of fields: more costs much time and gains little on doubles.
+/// The strength of compression that the pipeline of a field names. The program packs fields itself, see `packed`; other
+/// programs that write to a copy may use it.
 pub(super) const DEFLATE: u8 = 4;
 
 /// HDF5's own locks are not used: the directory has its lock, files are written under names that no one else opens, and

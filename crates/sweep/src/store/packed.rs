@@ -72,11 +72,11 @@ impl Packed {
 /// Bytes of a number.
 const WIDTH: usize = size_of::<f64>();
 
-/// The first bytes of all numbers, then the second bytes, and so on.
+/// The first bytes of all numbers as they stand in memory, then the second bytes, and so on.
 fn shuffle(values: &[f64]) -> Vec<u8> {
     let mut sorted = vec![0; values.len() * WIDTH];
     for (i, value) in values.iter().enumerate() {
-        for (plane, byte) in value.to_le_bytes().into_iter().enumerate() {
+        for (plane, byte) in value.to_ne_bytes().into_iter().enumerate() {
             sorted[plane * values.len() + i] = byte;
         }
     }
@@ -85,7 +85,7 @@ fn shuffle(values: &[f64]) -> Vec<u8> {
 
 fn unshuffle(sorted: &[u8]) -> Vec<f64> {
     let count = sorted.len() / WIDTH;
-    let number = |i: usize| f64::from_le_bytes(std::array::from_fn(|plane| sorted[plane * count + i]));
+    let number = |i: usize| f64::from_ne_bytes(std::array::from_fn(|plane| sorted[plane * count + i]));
     (0..count).map(number).collect()
 }
 

@@ -20,8 +20,8 @@ pub struct PlacedNumbers {
 impl Point {
     /// The numbers of its case, from those at S = 1 over a₀/R.
     ///
-    /// `sensitivities` are those of the solution and their errors, where the output has them. `swapped` are the numbers of the case with
-    /// the bodies swapped, at the opposite slide-to-roll ratio, where bodies are swapped.
+    /// `sensitivities` are those of the solution and their errors, where the output has them. `swapped` are the numbers
+    /// of the case with the bodies swapped, at the opposite slide-to-roll ratio, where bodies are swapped.
     pub fn numbers_of(
         &self,
         values: &Values,
@@ -62,8 +62,8 @@ impl Point {
         field == Field::ShearTraction && self.slide_roll != 1.0
     }
 
-    /// What makes a field of this place of the stored one, or of the film if it [follows](Point::follows_from_film) from
-    /// that.
+    /// What makes a field of this place of the stored one, or of the film if it [follows](Point::follows_from_film)
+    /// from that.
     pub fn placing(&self, field: Field, numbers: &PlacedNumbers) -> Placing {
         let shear = self.follows_from_film(field).then_some((numbers.lubricant, self.slide_roll));
         let factor = self.experiment.map(|experiment| experiment.scales().factor(field.units()));

@@ -149,8 +149,9 @@ impl ShardReader {
             }
             for field in Field::selected(contents.fields) {
                 let matrix = file.dataset(field.name())?;
-                if matrix.shape() != [cases, width] {
-                    fault = Some(format!("{} has the shape {:?}", field.name(), matrix.shape()));
+                if matrix.shape() != [cases, width] || matrix.chunk() != Some(vec![1, width]) {
+                    let (shape, chunk) = (matrix.shape(), matrix.chunk());
+                    fault = Some(format!("{} has the shape {shape:?} and chunks of {chunk:?}", field.name()));
                 }
                 fields[field as usize] = Some(Chunks::new(matrix));
             }
