@@ -94,6 +94,16 @@ def hides_failures(fence):
     return is_shell and any("&&" in line for line in fence.lines)
 
 
+def wrong_options(fence):
+    """What is wrong with the options of a fence."""
+    for option in fence.options:
+        known = option == "no-run" or (fence.language == "sh" and EXITS.fullmatch(option))
+        if not known or fence.language not in ("sh", "python"):
+            yield f"`{fence.language},{option}` is no fence here"
+    if len(fence.options) > 1:
+        yield "a fence has one option at most"
+
+
 def wrong_fences(text):
     """What is wrong with the fences of a page: a message for each, with its line."""
     wrong = []
@@ -102,12 +112,8 @@ def wrong_fences(text):
         if fence.language not in LANGUAGES:
             say(f"`{fence.language}` is no language of a fence here; there are {', '.join(sorted(LANGUAGES))}")
             continue
-        for option in fence.options:
-            known = option == "no-run" or (fence.language == "sh" and EXITS.fullmatch(option))
-            if not known or fence.language not in ("sh", "python"):
-                say(f"`{fence.language},{option}` is no fence here")
-        if len(fence.options) > 1:
-            say("a fence has one option at most")
+        for message in wrong_options(fence):
+            say(message)
         if hides_failures(fence):
             say("a block that is run has one command a line: bash does not see what fails before `&&`")
         if "no-run" in fence.options and fence.language == "sh":
