@@ -59,8 +59,8 @@ pub(super) fn error_bars(
             let (x, place) = (sweep.value(family.along, *point), sweep.data.place(indices));
             let (value, error) = (values[place], errors[place]);
             let half = if logarithmic { (1.0 + error / value).log10() } else { error };
-            // NaN is not drawn
-            if !(half > VISIBLE * span.max(if logarithmic { FLAT } else { FLAT * value.abs() })) {
+            let height = span.max(if logarithmic { FLAT } else { FLAT * value.abs() });
+            if half.is_nan() || half <= VISIBLE * height {
                 continue;
             }
             let least = if logarithmic { (value - error).max(1e-3 * value) } else { value - error };

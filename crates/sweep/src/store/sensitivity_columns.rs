@@ -222,7 +222,7 @@ mod tests {
             let friction = friction(0.5, 0.25, -0.125);
             let of = |known| values([Some(known), Some(errors)], &friction, slide_roll, None);
             let exact = of(known);
-            let mut largest = vec![0.0_f64; 18];
+            let mut largest = [0.0_f64; 18];
             for signs in 0..8 {
                 let sign = |place: i32| if signs >> place & 1 == 0 { 1.0 } else { -1.0 };
                 let moved =
