@@ -15,12 +15,17 @@ const OF_SPREAD: f64 = 0.5;
 const OF_LOAD: f64 = 0.22;
 const OF_LARGEST: f64 = 0.7;
 
+/// What counts of the largest change of the film beside its minimum: the minimum itself may change little by accident.
+const OF_BESIDE: f64 = 0.2;
+
 /// What is known of the errors of a solution.
 pub struct Sources {
     /// Differences to richer panels, panel by panel.
     pub spread: Spread,
     /// What lies beyond the mesh.
     pub cut: Truncation,
+    /// The largest relative change of the film on the panel where it is thinnest.
+    pub beside_thinnest: f64,
     /// What Newton's method leaves on the richer panels, relative to film and pressure.
     pub remainder: f64,
 }
@@ -29,7 +34,7 @@ impl Sources {
     /// The estimated errors of a solution from its numbers and those on richer panels: for each number the magnitudes
     /// of all sources are added, so that it is a bound for that number as far as the sources are known.
     pub fn errors(&self, solution: &Quantities, richer: &Quantities) -> RelativeErrors {
-        let Self { spread, cut, remainder } = self;
+        let Self { spread, cut, beside_thinnest, remainder } = self;
         let (before, after) = (&solution.friction, &richer.friction);
         let shear_scale = before.shear();
         let rounding = ROUNDING / solution.c;
@@ -50,7 +55,10 @@ impl Sources {
             drag: drag / before.drag,
             pressure: pressure / before.pressure.abs(),
             shear: shear / shear_scale,
-            film_min: change(|numbers| numbers.film_min) + 2.0 * of_shear / shear_scale + remainder,
+            film_min: change(|numbers| numbers.film_min)
+                + 2.0 * of_shear / shear_scale
+                + OF_BESIDE * beside_thinnest
+                + remainder,
             p_max: OF_LARGEST * change(|numbers| numbers.p_max) + OF_LOAD * spread.load + remainder + 3.0 * rounding,
         }
     }
