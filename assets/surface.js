@@ -1,4 +1,5 @@
-// Reads surfaces: friction as a function of its axes, from the file that `stribeck surface` makes (docs/how-to/surface.md).
+// Reads surfaces: friction as a function of its axes, from the file that `stribeck surface` makes
+// (docs/reference/surface-file.md).
 // This module needs no other; it runs in browsers and in Node.js.
 
 const known = "stribeck surface 1";

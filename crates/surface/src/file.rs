@@ -1,4 +1,4 @@
-//! The file of a surface, `surface.json`, as it is written and read. docs/how-to/surface.md has every key.
+//! The file of a surface, `surface.json`, as it is written and read. docs/reference/surface-file.md has every key.
 
 use serde::{Deserialize, Serialize};
 

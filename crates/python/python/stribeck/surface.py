@@ -37,7 +37,7 @@ class Surface:
     Parameters
     ----------
     path : path
-        A surface.json, as `stribeck surface` makes it; docs/how-to/surface.md has the format.
+        A surface.json, as `stribeck surface` makes it; docs/reference/surface-file.md has the format.
 
     Attributes
     ----------
