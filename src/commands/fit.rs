@@ -31,7 +31,7 @@ Examples:
     after_help = "\
 The points are one table or several, with mu, where it was measured (speed, load, …), and its standard error `error` if
 that is known: CSV, exports of instruments, .xlsx. What was understood of them is printed first. The sweep file's
-[laboratory] has all else, and the value that each unknown begins at. docs/reference/laboratory.md tells how it works
+[laboratory] has all else, and the value that each unknown begins at. docs/how-to/fit.md tells how it works
 and what the errors mean."
 )]
 pub struct Arguments {

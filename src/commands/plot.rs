@@ -31,7 +31,7 @@ Examples:
     after_help = "\
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
 nearest ones it has, which the picture names. Columns and fields are those of docs/reference/columns.md.
-docs/explanation/paper-figures.md shows pictures of each kind with their commands."
+docs/how-to/figures.md and docs/gallery.md show pictures of each kind with their commands."
 )]
 pub struct Arguments {
     /// A results directory
