@@ -1,8 +1,8 @@
 //! The version of the program with the commit that it is built from, where that is known.
 //!
 //! It is known in a clone of the repository, or where a packager gives it in the variable `STRIBECK_COMMIT`. Elsewhere
-//! the version stands alone. It is the last commit that changed the sources: the same sources give the same program, and
-//! what is published with it.
+//! the version stands alone. It is the last commit that changed the sources: the same sources give the same program,
+//! and what is published with it.
 
 use std::env;
 use std::path::Path;

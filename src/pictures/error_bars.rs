@@ -13,7 +13,8 @@ const VISIBLE: f64 = 0.005;
 /// What a curve is taken to span at least, in decades or over its value: bars of one that is constant are no news.
 const FLAT: f64 = 0.01;
 
-/// The estimated errors of a column at all places, in its unit; NaN where there is none, `None` where a column has none.
+/// The estimated errors of a column at all places, in its unit; NaN where there is none, `None` where a column has
+/// none.
 ///
 /// That of μ_v is over μ_v, or over a thousandth of μ_tot at S = 1 where μ_v is below that.
 pub(super) fn errors(sweep: &SweepData, column: Column) -> Result<Option<Vec<f64>>, PictureError> {

@@ -14,8 +14,8 @@
 //! | `encoding` | numbers as base64, texts that end no element |
 //! | `plotly` | the drawing library |
 //!
-//! The page itself, its style and its scripts are in `assets/report`; `docs/how-to/report.md` says what it shows. The scripts
-//! are ES modules, which `build.rs` joins into one.
+//! The page itself, its style and its scripts are in `assets/report`; `docs/how-to/report.md` says what it shows. The
+//! scripts are ES modules, which `build.rs` joins into one.
 
 mod axis;
 mod columns;

@@ -1,8 +1,8 @@
 //! Error against run time, and how stable each method is: `stribeck study`.
 //!
-//! A study file (TOML, `docs/reference/study-file.md`) names cases, methods with settings to vary, and the things to measure.
-//! Each method at each setting, a [`Variant`], solves each case. Errors are relative to a collocation solution that
-//! is two orders tighter than the tightest setting.
+//! A study file (TOML, `docs/reference/study-file.md`) names cases, methods with settings to vary, and the things to
+//! measure. Each method at each setting, a [`Variant`], solves each case. Errors are relative to a collocation solution
+//! that is two orders tighter than the tightest setting.
 //!
 //! | file | what it holds |
 //! | --- | --- |

@@ -11,7 +11,8 @@ use crate::model::{Fields, Lubricant, Output, Quantities, shear_traction};
 
 /// The fields of the output, from the solution on richer panels, whose polynomials know best what lies between the
 /// points. They are laid over the published outlet, c and separation, from which those of the richer panels differ by
-/// less than the errors: so p is 0 behind this outlet, where u is this c, and u + w − x²/2 is this separation everywhere.
+/// less than the errors: so p is 0 behind this outlet, where u is this c, and u + w − x²/2 is this separation
+/// everywhere.
 ///
 /// Beyond the mesh p is that of the inlet film, and w the displacement of a load so far away.
 pub fn fields(

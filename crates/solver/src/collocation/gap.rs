@@ -131,8 +131,9 @@ fn range<'v>(values: impl Iterator<Item = &'v f64>) -> f64 {
 }
 
 impl ReferencePanel {
-    /// Appends the d + 2 Legendre coefficients of the polynomial with these values at the Gauss points and at both ends:
-    /// the one through the Gauss points, and P_d(t)(a + bt), which vanishes there, for what it misses at the ends.
+    /// Appends the d + 2 Legendre coefficients of the polynomial with these values at the Gauss points and at both
+    /// ends: the one through the Gauss points, and P_d(t)(a + bt), which vanishes there, for what it misses at the
+    /// ends.
     fn append_polynomial(&self, points: &[f64], ends: [f64; 2], coefficients: &mut Vec<f64>) {
         let degree = self.degree;
         let first = coefficients.len();

@@ -1,4 +1,4 @@
-//! Friction and film of a solution (section "Outputs" of `docs/explanation/theory.md`).
+//! Friction and film of a solution (section "Friction" of `docs/explanation/theory.md`).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

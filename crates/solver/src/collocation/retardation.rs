@@ -261,7 +261,8 @@ impl RetardationFilter {
         values
     }
 
-    /// Constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the outlet.
+    /// Constants pass the filter unchanged: with e − v(0) in it, it gives v − v(0), with no digits lost near the
+    /// outlet.
     fn behind_on_rows(&self, discretisation: &Discretisation, e: &[f64], outlet: f64, values: &mut [f64]) {
         self.run(discretisation, e, 0..discretisation.mesh.behind.len() - 1, (0.0, outlet), values);
     }

@@ -1,6 +1,7 @@
 //! The numbers of a solved case: friction, film and their estimated errors.
 
-/// Friction forces over N a₀/R, that is friction coefficients over a₀/R (section "Friction" of `docs/explanation/theory.md`).
+/// Friction forces over N a₀/R, that is friction coefficients over a₀/R (section "Friction" of
+/// `docs/explanation/theory.md`).
 ///
 /// They are those of a roller that slides without turning, S = 1 (T52). [`Friction::drag_at`] and its neighbours give
 /// them for other slide-to-roll ratios: pressure, film, P and C do not depend on S.

@@ -1,4 +1,5 @@
-//! Friction and film of a converged state (section "Outputs" of `docs/explanation/theory.md`), on the grid and beyond it.
+//! Friction and film of a converged state (section "Friction" of `docs/explanation/theory.md`), on the grid and beyond
+//! it.
 
 use std::f64::consts::PI;
 

@@ -7,8 +7,8 @@ use crate::relaxation::cases::{
     ON_401, ON_801, Solved, on_both_grids, quantities, reference, relative, settings, solve_reference,
 };
 
-/// F_v, F_h, c, u_min, the four whose errors `docs/explanation/relaxation.md` shows; relative, F_v of an elastic substrate over
-/// F_tot.
+/// F_v, F_h, c, u_min, the four whose errors `docs/explanation/relaxation.md` shows; relative, F_v of an elastic
+/// substrate over F_tot.
 fn errors(case: &Solved) -> [f64; 4] {
     let (found, reference) = (case.quantities(), &case.reference);
     let total = reference.viscoelastic + reference.hydrodynamic();

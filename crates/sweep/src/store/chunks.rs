@@ -42,7 +42,8 @@ impl Chunks {
         }
         let (length, bytes) = (packed.bytes.len(), packed.bytes.as_ptr().cast());
         // SAFETY: the id is that of an open data set; the offset has as many numbers as the data set has dimensions;
-        // the bytes are as many as is said and only read; the library is called under the lock that serialises all calls.
+        // the bytes are as many as is said and only read; the library is called under the lock that serialises all
+        // calls.
         let write = || unsafe { H5Dwrite_chunk(self.dataset.id(), H5P_DEFAULT, 0, offset.as_ptr(), length, bytes) };
         hdf5::sync::sync(|| h5check(write()))?;
         Ok(())

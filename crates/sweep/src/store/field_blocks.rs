@@ -1,8 +1,8 @@
 //! The fields of `results.h5`, written in blocks of neighbouring places.
 //!
-//! A block is what is compressed together, and what a reader has to read for one number of it. Blocks lie along the last
-//! dimension and have about a megabyte: many more and smaller ones cost those who go through a data set in pieces far
-//! more time than its bytes do.
+//! A block is what is compressed together, and what a reader has to read for one number of it. Blocks lie along the
+//! last dimension and have about a megabyte: many more and smaller ones cost those who go through a data set in pieces
+//! far more time than its bytes do.
 
 use std::sync::Arc;
 

@@ -12,8 +12,8 @@
 //!
 //! What is solved is in the log and the shards; publishing reads it there and never from an earlier publication. Chains
 //! are committed in this order: their shard is written under a temporary name, brought to the disk, named by its bytes,
-//! the directory brought to the disk, and only then a record is appended to the log and brought to the disk. Whatever the
-//! moment at which a run is killed, all chains with a record are whole, and all others are solved again.
+//! the directory brought to the disk, and only then a record is appended to the log and brought to the disk. Whatever
+//! the moment at which a run is killed, all chains with a record are whole, and all others are solved again.
 //!
 //! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file,
 //! data set and column is described in `docs/reference/output.md`.

@@ -1,7 +1,7 @@
 //! Numbers packed as a chunk of an HDF5 file holds them, so that any thread may pack them and HDF5 only moves bytes.
 //!
-//! HDF5 calls its filters shuffle and deflate: the bytes of all numbers are sorted by their significance, and the result
-//! is compressed in the format of zlib. Here the library libdeflate does that, two to three times as fast.
+//! HDF5 calls its filters shuffle and deflate: the bytes of all numbers are sorted by their significance, and the
+//! result is compressed in the format of zlib. Here the library libdeflate does that, two to three times as fast.
 
 use std::cell::RefCell;
 

@@ -118,8 +118,8 @@ fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -
     }
 }
 
-/// The errors of dμ/d ln θ of a friction coefficient for θ = α, β, f at a slide-to-roll ratio, from those of F_v, F_h and
-/// P: what is made of several has the sum of their errors.
+/// The errors of dμ/d ln θ of a friction coefficient for θ = α, β, f at a slide-to-roll ratio, from those of F_v, F_h
+/// and P: what is made of several has the sum of their errors.
 pub fn errors_of_derivatives(errors: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 3] {
     // μ_h = S F_h + (1 − S) P and D = F_v + S F_h − (1 + S) P
     let (own, ahead, against) = (slide_roll.abs(), (1.0 - slide_roll).abs(), (1.0 + slide_roll).abs());

@@ -1,8 +1,8 @@
 //! Sweep files.
 //!
-//! [`Sweep::read`] turns a sweep file (TOML, `docs/reference/sweep-file.md`) into a validated [`Sweep`]. Every key is known, and
-//! every value has the right type and range. Otherwise an [`InputError`](stribeck_input::InputError) shows the place in
-//! the file and the remedy.
+//! [`Sweep::read`] turns a sweep file (TOML, `docs/reference/sweep-file.md`) into a validated [`Sweep`]. Every key is
+//! known, and every value has the right type and range. Otherwise an [`InputError`](stribeck_input::InputError) shows
+//! the place in the file and the remedy.
 //!
 //! | file | what it holds |
 //! | --- | --- |
