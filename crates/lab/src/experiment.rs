@@ -203,9 +203,9 @@ impl Experiment {
         let instantaneous = [relaxed[0] / (1.0 + self.f), relaxed[1] / (1.0 + self.roller.f)];
         let together: f64 = instantaneous.iter().sum();
         let f = relaxed.iter().sum::<f64>() / together - 1.0;
-        // Part of f, and time over the one in α, of each body. Ratios of speeds follow from S, which stays as it is to
-        // the last bit along the entrainment speed.
-        let part = |body: usize, f_of_body: f64| f_of_body * instantaneous[body] / (together * f);
+        // Part of f, not above 1 by rounding, and time over the one in α, of each body. Ratios of speeds follow from S,
+        // which stays as it is to the last bit along the entrainment speed.
+        let part = |body: usize, f_of_body: f64| (f_of_body * instantaneous[body] / (together * f)).min(1.0);
         let (flat_speed, roller_speed) = (self.motion.flat_speed(), self.motion.roller_speed());
         let slide_roll = self.motion.slide_roll();
         let (alpha, times) = if self.f > 0.0 && flat_speed > 0.0 {

@@ -205,18 +205,21 @@ fn deviations_are_as_large_as_the_stated_errors_for_a_rubber() {
     check_deviations((truth, &rubber.substrate), &speeds(10, 1e-4, 0.1), &names, true);
 }
 
-/// Points of both bodies, of what a speed and a ratio are.
+/// Points of entrainment speeds and slide-to-roll ratios.
 fn rolling_points(pairs: &[(f64, f64)], truth: Experiment, substrate: &Substrate) -> Measured {
     let motions: Vec<Motion> = pairs
         .iter()
         .map(|&(entrainment_speed, slide_roll_ratio)| Motion::Rolling { entrainment_speed, slide_roll_ratio })
         .collect();
+    let friction = drag(&motions, truth, substrate);
     Measured {
         coordinates: vec![
             ("entrainment_speed", pairs.iter().map(|pair| pair.0).collect()),
             ("slide_roll_ratio", pairs.iter().map(|pair| pair.1).collect()),
         ],
-        ..points(&vec![1.0; pairs.len()], drag(&motions, truth, substrate), None)
+        // relative errors, though the drag changes its sign where the roller is faster
+        errors: Some(friction.iter().map(|mu| mu.abs()).collect()),
+        ..points(&vec![1.0; pairs.len()], friction, None)
     }
 }
 
@@ -332,7 +335,8 @@ fn what_cannot_be_fitted_is_refused() {
     assert!(together.contains("cannot be told apart") && together.contains("viscosity"), "{together}");
     assert!(refused(&measured, &["speed"]).contains("speed is a column of the measured points"));
     assert!(
-        refused(&measured, &["relaxed_modulus", "instantaneous_modulus"]).contains("look for one of the moduli and f")
+        refused(&measured, &["relaxed_modulus", "instantaneous_modulus"])
+            .contains("look for one of the moduli of a body and f")
     );
     let few = points(&speeds[..2], friction[..2].to_vec(), None);
     assert!(refused(&few, &["viscosity", "f"]).contains("2 points are too few for 2 unknowns"));
