@@ -145,3 +145,65 @@ fn the_command_of_a_case_of_two_bodies_has_its_id() {
     let solved = say(directory.path(), &arguments);
     assert!(out(&solved).contains(&format!("case {id},")), "{}", out(&solved));
 }
+
+/// Published derivatives against differences of fourth order of the results themselves, for inputs of both bodies and for
+/// their speeds.
+#[test]
+fn sensitivities_to_both_bodies_are_the_derivatives_of_what_is_published() {
+    const STEP: f64 = 0.02;
+    // each key once in the file: those of the roller end in 1
+    let inputs = [
+        ("relaxed_modulus", 1.5e6),
+        ("f", 2.0),
+        ("retardation_time", 0.01),
+        ("entrainment_speed", 0.05),
+        ("slide_roll_ratio", 0.6),
+        ("roller_instantaneous_modulus", 6e6),
+        ("roller_f", 3.0),
+        ("roller_retardation_time", 0.004),
+    ];
+    for (varied, value) in inputs {
+        let rows: Vec<Row> = (-2..=2)
+            .map(|i| {
+                let of = |name: &str| {
+                    let (_, value) = inputs.iter().find(|(input, _)| *input == name).expect(name);
+                    if name == varied { value * (STEP * f64::from(i)).exp() } else { *value }
+                };
+                let line = |name: &str| format!("{} = {:?}\n", name.trim_start_matches("roller_"), of(name));
+                let flat: String = inputs[..5].iter().map(|(name, _)| line(name)).collect();
+                let roller: String = inputs[5..].iter().map(|(name, _)| line(name)).collect();
+                let sweep = format!(
+                    "[laboratory]\nradius = 0.01\nload = 400.0\nviscosity = 0.08\npoisson_ratio = 0.5\n{flat}[roller]\n\
+                     poisson_ratio = 0.4\n{roller}[solver]\ntolerance = 1e-9\n[output]\nfields = []\n\
+                     sensitivities = true\n"
+                );
+                table(&with_results(&sweep).path().join("results/small/summary.csv")).1.remove(0)
+            })
+            .collect();
+        let value = format!("{varied} = {value}");
+        for mu in ["mu_v", "mu_h", "mu_tot", "mu_drag", "mu_pressure", "mu_shear"] {
+            let at = |i: usize| number(&rows[i], mu).abs().ln();
+            let difference = (8.0 * (at(3) - at(1)) - (at(4) - at(0))) / (12.0 * STEP);
+            let stated = number(&rows[2], &format!("dln_{mu}_dln_{varied}"));
+            assert!((stated - difference).abs() < 1e-5, "{mu} by {value}: {stated} {difference}");
+            let error = number(&rows[2], &format!("error_dln_{mu}_dln_{varied}"));
+            assert!((0.0..1e-4).contains(&error), "{mu} by {value}: {error:e}");
+        }
+    }
+}
+
+/// The relaxation method publishes the hysteresis of each body, that of collocation to what its grid leaves.
+#[test]
+fn both_methods_publish_the_hysteresis_of_each_body() {
+    let rows = |method: &str| {
+        let sweep = SWAPPED.replace("swap = true\n", "") + &format!("[solver]\nmethod = \"{method}\"\n");
+        table(&with_results(&sweep.replace("\"5 mm/s\", ", "")).path().join("results/small/summary.csv")).1
+    };
+    for (relaxed, collocated) in rows("relaxation").iter().zip(rows("collocation")) {
+        for column in ["mu_v_flat", "mu_v_roller", "mu_torque", "mu_drag"] {
+            let (found, expected) = (number(relaxed, column), number(&collocated, column));
+            let drag = number(&collocated, "mu_drag");
+            assert!((found - expected).abs() < 3e-3 * drag, "{column}: {found} {expected}");
+        }
+    }
+}

@@ -195,3 +195,36 @@ fn a_fit_ends_when_its_time_is_up() {
         assert!(code(&said) == 2 && err(&said).contains(expected), "{options:?}: {}", err(&said));
     }
 }
+
+/// Drag of two soft bodies, computed by the program, gives back what describes the roller, and lines for its section.
+#[test]
+fn quantities_of_the_roller_are_found_from_a_curve() {
+    let directory = tempfile::tempdir().unwrap();
+    let sweep = |time: &str, ratios: &str| {
+        format!(
+            "[laboratory]\nradius = \"10 mm\"\nload = \"400 N/m\"\nviscosity = \"80 mPa s\"\nslide_roll_ratio = {ratios}\n\
+             entrainment_speed = [\"5 mm/s\", \"20 mm/s\", \"0.1 m/s\", \"0.5 m/s\"]\n\
+             [flat]\nrelaxed_modulus = \"1.5 MPa\"\npoisson_ratio = 0.5\nf = 2.0\nretardation_time = \"10 ms\"\n\
+             [roller]\nrelaxed_modulus = \"3 MPa\"\npoisson_ratio = 0.5\nf = 1.0\nretardation_time = \"{time}\"\n"
+        )
+    };
+    for (name, ratio) in [("slow", "-0.5"), ("fast", "0.8")] {
+        let at = format!("{name}.toml");
+        fs::write(directory.path().join(&at), sweep("2 ms", ratio)).unwrap();
+        let said = say(directory.path(), &["curve", &at, "--csv", &format!("{name}.csv")]);
+        assert_eq!(code(&said), 0, "{}", err(&said));
+    }
+    fs::write(directory.path().join("sweep.toml"), sweep("5 ms", "-0.5")).unwrap();
+    let fit = ["fit", "slow.csv", "fast.csv", "sweep.toml", "--unknown", "roller.retardation_time,viscosity"];
+    let said = say(directory.path(), &fit);
+    assert_eq!(code(&said), 0, "{}", err(&said));
+    let text = out(&said);
+    let (_, laboratory) = text.split_once("\n[laboratory]\nviscosity = ").expect(&text);
+    let (viscosity, time) = laboratory.split_once("\n[roller]\nretardation_time = ").expect(&text);
+    for (line, expected) in [(viscosity, 0.08), (time, 2e-3)] {
+        let found: f64 = line.split_whitespace().next().unwrap().parse().unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+    }
+    let rigid = say(directory.path(), &["fit", "slow.csv", "sweep.toml", "--unknown", "roller.colour"]);
+    assert!(code(&rigid) == 2 && err(&rigid).contains("roller.retardation_time"), "{}", err(&rigid));
+}

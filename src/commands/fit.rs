@@ -38,7 +38,7 @@ pub struct Arguments {
     /// The measured points, one table or several, and last the sweep file, with [laboratory]
     #[arg(value_name = "DATA… SWEEP", required = true, num_args = 1..)]
     files: Vec<PathBuf>,
-    /// What is looked for: f and names of [laboratory]
+    /// What is looked for: f, names of [laboratory], and keys of [roller] as in roller.retardation_time
     #[arg(long, value_name = "NAME,…", value_delimiter = ',', required = true, value_parser = unknown)]
     unknown: Vec<Unknown>,
     /// Where unknowns must stay, in SI units, as in f=0:100; either end may be left out

@@ -27,15 +27,23 @@ impl FittedFriction<'_> {
     /// Values with errors, correlations, residuals, and the lines for a sweep file; `directory` has the files written.
     pub fn text(&self, directory: Option<&Path>) -> String {
         let mut text = self.heading() + &self.estimates() + &self.correlations() + &self.goodness() + &self.plot();
-        text += "\n[laboratory]\n";
-        for Estimate { unknown, value, .. } in &self.fit.estimates {
-            let line = format!("{} = {value:e}  # {}", unknown.name(), unit(*unknown));
-            text += &format!("{}\n", line.trim_end_matches("  # "));
-        }
+        text += &self.section("laboratory");
+        text += &self.section("roller");
         if let Some(directory) = directory {
             text += &format!("\nin {}: fit.csv, and pictures of friction and residuals\n", shown(directory));
         }
         text
+    }
+
+    /// The lines for a section of a sweep file, if it has unknowns.
+    fn section(&self, section: &str) -> String {
+        let lines = self.fit.estimates.iter().filter_map(|Estimate { unknown, value, .. }| {
+            let (of, key) = unknown.name().split_once('.').unwrap_or(("laboratory", unknown.name()));
+            let line = format!("{key} = {value:e}  # {}", unit(*unknown));
+            (of == section).then(|| format!("{}\n", line.trim_end_matches("  # ")))
+        });
+        let lines: String = lines.collect();
+        if lines.is_empty() { lines } else { format!("\n[{section}]\n{lines}") }
     }
 
     fn heading(&self) -> String {

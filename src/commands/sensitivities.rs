@@ -20,17 +20,18 @@ pub fn table(
     };
     row("derivative of", ["ln(alpha)", "ln(beta)", "ln(f)"].map(|over| format!("by {over}")), "unit");
     let derivatives = [
-        (Column::MuV, sensitivities.viscoelastic),
+        (Column::MuV, sensitivities.viscoelastic()),
         (Column::MuH, sensitivities.hydrodynamic_at(slide_roll)),
         (Column::MuTot, sensitivities.total_at(slide_roll)),
         (Column::MuDrag, sensitivities.drag_at(slide_roll)),
         (Column::MuPressure, sensitivities.pressure),
         (Column::MuShear, sensitivities.shear()),
     ];
+    let derivatives = derivatives.map(|(column, derivatives)| (column, Sensitivities::of_case(derivatives)));
     for (column, derivatives) in derivatives {
         row(column.name(), derivatives.map(|value| format!("{value:.6e}")), "a0/R");
         if let Some(errors) = errors {
-            let errors = errors_of_derivatives(errors, column, slide_roll);
+            let errors = Sensitivities::of_case(errors_of_derivatives(errors, column, slide_roll));
             row("  its error", errors.map(|error| format!("{error:.0e}")), "a0/R");
         }
     }

@@ -145,8 +145,8 @@ impl SolvedProblem<'_> {
         ];
         pairs.extend(Column::summary().map(|column| (column.name(), Value::from(entry.values[column]))));
         if let Some(known) = &entry.sensitivities {
-            let row = Sensitivities { hydrodynamic: known.hydrodynamic_at(self.slide_roll), ..*known }.row();
-            pairs.extend(Sensitivities::NAMES.into_iter().zip(row.map(Value::from)));
+            let there = Sensitivities { hydrodynamic: known.hydrodynamic_at(self.slide_roll), ..*known };
+            pairs.extend(Sensitivities::NAMES.into_iter().zip(there.named().map(Value::from)));
             pairs.extend(entry.sensitivity_errors.map(|errors| ("sensitivity_errors", self.errors_of(&errors))));
         }
         pairs.push(("seed", Value::from(self.seed())));
@@ -164,7 +164,7 @@ impl SolvedProblem<'_> {
 
     /// The errors of the derivatives, by their names.
     fn errors_of(&self, errors: &Sensitivities) -> Value {
-        let of = |column| errors_of_derivatives(errors, column, self.slide_roll);
+        let of = |column| Sensitivities::of_case(errors_of_derivatives(errors, column, self.slide_roll));
         let errors = [Column::MuV, Column::MuH, Column::MuPressure].map(of).concat();
         let named = Sensitivities::NAMES.into_iter().zip(errors);
         named.map(|(name, error)| (name.to_owned(), Value::from(error))).collect::<serde_json::Map<_, _>>().into()

@@ -60,7 +60,7 @@ pub use material::{
 pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
-pub use roller::Roller;
+pub use roller::{Roller, RollerQuantity};
 pub use scales::{Scales, si_units};
 pub use table::{
     Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,

@@ -119,15 +119,18 @@ impl Motion {
         };
     }
 
-    /// By which powers u₂ and u₁ + u₂ change with a quantity that is given, and how S does: d ln u₂, d ln(u₁ + u₂) and
-    /// dS, each over d ln q.
-    pub(crate) fn powers(&self, quantity: Quantity) -> [f64; 3] {
+    /// By which powers u₁, u₂ and u₁ + u₂ change with a quantity that is given, and how S does: d ln u₁, d ln u₂,
+    /// d ln(u₁ + u₂) and dS, each over d ln q.
+    pub(crate) fn powers(&self, quantity: Quantity) -> [f64; 4] {
         let (roller, flat) = (self.roller_speed() / self.sum(), self.flat_speed() / self.sum());
+        let slide_roll = self.slide_roll();
         match quantity {
-            Quantity::SlideRollRatio => [self.slide_roll() / (1.0 + self.slide_roll()), 0.0, self.slide_roll()],
-            Quantity::RollerSpeed => [0.0, roller, -2.0 * roller * flat],
-            Quantity::FlatSpeed => [1.0, flat, 2.0 * roller * flat],
-            _ => [1.0, 1.0, 0.0],
+            Quantity::SlideRollRatio => {
+                [-slide_roll / (1.0 - slide_roll), slide_roll / (1.0 + slide_roll), 0.0, slide_roll]
+            }
+            Quantity::RollerSpeed => [1.0, 0.0, roller, -2.0 * roller * flat],
+            Quantity::FlatSpeed => [0.0, 1.0, flat, 2.0 * roller * flat],
+            _ => [1.0, 1.0, 1.0, 0.0],
         }
     }
 }

@@ -4,8 +4,9 @@
 //! cargo run --release -p stribeck-solver --example cold_starts -- [cases]
 //! ```
 //!
-//! The cases are the 84 of `tests/reference/single_mode.csv` and random ones (1000) with α from 1e-4 to 1e4, β from 1
-//! to 1e7 and f from 1e-2 to 1e4, each solved alone by one thread for a tolerance of 1e-5, both ways in turn.
+//! The cases are the 84 of `tests/reference/single_mode.csv`, random ones (1000) with α from 1e-4 to 1e4, β from 1 to 1e7
+//! and f from 1e-2 to 1e4, and a curve of two soft bodies along the speed of the roller, which leads through another
+//! spectrum at each speed. Each is solved alone by one thread for a tolerance of 1e-5, both ways in turn.
 
 #[path = "../tests/collocation/measure.rs"]
 #[allow(dead_code)]
@@ -15,7 +16,7 @@ use std::error::Error;
 
 use stribeck_solver::collocation::{CollocationSolver, Settings};
 use stribeck_solver::continuation::{Interrupt, SolvedCase, solve_chain};
-use stribeck_solver::{Output, Parameters};
+use stribeck_solver::{Output, Parameters, RetardationMode};
 
 use measure::{quantile, true_error};
 
@@ -35,6 +36,19 @@ fn random_cases(count: usize) -> Vec<Parameters> {
     let mut state = 24;
     let mut power = |from: f64, to: f64| 10_f64.powf(from + (to - from) * random(&mut state));
     (0..count).map(|_| Parameters::new(power(-4.0, 4.0), power(0.0, 7.0), power(-2.0, 4.0))).collect()
+}
+
+/// Forty cases of two soft bodies of the same two modes, the roller's surface from a hundredth to a hundred times as fast
+/// as the flat.
+fn along_roller_speed() -> Vec<Parameters> {
+    let modes =
+        |slower: f64| [(0.35, 1.0), (0.15, 10.0)].map(|(share, time)| RetardationMode { share, time: time * slower });
+    let case = |i: i32| {
+        let ratio = 10_f64.powf(-2.0 + 4.0 * f64::from(i) / 39.0);
+        Parameters::of_two_bodies([1.0, 1e3 / (1.0 + ratio), 10.0], &modes(1.0), &modes(ratio))
+            .expect("shares add up to 1")
+    };
+    (0..40).map(case).collect()
 }
 
 fn solve(solver: &CollocationSolver, case: &Parameters) -> SolvedCase {
@@ -76,7 +90,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     let reference = measure::reference().into_iter().map(|(case, _)| case).collect();
     let mut summary = String::new();
-    for (name, cases) in [("reference", reference), ("random", random_cases(count))] {
+    let all = [("reference", reference), ("random", random_cases(count)), ("two bodies", along_roller_speed())];
+    for (name, cases) in all {
         let mut solved: [Vec<SolvedCase>; 2] = Default::default();
         for case in &cases {
             let mut best: [Option<SolvedCase>; 2] = Default::default();

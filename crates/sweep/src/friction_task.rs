@@ -9,7 +9,7 @@ pub fn points_to_fit(measured: Measured, unknowns: &[Unknown]) -> Measured {
         return measured;
     }
     let looks_for = |is: &dyn Fn(&str) -> bool| unknowns.iter().any(|unknown| is(unknown.name()));
-    let is_modulus = |name: &str| name.ends_with("_modulus");
+    let is_modulus = |name: &str| name.ends_with("_modulus") && !name.contains('.');
     measured.without(|column| looks_for(&|name| name == column || (is_modulus(name) && is_modulus(column))))
 }
 
@@ -40,13 +40,11 @@ pub fn friction_task<'a>(
                     [axes]";
         return Err(what.to_owned());
     };
-    if !axes.roller.is_rigid() {
-        return Err("a fit needs sensitivities, which are those of a rigid roller; [roller] is soft".to_owned());
-    }
     Ok(FrictionTask {
         measured,
         experiment: beginning(axes, measured, unknowns)?,
         substrate: &sweep.substrate,
+        roller_spectrum: &axes.roller_spectrum,
         cavity_shear: sweep.output.cavity_shear,
         unknowns: unknowns.to_vec(),
         bounds: bounds.to_vec(),

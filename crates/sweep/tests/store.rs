@@ -334,6 +334,26 @@ fn sensitivities_come_back_and_change_no_published_byte_of_a_sweep_without_them(
     assert!(published_bytes(directory.path()) == reference());
 }
 
+/// Sensitivities to a soft roller come back too, from a shard where one case has them.
+#[test]
+fn sensitivities_to_the_roller_come_back() {
+    let directory = tempdir().unwrap();
+    let more = Output { sensitivities: true, ..output() };
+    let mut cases = [10.0, 30.0].map(|beta| entry(100.0, 1.0, beta, &more));
+    let row: [f64; 20] = std::array::from_fn(|place| place as f64 - 7.5);
+    cases[1].sensitivities = Sensitivities::from_row(row);
+    cases[1].sensitivity_errors = Sensitivities::from_row(row.map(|value| 1e-3 * value.abs()));
+    let mut store = Store::open(directory.path(), SWEEP, &more).unwrap();
+    store.commit(&cases).unwrap();
+    drop(store);
+    let mut store = Store::open(directory.path(), SWEEP, &more).unwrap();
+    for expected in &cases {
+        let held = store.entry(expected.id).unwrap().unwrap();
+        assert_eq!(held.sensitivities, expected.sensitivities);
+        assert_eq!(held.sensitivity_errors, expected.sensitivity_errors);
+    }
+}
+
 #[test]
 fn a_second_opener_is_told_who_holds_the_directory() {
     let directory = tempdir().unwrap();
@@ -365,7 +385,7 @@ fn a_refused_chain_leaves_no_trace() {
         vec![refused(&|bad| bad.fields.pressure.as_mut().unwrap().truncate(40))],
         vec![refused(&|bad| bad.outcome = Status::Failed)],
         vec![refused(&|bad| {
-            bad.sensitivities = Sensitivities::from_row([0.0; 9]);
+            bad.sensitivities = Sensitivities::from_row([0.0; 20]);
             (bad.outcome, bad.fields) = (Status::Failed, Fields::default());
         })],
     ];

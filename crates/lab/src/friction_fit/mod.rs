@@ -46,8 +46,10 @@ pub struct FrictionTask<'a> {
     pub measured: &'a Measured,
     /// The experiment, with the start of each unknown; the columns of the points replace its values.
     pub experiment: Experiment,
-    /// The retardation spectrum.
+    /// The retardation spectrum of the flat.
     pub substrate: &'a Substrate,
+    /// That of the roller; it counts where the roller has an f.
+    pub roller_spectrum: &'a Substrate,
     /// What fills the gap behind the outlet.
     pub cavity_shear: CavityShear,
     /// The unknowns, at least one and each once.

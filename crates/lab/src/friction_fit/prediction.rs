@@ -18,7 +18,8 @@ pub(super) struct Predictor<'a> {
     /// The experiment of each point, with the start of the unknowns.
     experiments: Vec<Experiment>,
     unknowns: &'a [Unknown],
-    substrate: &'a Substrate,
+    /// The retardation spectra of flat and roller.
+    spectra: [&'a Substrate; 2],
     settings: Settings,
 }
 
@@ -54,7 +55,7 @@ impl<'a> Predictor<'a> {
             beginning: task.experiment,
             experiments: (0..task.measured.friction.len()).map(|point| at_point(task, point)).collect(),
             unknowns: &task.unknowns,
-            substrate: task.substrate,
+            spectra: [task.substrate, task.roller_spectrum],
             settings: Settings { method: Method::Collocation(method), time_limit: None, output },
         })
     }
@@ -82,8 +83,9 @@ impl<'a> Predictor<'a> {
     /// Solves the cases of all points, those that are equal once.
     pub(super) fn predict(&self, unknowns: &[f64], interrupt: &Interrupt) -> Result<Prediction, NotPredicted> {
         let experiments = self.experiments(unknowns);
+        let [flat, roller] = self.spectra;
         let cases: Vec<Parameters> =
-            experiments.iter().map(|experiment| experiment.parameters(self.substrate)).collect();
+            experiments.iter().map(|experiment| experiment.parameters_of_both(flat, roller)).collect();
         let solved = solve_points(&cases, &self.settings, interrupt).map_err(|_| NotPredicted::Interrupted)?;
         let mut prediction = Prediction::default();
         for (point, (solved, experiment)) in solved.into_iter().zip(&experiments).enumerate() {
@@ -95,14 +97,14 @@ impl<'a> Predictor<'a> {
         Ok(prediction)
     }
 
-    /// μ of a solution, and dμ/d ln of each unknown by way of α, β, f and the scale a₀/R.
+    /// μ of a solution, and dμ/d ln of each unknown by way of the parameters of the case and the scale a₀/R.
     fn friction(&self, solution: &Solution, experiment: &Experiment) -> (f64, Vec<f64>) {
         let sensitivities: Sensitivities = solution.sensitivities.expect("they were asked for");
         let friction = solution.quantities.friction;
         let slide_roll = experiment.motion.slide_roll();
         // over a₀/R
-        let (force, [with_alpha, with_beta, with_f]) = match self.measured.column {
-            "mu_v" => (friction.viscoelastic, sensitivities.viscoelastic),
+        let (force, derivatives) = match self.measured.column {
+            "mu_v" => (friction.viscoelastic, sensitivities.viscoelastic()),
             "mu_h" => (friction.hydrodynamic_at(slide_roll), sensitivities.hydrodynamic_at(slide_roll)),
             "mu_tot" => (friction.total_at(slide_roll), sensitivities.total_at(slide_roll)),
             _ => (friction.drag_at(slide_roll), sensitivities.drag_at(slide_roll)),
@@ -110,8 +112,7 @@ impl<'a> Predictor<'a> {
         let scale = experiment.scales().friction;
         let along = |unknown: &Unknown| {
             let powers = unknown.powers(experiment);
-            let own = if *unknown == Unknown::Strength { with_f } else { 0.0 };
-            scale * (with_alpha * powers.alpha + with_beta * powers.beta + own + force * powers.friction)
+            scale * (powers.changes(derivatives).iter().sum::<f64>() + force * powers.friction)
         };
         (scale * force, self.unknowns.iter().map(along).collect())
     }
@@ -148,19 +149,34 @@ fn another_form(task: &FrictionTask<'_>, quantity: LaboratoryQuantity, what: &st
     format!("{name} {what}, and the sweep file gives {given}; give both in the same form")
 }
 
-/// Checks that one modulus at most is looked for, and that every unknown begins above 0.
+/// Checks that one modulus of each body at most is looked for, and that every unknown begins above 0.
 fn check_unknowns(task: &FrictionTask<'_>) -> Result<(), String> {
-    if task.unknowns.iter().filter(|unknown| unknown.is_modulus()).count() > 1 {
-        return Err("look for one of the moduli and f: the other modulus follows from these".into());
+    let moduli = |is: &dyn Fn(&Unknown) -> bool| task.unknowns.iter().filter(|unknown| is(unknown)).count();
+    let is_of_roller = |unknown: &Unknown| matches!(unknown, Unknown::Roller(quantity) if quantity.is_modulus());
+    if moduli(&|unknown| unknown.is_modulus()) > 1 || moduli(&is_of_roller) > 1 {
+        return Err("look for one of the moduli of a body and f: the other modulus follows from these".into());
     }
     let other_form = task.unknowns.iter().find_map(|unknown| match unknown {
         Unknown::Quantity(quantity) => Some(*quantity).filter(|it| is_speed_of_another_form(task, *it)),
-        Unknown::Strength => None,
+        Unknown::Strength | Unknown::Roller(_) => None,
     });
     if let Some(quantity) = other_form {
         return Err(another_form(task, quantity, "is looked for"));
     }
-    match task.unknowns.iter().find(|unknown| unknown.value(&task.experiment) <= 0.0) {
+    let of_rigid = |unknown: &&Unknown| matches!(unknown, Unknown::Roller(_)) && task.experiment.roller.is_rigid();
+    if let Some(unknown) = task.unknowns.iter().find(of_rigid) {
+        let name = unknown.name();
+        return Err(format!("{name} is looked for, and the roller is rigid; give [roller] the values to begin at"));
+    }
+    match task.unknowns.iter().find(|unknown| !(0.0..f64::INFINITY).contains(&unknown.value(&task.experiment))) {
+        Some(unknown) => Err(format!("{} is looked for, and the flat is rigid; give it a modulus", unknown.name())),
+        None => check_start(task),
+    }
+}
+
+/// Checks that every unknown begins above 0.
+fn check_start(task: &FrictionTask<'_>) -> Result<(), String> {
+    match task.unknowns.iter().find(|unknown| unknown.value(&task.experiment) == 0.0) {
         Some(unknown) => {
             let name = unknown.name();
             Err(format!("{name} begins at 0, and is looked for among positive numbers; begin above"))

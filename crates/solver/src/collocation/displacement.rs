@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 use std::f64::consts::PI;
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::discretisation::Discretisation;
@@ -13,6 +14,20 @@ use super::retardation::{RetardationFilter, far_field};
 use super::retardation_derivatives::FilterDerivatives;
 use super::timings::{Timings, timed};
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
+
+/// One of the two bodies of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Body {
+    /// The flat, whose modes come first.
+    Flat,
+    /// The roller.
+    Roller,
+}
+
+impl Body {
+    /// Both, in the order of their modes.
+    pub const BOTH: [Self; 2] = [Self::Flat, Self::Roller];
+}
 
 /// The displacement of a mesh as a matrix on the pressure, relative to the outlet, and the quantities that follow from
 /// it; for all cases with the same mesh, α and f.
@@ -29,7 +44,7 @@ pub struct Displacement {
     /// f_j/(1+f) of each mode, with its filter.
     pub(super) filters: Vec<(f64, RetardationFilter)>,
     /// How many of the filters, the last ones, are the roller's.
-    pub(super) of_roller: usize,
+    of_roller: usize,
     /// Derivatives of the filters with respect to α, computed when they are first asked for.
     pub(super) filter_derivatives: OnceCell<Vec<FilterDerivatives>>,
     /// Weight of e in w.
@@ -46,6 +61,20 @@ pub struct Along {
     pub roller_slope: Vec<f64>,
     /// w less w(0) at the Gauss points behind the outlet, if wanted.
     pub behind: Vec<f64>,
+}
+
+impl Along {
+    /// The part of `retarded_slope` that is of a body.
+    pub fn slope(&self, body: Body) -> Vec<f64> {
+        match (body, self.roller_slope.as_slice()) {
+            (Body::Roller, []) => vec![0.0; self.retarded_slope.len()],
+            (Body::Roller, roller) => roller.to_vec(),
+            (Body::Flat, []) => self.retarded_slope.clone(),
+            (Body::Flat, roller) => {
+                self.retarded_slope.iter().zip(roller).map(|(both, roller)| both - roller).collect()
+            }
+        }
+    }
 }
 
 impl Displacement {
@@ -99,6 +128,15 @@ impl Displacement {
         }
     }
 
+    /// The filters of a body.
+    pub fn modes(&self, body: Body) -> Range<usize> {
+        let of_flat = self.filters.len() - self.of_roller;
+        match body {
+            Body::Flat => 0..of_flat,
+            Body::Roller => of_flat..self.filters.len(),
+        }
+    }
+
     /// w(0), the displacement at the outlet, from p at the nodes.
     pub fn at_outlet(&self, pressure: &[f64]) -> f64 {
         dot(&self.outlet, pressure)
@@ -114,11 +152,11 @@ impl Displacement {
         let places = if behind { discretisation.behind() } else { 0..0 };
         let mut retarded_slope = vec![0.0; discretisation.film_points()];
         let mut roller_slope = vec![0.0; if self.of_roller > 0 { retarded_slope.len() } else { 0 }];
-        let of_flat = self.filters.len() - self.of_roller;
+        let of_roller = self.modes(Body::Roller);
         let mut displaced: Vec<f64> = e[places].iter().map(|e| self.elastic_weight * e).collect();
         for (mode, (weight, filter)) in self.filters.iter().enumerate() {
             let (slope, outlet) = filter.slope(discretisation, &e, pressure);
-            if mode >= of_flat {
+            if of_roller.contains(&mode) {
                 for (sum, slope) in roller_slope.iter_mut().zip(&slope) {
                     *sum += weight * slope;
                 }

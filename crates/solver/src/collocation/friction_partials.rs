@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::displacement::{Along, Displacement};
+use super::displacement::{Along, Body, Displacement};
 use super::inlet_partials::InletPartials;
 use super::quantities::{at_points, inlet};
 use super::state::State;
@@ -18,8 +18,8 @@ pub struct Partials {
     pub gradient: Vec<f64>,
     /// u at the film's Gauss points.
     pub film: Vec<f64>,
-    /// Σ f_j/(1+f) v_j′ at the film's Gauss points.
-    pub retarded_slope: Vec<f64>,
+    /// Σ f_j/(1+f) v_j′ of the flat and of the roller at the film's Gauss points.
+    pub retarded_slopes: [Vec<f64>; 2],
     /// w less w(0) at the Gauss points behind the outlet.
     pub behind: Vec<f64>,
     /// c.
@@ -31,17 +31,15 @@ pub struct Partials {
 }
 
 impl Partials {
-    /// The partial derivatives of F_v (T24); `along` belongs to the pressure.
-    pub fn of_viscoelastic(displacement: &Displacement, state: &State, along: &Along) -> Self {
+    /// The partial derivatives of the part of F_v that is of a body (T53); `along` belongs to the pressure.
+    pub fn of_viscoelastic(displacement: &Displacement, state: &State, along: &Along, body: Body) -> Self {
         let discretisation = &displacement.discretisation;
         let weights = &discretisation.weights[discretisation.film()];
         let weighted =
             |values: &[f64]| weights.iter().zip(values).map(|(weight, value)| weight * value / FRAC_PI_2).collect();
-        Self {
-            pressure: weighted(&along.retarded_slope),
-            retarded_slope: weighted(&at_points(displacement, &state.pressure)),
-            ..Self::default()
-        }
+        let mut partials = Self { pressure: weighted(&along.slope(body)), ..Self::default() };
+        partials.retarded_slopes[body as usize] = weighted(&at_points(displacement, &state.pressure));
+        partials
     }
 
     /// The partial derivatives of P (T53).
@@ -137,8 +135,8 @@ impl Partials {
         let reference = &discretisation.reference;
         let (degree, size) = (reference.degree, reference.degree + 1);
         let mut sum = vec![0.0; discretisation.nodes()];
-        if !(self.retarded_slope.is_empty() && self.behind.is_empty()) {
-            sum = displacement.transposed(&self.retarded_slope, &self.behind);
+        if !(self.retarded_slopes.iter().all(Vec::is_empty) && self.behind.is_empty()) {
+            sum = displacement.transposed(&self.retarded_slopes, &self.behind);
         }
         for (panel, ends) in discretisation.mesh.film.windows(2).enumerate() {
             let parts = [

@@ -62,9 +62,9 @@ pub fn quantities_of(
     let centroid = moment / FRAC_PI_2;
     let hydrodynamic_film = (pressure_flow + shear / 3.0) / PI;
     let hydrodynamic_cavity = cavity_friction(displacement, beta, state, &along.behind, cavity_shear);
-    let viscoelastic_roller = match displacement.of_roller {
-        0 => 0.0,
-        _ => viscoelastic_friction(weights, pressure, &along.roller_slope),
+    let viscoelastic_roller = match along.roller_slope.as_slice() {
+        [] => 0.0,
+        slope => viscoelastic_friction(weights, pressure, slope),
     };
     let friction = Friction {
         viscoelastic: viscoelastic_friction(weights, pressure, &along.retarded_slope),

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use super::displacement::Displacement;
+use super::displacement::{Body, Displacement};
 use super::inlet::Inlet;
 use crate::model::kernel::retarded_log;
 use crate::model::{CavityShear, Sensitivities, gauss, retarded_mode};
@@ -14,8 +14,8 @@ use crate::model::{CavityShear, Sensitivities, gauss, retarded_mode};
 pub struct Truncation {
     /// Of F_v: what the pressure on the mesh and that ahead of it do to each other.
     pub viscoelastic: f64,
-    /// The derivative of that with respect to ln α.
-    pub viscoelastic_with_alpha: f64,
+    /// The parts of the flat and of the roller in that, each with its derivative with respect to ln α of the body.
+    of_bodies: [[f64; 2]; 2],
     /// Of P: the film ahead, which the contact displaces.
     pub pressure: f64,
     /// Of C: the same, and that of the gap far behind.
@@ -33,9 +33,10 @@ impl Truncation {
                 displacement.filters.iter().map(|(weight, filter)| weight * retarded_mode(filter.alpha(), x));
             displacement.elastic_weight * x.abs().ln() + retarded.sum::<f64>()
         };
-        // the slope of the retarded part of the kernel, and its derivative with respect to ln α, by S′ = S − 1/z (T11)
-        let slope = |x: f64| -> [f64; 2] {
-            let terms = displacement.filters.iter().map(|(weight, filter)| {
+        // the slope of a body's retarded part of the kernel, and its derivative with respect to ln α, by S′ = S − 1/z
+        // (T11)
+        let slope = |body: Body, x: f64| -> [f64; 2] {
+            let terms = displacement.filters[displacement.modes(body)].iter().map(|(weight, filter)| {
                 let (rate, z) = (weight * filter.alpha(), filter.alpha() * x);
                 let s = retarded_log(z);
                 [rate * s, rate * (s + z * s - 1.0)]
@@ -49,10 +50,15 @@ impl Truncation {
             let x = start / t;
             // p falls as x⁻³
             let load = weight * t * inlet.pressure * start / PI;
-            let (ahead, behind) = (slope(x), slope(-x));
-            truncation.viscoelastic += load * (ahead[0] + behind[0]);
-            truncation.viscoelastic_with_alpha += load * (ahead[1] + behind[1]);
-            truncation.centroid += load * (behind[0] - displacement.elastic_weight / x);
+            let mut behind = 0.0;
+            for (body, sums) in Body::BOTH.into_iter().zip(&mut truncation.of_bodies) {
+                let (before, after) = (slope(body, x), slope(body, -x));
+                behind += after[0];
+                for ((sum, before), after) in sums.iter_mut().zip(before).zip(after) {
+                    *sum += load * (before + after);
+                }
+            }
+            truncation.centroid += load * (behind - displacement.elastic_weight / x);
             // half the load in w = K/2 of a load π/2, and u = x²/2
             let bent = 0.5 * weight * (kernel(x) - at_start);
             truncation.pressure -= 4.0 * far * t * t * bent;
@@ -62,18 +68,20 @@ impl Truncation {
                 truncation.shear += 2.0 / 3.0 * far * t * t * weight * (kernel(-x) - at_end);
             }
         }
-        truncation
+        let [flat, roller] = truncation.of_bodies;
+        Self { viscoelastic: flat[0] + roller[0], ..truncation }
     }
 
     /// How much of the derivatives of friction lies beyond the mesh. That goes as 1/β, and with the parameters
     /// of the substrate no faster than in proportion but for F_v, which changes its sign with α.
     pub fn of_sensitivities(&self) -> Sensitivities {
         let film = self.pressure.abs() + self.shear.abs();
-        let hysteresis = self.viscoelastic.abs();
+        let [flat, roller] = self.of_bodies.map(|of_body| of_body.map(f64::abs));
         Sensitivities {
-            viscoelastic: [self.viscoelastic_with_alpha.abs(), hysteresis, hysteresis],
-            hydrodynamic: [film; 3],
-            pressure: [self.pressure.abs(); 3],
+            viscoelastic_flat: [flat[1], flat[0], flat[0], 0.0, flat[0]],
+            viscoelastic_roller: [0.0, roller[0], roller[0], roller[1], roller[0]],
+            hydrodynamic: [film; 5],
+            pressure: [self.pressure.abs(); 5],
         }
     }
 }

@@ -32,6 +32,16 @@ impl DisplacementKernel {
         }
     }
 
+    /// The part of the kernel that the roller's modes retard, Σ_j (f_1j/(1+f)) I(α_1j, x): all of its displacement that
+    /// does work where it is not alone. `None` unless both bodies retard.
+    pub fn roller_beside_flat(&self) -> Option<Self> {
+        let of_flat = self.retarded.len() - self.of_roller;
+        let retarded = self.retarded[of_flat..].to_vec();
+        let log_weight = retarded.iter().map(|(weight, _)| weight).sum();
+        let both = of_flat > 0 && self.of_roller > 0;
+        both.then_some(Self { log_weight, retarded, of_roller: self.of_roller, level: 0.0 })
+    }
+
     /// The kernel K − level with the level such that its mean at ±`length` is zero.
     ///
     /// A constant in K moves the whole surface in proportion to the load, and h₀ absorbs it (T3). At small α it is

@@ -25,8 +25,8 @@ pub struct Discretisation {
     pub ahead: FarField,
     /// The cavity behind the grid.
     pub behind: FarField,
-    /// True if hysteresis works on the roller: the modes of the case are the roller's.
-    pub roller_is_retarded: bool,
+    /// On which body hysteresis works.
+    pub hysteresis: Hysteresis,
     /// The constant taken off the kernel; see [`DisplacementKernel::levelled`].
     level: f64,
     /// x_i²/2.
@@ -39,12 +39,32 @@ impl Discretisation {
         let kernel = levelled_kernel(parameters, &grid);
         Self {
             level: kernel.level(),
-            roller_is_retarded: kernel.of_roller() > 0,
+            hysteresis: Hysteresis::new(&kernel, &grid),
             deformation: Deformation::new(&kernel, &grid),
             ahead: FarField::ahead(&kernel, &grid),
             behind: FarField::behind(&kernel, &grid),
             parabola: (0..grid.points).map(|i| 0.5 * grid.x(i) * grid.x(i)).collect(),
             grid,
+        }
+    }
+}
+
+/// The bodies that hysteresis works on.
+pub enum Hysteresis {
+    /// The flat, or none.
+    Flat,
+    /// The roller.
+    Roller,
+    /// Both: the displacement of the roller on the grid and ahead of it, but for what does no work.
+    Both(Box<(Deformation, FarField)>),
+}
+
+impl Hysteresis {
+    fn new(kernel: &DisplacementKernel, grid: &Grid) -> Self {
+        match kernel.roller_beside_flat() {
+            Some(roller) => Self::Both(Box::new((Deformation::new(&roller, grid), FarField::ahead(&roller, grid)))),
+            None if kernel.of_roller() > 0 => Self::Roller,
+            None => Self::Flat,
         }
     }
 }

@@ -3,7 +3,9 @@
 
 use std::f64::consts::PI;
 
-use super::iteration::{Iteration, index_of_largest};
+use super::deformation::Deformation;
+use super::far_field::FarField;
+use super::iteration::{Hysteresis, Iteration, index_of_largest};
 use super::parabola::{parabola, vertex};
 use crate::model::{CavityShear, Friction, Quantities};
 
@@ -13,8 +15,12 @@ pub fn quantities(state: &Iteration, cavity_shear: CavityShear) -> Quantities {
     let peak = Peak::of(state);
     let outlet = Outlet::of(state, peak.c);
     let inlet = Inlet::of(state, peak.c);
-    let viscoelastic = viscoelastic_friction(state, &inlet);
-    let viscoelastic_roller = if state.shared.roller_is_retarded { viscoelastic } else { 0.0 };
+    let viscoelastic = viscoelastic_friction(&state.p, &state.w, inlet.hysteresis);
+    let viscoelastic_roller = match &state.shared.hysteresis {
+        Hysteresis::Flat => 0.0,
+        Hysteresis::Roller => viscoelastic,
+        Hysteresis::Both(roller) => friction_of_roller(state, roller, peak.c),
+    };
     let friction = Friction {
         viscoelastic,
         viscoelastic_roller,
@@ -140,12 +146,25 @@ impl Inlet {
 }
 
 /// F_v = (2/π) ∫ p w′ dx, central differences of w: on an elastic substrate the kernel is even and the sum vanishes.
-fn viscoelastic_friction(state: &Iteration, inlet: &Inlet) -> f64 {
-    let (p, w) = (&state.p, &state.w);
+/// `ahead` is the integral ahead of the grid.
+fn viscoelastic_friction(p: &[f64], w: &[f64], ahead: f64) -> f64 {
     let last = p.len() - 1;
     let inside: f64 = (1..last).map(|i| 0.5 * p[i] * (w[i + 1] - w[i - 1])).sum();
     let half_cell = 0.5 * p[last] * (w[last] - w[last - 1]);
-    2.0 / PI * (inside + half_cell + inlet.hysteresis)
+    2.0 / PI * (inside + half_cell + ahead)
+}
+
+/// F_v,1, the roller's part of F_v beside that of the flat, from its displacement on the grid and ahead of it.
+fn friction_of_roller(state: &Iteration, (deformation, field): &(Deformation, FarField), c: f64) -> f64 {
+    let (p, tail_load) = (&state.p, state.tail_load);
+    let mut w = vec![0.0; p.len()];
+    deformation.displace(p, tail_load, &mut w, &mut deformation.space());
+    let last = w[w.len() - 1];
+    let slopes = state.film_ahead().enumerate().map(|(q, (_, weight, u))| {
+        let gradient = -(u - c) / (state.beta * u.powi(3));
+        weight * gradient * (field.displacement(q, p, tail_load) - last)
+    });
+    viscoelastic_friction(p, &w, -slopes.sum::<f64>())
 }
 
 /// F_h,film = ∫ [p′u/π + 1/(3πβu)] dx from the outlet on (Eq. 20).

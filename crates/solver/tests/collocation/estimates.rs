@@ -155,8 +155,8 @@ fn table(tolerance: f64, cases: &[Parameters], exact: &[Solution]) -> Table {
         pairs.iter_mut().zip(of_columns).for_each(|(pairs, pair)| pairs.push(pair));
         let friction = &exact.quantities.friction;
         let scales = [friction.viscoelastic_error_scale(), friction.hydrodynamic(), friction.pressure.abs()];
-        let [here, there] = [found, exact].map(|solution| solution.sensitivities.expect("asked for").row());
-        let estimates = found.sensitivity_errors.expect("asked for").row();
+        let [here, there] = [found, exact].map(|solution| solution.sensitivities.expect("asked for").named());
+        let estimates = found.sensitivity_errors.expect("asked for").named();
         for (i, estimate) in estimates.into_iter().enumerate() {
             of_sensitivities[i / 3].push(((here[i] - there[i]).abs() / scales[i / 3], estimate / scales[i / 3], 0.0));
         }

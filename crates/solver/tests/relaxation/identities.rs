@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use stribeck_solver::relaxation::{Domain, Settings};
-use stribeck_solver::{DisplacementKernel, Parameters, RetardationMode, Substrate};
+use stribeck_solver::{DisplacementKernel, Friction, Parameters, Quantities, RetardationMode, Substrate};
 
 use crate::relaxation::cases::{
     Ahead, Solved, chain, fields_at, friction_and_film, grid, no_fields, on_any_grid, on_both_grids, on_grid,
@@ -52,6 +52,84 @@ fn the_balance_of_power_is_of_second_order() {
             assert!((3.0..5.5).contains(&(coarse / fine)), "{parameters:?}, S = {slide_roll}: {coarse:.1e} {fine:.1e}");
         }
     }
+}
+
+/// Flat and roller with these modes, (share, time) each.
+fn of_two_bodies(case: Parameters, flat: &[(f64, f64)], roller: &[(f64, f64)]) -> Parameters {
+    let modes = |modes: &[(f64, f64)]| modes.iter().map(|&(share, time)| RetardationMode { share, time }).collect();
+    Parameters { substrate: Substrate::of_two_bodies(modes(flat), modes(roller)).unwrap(), ..case }
+}
+
+/// Cases of two viscoelastic bodies.
+fn two_bodies() -> [Parameters; 2] {
+    [
+        of_two_bodies(Parameters::new(1.0, 100.0, 10.0), &[(0.6, 1.0)], &[(0.4, 5.0)]),
+        of_two_bodies(Parameters::new(3.0, 30.0, 30.0), &[(0.2, 1.0), (0.3, 0.1)], &[(0.5, 10.0)]),
+    ]
+}
+
+/// Power is balanced as for one body whichever bodies retard: a soft flat is above, here are a soft roller and both.
+#[test]
+fn the_balance_of_power_of_two_bodies_is_of_second_order() {
+    let roller = of_two_bodies(Parameters::new(1.0, 100.0, 10.0), &[], &[(1.0, 1.0)]);
+    for parameters in two_bodies().into_iter().chain([roller]) {
+        let residuals = [401, 801, 1601].map(|points| quantities(settings(points), &parameters));
+        for slide_roll in [1.0, 0.5, 0.0, -0.5, -1.0] {
+            let residuals = residuals.each_ref().map(|it| it.energy_residual(slide_roll));
+            assert!(residuals[2] < 3e-5, "{parameters:?}, S = {slide_roll}: {residuals:?}");
+            for pair in residuals.windows(2) {
+                let falls = pair[0] / pair[1];
+                assert!((3.0..5.5).contains(&falls), "{parameters:?}, S = {slide_roll}: {residuals:?}");
+            }
+        }
+    }
+}
+
+/// The hysteresis of each body is that of the collocation solver, which knows no grid, to what the grid leaves: of
+/// second order.
+#[test]
+fn hysteresis_of_each_body_is_that_of_collocation() {
+    for parameters in two_bodies() {
+        let exact = collocation(&parameters);
+        let parts = |friction: &Friction| [friction.viscoelastic_flat(), friction.viscoelastic_roller];
+        let errors = [401, 801, 1601].map(|points| {
+            let found = quantities(settings(points), &parameters).friction;
+            std::array::from_fn::<f64, 2, _>(|body| (parts(&found)[body] - parts(&exact)[body]).abs() / exact.drag)
+        });
+        for body in 0..2 {
+            let errors = errors.map(|of_bodies| of_bodies[body]);
+            assert!(errors[2] < 3e-4, "{parameters:?}, body {body}: {errors:?}");
+            assert!(errors[2] < 0.3 * errors[0], "{parameters:?}, body {body}: {errors:?}");
+        }
+        let torque = quantities(settings(1601), &parameters).friction.torque_at(0.3);
+        assert!((torque - exact.torque_at(0.3)).abs() < 1e-3 * exact.drag, "{torque} {}", exact.torque_at(0.3));
+    }
+}
+
+/// Friction of the collocation solver at its default tolerance.
+fn collocation(parameters: &Parameters) -> Friction {
+    let settings = stribeck_solver::Settings { output: no_fields(), ..stribeck_solver::Settings::default() };
+    stribeck_solver::solve(parameters, &settings).expect("a solution").quantities.friction
+}
+
+/// Bodies that exchange their names exchange their hysteresis, and nothing else changes.
+#[test]
+fn exchanged_bodies_exchange_their_hysteresis() {
+    let case = || Parameters::new(1.0, 100.0, 10.0);
+    let (one, other) = ([(0.6, 1.0)], [(0.4, 5.0)]);
+    let [here, there] = [[&one, &other], [&other, &one]]
+        .map(|[flat, roller]| quantities(settings(401), &of_two_bodies(case(), flat, roller)));
+    let [before, after] = [&here, &there].map(|it| it.friction);
+    assert!(relative(before.viscoelastic_flat(), after.viscoelastic_roller) < 1e-7, "{before:?} {after:?}");
+    assert!(relative(before.viscoelastic_roller, after.viscoelastic_flat()) < 1e-7, "{before:?} {after:?}");
+    let film = |it: &Quantities| [it.friction.viscoelastic, it.friction.hydrodynamic(), it.friction.pressure, it.c];
+    for (before, after) in film(&here).iter().zip(film(&there)) {
+        assert!(relative(*before, after) < 1e-7, "{before} and {after}");
+    }
+    // two halves of one material do the same work
+    let halves = of_two_bodies(case(), &[(0.5, 1.0)], &[(0.5, 1.0)]);
+    let halves = quantities(settings(401), &halves).friction;
+    assert!(relative(halves.viscoelastic_roller, halves.viscoelastic_flat()) < 1e-7, "{halves:?}");
 }
 
 /// (T2) between the points of the grid and with the fields as they are published, at places that have nothing to do

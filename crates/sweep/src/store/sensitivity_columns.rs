@@ -2,7 +2,7 @@
 
 use super::further_columns::FurtherColumn;
 use crate::{Column, Values};
-use stribeck_lab::{Experiment, LaboratoryQuantity, Powers};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Powers, Unknown};
 use stribeck_solver::Sensitivities;
 
 /// The friction coefficients that have sensitivities.
@@ -15,40 +15,38 @@ enum Input {
     Alpha,
     Beta,
     Strength,
-    Quantity(LaboratoryQuantity),
+    Quantity(Unknown),
 }
 
 impl Input {
-    /// Those of a dimensionless case, or of one over quantities of the laboratory.
+    /// Those of a dimensionless case, whose α and f move both bodies, or of one over quantities of the laboratory.
     fn all(experiment: Option<&Experiment>) -> Vec<Self> {
-        match experiment {
-            None => vec![Self::Alpha, Self::Beta, Self::Strength],
-            Some(experiment) => {
-                // The temperature stands for times and viscosity, which have their own.
-                let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Temperature);
-                std::iter::once(Self::Strength).chain(given.map(Self::Quantity)).collect()
-            }
-        }
+        let Some(experiment) = experiment else { return vec![Self::Alpha, Self::Beta, Self::Strength] };
+        // The temperature stands for times and viscosity, which have their own.
+        let given = experiment.given().filter(|quantity| *quantity != LaboratoryQuantity::Temperature);
+        let of_flat = std::iter::once(Unknown::Strength).chain(given.map(Unknown::Quantity));
+        of_flat.chain(experiment.roller.given().map(Unknown::Roller)).map(Self::Quantity).collect()
     }
 
-    fn name(self) -> &'static str {
+    /// Its name in those of columns.
+    fn name(self) -> String {
         match self {
-            Self::Alpha => "alpha",
-            Self::Beta => "beta",
-            Self::Strength => "f",
-            Self::Quantity(quantity) => quantity.name(),
+            Self::Alpha => "alpha".to_owned(),
+            Self::Beta => "beta".to_owned(),
+            Self::Strength => "f".to_owned(),
+            Self::Quantity(quantity) => quantity.name().replace('.', "_"),
         }
     }
 
-    /// By which powers α, β and the scale of friction change with it.
+    /// By which powers the parameters of the case and the scale of friction change with it.
     fn powers(self, experiment: Option<&Experiment>) -> Powers {
-        let alone = |alpha, beta| Powers { alpha, beta, friction: 0.0, slide_roll: 0.0 };
+        let powers =
+            |alpha, beta, f| Powers { alpha: [alpha; 2], beta, strength: [f; 2], friction: 0.0, slide_roll: 0.0 };
         match (self, experiment) {
-            (Self::Alpha, _) => alone(1.0, 0.0),
-            (Self::Beta, _) => alone(0.0, 1.0),
-            (Self::Strength, Some(experiment)) => experiment.powers_of_strength(),
-            (Self::Quantity(quantity), Some(experiment)) => experiment.powers(quantity),
-            (Self::Strength | Self::Quantity(_), None) => alone(0.0, 0.0),
+            (Self::Alpha, _) => powers(1.0, 0.0, 0.0),
+            (Self::Beta, _) => powers(0.0, 1.0, 0.0),
+            (Self::Strength, _) => powers(0.0, 0.0, 1.0),
+            (Self::Quantity(quantity), experiment) => quantity.powers(experiment.expect("it is of an experiment")),
         }
     }
 }
@@ -57,11 +55,11 @@ impl Input {
 pub(super) fn columns(experiment: Option<&Experiment>) -> Vec<FurtherColumn> {
     let inputs = Input::all(experiment);
     let pairs = || FRICTION.iter().flat_map(|mu| inputs.iter().map(move |input| (mu.name(), input.name())));
-    let derivative = |(mu, input): (&str, &str)| FurtherColumn {
+    let derivative = |(mu, input): (&str, String)| FurtherColumn {
         name: format!("dln_{mu}_dln_{input}"),
         long_name: format!("relative change of {mu} over that of {input}"),
     };
-    let error = |(mu, input): (&str, &str)| FurtherColumn {
+    let error = |(mu, input): (&str, String)| FurtherColumn {
         name: format!("error_dln_{mu}_dln_{input}"),
         long_name: format!("estimated error of the relative change of {mu} over that of {input}"),
     };
@@ -83,13 +81,13 @@ pub(super) fn values(
         // S stands before C alone
         let sheared = [Column::MuH, Column::MuTot, Column::MuDrag].contains(&column);
         let by_ratio = if sheared { values[Column::MuShear] / mu * powers.slide_roll } else { 0.0 };
-        let changes = changes(derivatives(&sensitivities, column, slide_roll), mu, *input, &powers);
+        let changes = powers.changes(derivatives(&sensitivities, column, slide_roll).map(|derivative| derivative / mu));
         changes.iter().sum::<f64>() + by_ratio + powers.friction
     };
     let error = |column: Column, input: &Input| {
         let (mu, powers) = (values[column], input.powers(experiment));
         let Some(errors) = errors.filter(|_| mu != 0.0) else { return f64::NAN };
-        let changes = changes(errors_of_derivatives(&errors, column, slide_roll), mu, *input, &powers);
+        let changes = powers.changes(errors_of_derivatives(&errors, column, slide_roll).map(|error| error / mu));
         changes.iter().map(|change| change.abs()).sum()
     };
     let pairs = || FRICTION.into_iter().flat_map(|column| inputs.iter().map(move |input| (column, input)));
@@ -97,19 +95,10 @@ pub(super) fn values(
     relative.chain(pairs().map(|(column, input)| error(column, input))).collect()
 }
 
-/// What dμ/d ln θ for θ = α, β, f add to d ln μ/d ln q of an input q with these powers.
-fn changes(derivatives: [f64; 3], mu: f64, input: Input, powers: &Powers) -> [f64; 3] {
-    let [with_alpha, with_beta, with_f] = derivatives.map(|derivative| derivative / mu);
-    // Where the flat comes to rest α grows without bound; what does not depend on α stays as it is.
-    let by_alpha = if with_alpha == 0.0 { 0.0 } else { with_alpha * powers.alpha };
-    let by_strength = if input == Input::Strength { with_f } else { 0.0 };
-    [by_alpha, with_beta * powers.beta, by_strength]
-}
-
-/// dμ/d ln θ of one of [`FRICTION`] for θ = α, β, f.
-fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 3] {
+/// dμ/d ln θ of one of [`FRICTION`] for the parameters θ of [`Sensitivities::PARAMETERS`].
+fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 5] {
     match column {
-        Column::MuV => sensitivities.viscoelastic,
+        Column::MuV => sensitivities.viscoelastic(),
         Column::MuH => sensitivities.hydrodynamic_at(slide_roll),
         Column::MuTot => sensitivities.total_at(slide_roll),
         Column::MuPressure => sensitivities.pressure,
@@ -118,20 +107,21 @@ fn derivatives(sensitivities: &Sensitivities, column: Column, slide_roll: f64) -
     }
 }
 
-/// The errors of dμ/d ln θ of a friction coefficient for θ = α, β, f at a slide-to-roll ratio, from those of F_v, F_h
-/// and P: what is made of several has the sum of their errors.
-pub fn errors_of_derivatives(errors: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 3] {
-    // μ_h = S F_h + (1 − S) P and D = F_v + S F_h − (1 + S) P
+/// The errors of dμ/d ln θ of a friction coefficient at a slide-to-roll ratio, from those of F_v of each body, F_h and
+/// P: what is made of several has the sum of their errors.
+pub fn errors_of_derivatives(errors: &Sensitivities, column: Column, slide_roll: f64) -> [f64; 5] {
+    // μ_h = S F_h + (1 − S) P and D = F_v,2 + S F_h − (1 + S) P
     let (own, ahead, against) = (slide_roll.abs(), (1.0 - slide_roll).abs(), (1.0 + slide_roll).abs());
     let of = |i: usize| {
-        let (v, h, p) = (errors.viscoelastic[i], errors.hydrodynamic[i], errors.pressure[i]);
+        let (flat, h, p) = (errors.viscoelastic_flat[i], errors.hydrodynamic[i], errors.pressure[i]);
+        let v = flat + errors.viscoelastic_roller[i];
         match column {
             Column::MuV => v,
             Column::MuH => own * h + ahead * p,
             Column::MuTot => v + own * h + ahead * p,
             Column::MuPressure => p,
             Column::MuShear => h + p,
-            _ => v + own * h + against * p,
+            _ => flat + own * h + against * p,
         }
     };
     std::array::from_fn(of)
@@ -153,6 +143,13 @@ mod tests {
         values
     }
 
+    /// Those of a flat alone.
+    fn one_body(viscoelastic: [f64; 3], hydrodynamic: [f64; 3], pressure: [f64; 3]) -> Sensitivities {
+        let [viscoelastic_flat, hydrodynamic, pressure] =
+            [viscoelastic, hydrodynamic, pressure].map(|[alpha, beta, f]| [alpha, beta, f, 0.0, 0.0]);
+        Sensitivities { viscoelastic_flat, viscoelastic_roller: [0.0; 5], hydrodynamic, pressure }
+    }
+
     /// Twice the viscosity at half the speed is the same film at another α.
     #[test]
     fn speed_is_viscosity_and_retardation_time_together() {
@@ -168,11 +165,7 @@ mod tests {
             roller: Roller::RIGID,
             temperature: None,
         };
-        let sensitivities = Sensitivities {
-            viscoelastic: [0.1, 0.2, 0.3],
-            hydrodynamic: [0.4, -0.5, 0.6],
-            pressure: [-0.1, 0.3, -0.2],
-        };
+        let sensitivities = one_body([0.1, 0.2, 0.3], [0.4, -0.5, 0.6], [-0.1, 0.3, -0.2]);
         let names: Vec<String> = columns(Some(&experiment)).into_iter().map(|column| column.name).collect();
         let values = values([Some(sensitivities); 2], &friction(0.5, 0.25, -0.125), 1.0, Some(&experiment));
         assert_eq!(names.len(), values.len());
@@ -196,8 +189,7 @@ mod tests {
 
     #[test]
     fn dimensionless_cases_have_their_own_derivatives() {
-        let sensitivities =
-            Sensitivities { viscoelastic: [0.0; 3], hydrodynamic: [0.4, -0.5, 0.6], pressure: [-0.1, 0.2, -0.3] };
+        let sensitivities = one_body([0.0; 3], [0.4, -0.5, 0.6], [-0.1, 0.2, -0.3]);
         let values = values([Some(sensitivities), None], &friction(0.0, 0.5, -0.25), 1.0, None);
         assert!(values[..3].iter().all(|value| value.is_nan()), "mu_v is 0");
         let rows =
@@ -212,12 +204,8 @@ mod tests {
     /// What is published is the largest change that errors of F_v, F_h and P can make together.
     #[test]
     fn errors_are_what_errors_of_the_parts_do_at_most() {
-        let known = Sensitivities {
-            viscoelastic: [0.3, -0.2, 0.5],
-            hydrodynamic: [0.4, -0.5, 0.6],
-            pressure: [-0.1, 0.2, -0.3],
-        };
-        let errors = Sensitivities { viscoelastic: [0.01; 3], hydrodynamic: [0.02; 3], pressure: [0.005; 3] };
+        let known = one_body([0.3, -0.2, 0.5], [0.4, -0.5, 0.6], [-0.1, 0.2, -0.3]);
+        let errors = one_body([0.01; 3], [0.02; 3], [0.005; 3]);
         for slide_roll in [1.0, 0.3, -0.7] {
             let friction = friction(0.5, 0.25, -0.125);
             let of = |known| values([Some(known), Some(errors)], &friction, slide_roll, None);
@@ -226,9 +214,10 @@ mod tests {
             for signs in 0..8 {
                 let sign = |place: i32| if signs >> place & 1 == 0 { 1.0 } else { -1.0 };
                 let moved =
-                    |values: [f64; 3], error: [f64; 3], sign: f64| std::array::from_fn(|i| values[i] + sign * error[i]);
+                    |values: [f64; 5], error: [f64; 5], sign: f64| std::array::from_fn(|i| values[i] + sign * error[i]);
                 let there = of(Sensitivities {
-                    viscoelastic: moved(known.viscoelastic, errors.viscoelastic, sign(0)),
+                    viscoelastic_flat: moved(known.viscoelastic_flat, errors.viscoelastic_flat, sign(0)),
+                    viscoelastic_roller: [0.0; 5],
                     hydrodynamic: moved(known.hydrodynamic, errors.hydrodynamic, sign(1)),
                     pressure: moved(known.pressure, errors.pressure, sign(2)),
                 });

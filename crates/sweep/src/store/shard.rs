@@ -18,8 +18,8 @@ use stribeck_solver::{Fields, Sensitivities};
 /// A case id in an HDF5 file: 16 characters.
 pub(super) type CaseText = FixedAscii<16>;
 
-/// Numbers of the sensitivities of a case.
-const SENSITIVITIES: usize = Sensitivities::NAMES.len();
+/// Numbers of the sensitivities of a case, and how many of them the cases of a shard without a soft roller have.
+const SENSITIVITIES: [usize; 2] = [20, Sensitivities::OF_FLAT];
 
 /// The characters of a case id.
 pub(super) fn case_text(id: CaseId) -> CaseText {
@@ -62,10 +62,13 @@ pub(super) fn write_shard(path: &Path, contents: &Contents, x: &[f64], cases: &[
     let values: Vec<f64> = entries().flat_map(|entry| entry.values.0).collect();
     file.write("values", ArrayView2::from_shape((cases.len(), Column::ALL.len()), &values)?)?;
     if contents.sensitivities {
-        let row = |known: Option<Sensitivities>| known.map_or([f64::NAN; SENSITIVITIES], |known| known.row());
-        let both = |entry: &CaseEntry| [row(entry.sensitivities), row(entry.sensitivity_errors)].concat();
-        let values: Vec<f64> = entries().flat_map(both).collect();
-        file.write("sensitivities", ArrayView2::from_shape((cases.len(), 2 * SENSITIVITIES), &values)?)?;
+        let row = |known: Option<Sensitivities>| known.map_or([f64::NAN; SENSITIVITIES[0]], |known| known.row());
+        let both = |entry: &CaseEntry| [row(entry.sensitivities), row(entry.sensitivity_errors)];
+        let of_roller = |row: [f64; SENSITIVITIES[0]]| row[SENSITIVITIES[1]..].iter().any(|it| it.abs() > 0.0);
+        let width = SENSITIVITIES[usize::from(!entries().any(|entry| both(entry).into_iter().any(of_roller)))];
+        let rows = entries().flat_map(|entry| both(entry).map(|row| row[..width].to_vec()));
+        let values: Vec<f64> = rows.flatten().collect();
+        file.write("sensitivities", ArrayView2::from_shape((cases.len(), 2 * width), &values)?)?;
     }
 
     if !contents.fields.is_empty() {
@@ -111,7 +114,7 @@ pub(super) struct ShardReader {
     statuses: Vec<Status>,
     reasons: Vec<VarLenUnicode>,
     values: Array2<f64>,
-    /// Of [`Sensitivities::NAMES`], then their errors, if the shard has them.
+    /// Rows of [`Sensitivities`], each with that of their errors behind it, if the shard has them.
     sensitivities: Option<Array2<f64>>,
     /// In the order of [`Field::ALL`].
     fields: [Option<Chunks>; Field::ALL.len()],
@@ -135,7 +138,8 @@ impl ShardReader {
             if contents.sensitivities {
                 let rows = file.dataset("sensitivities")?.read_2d::<f64>()?;
                 // Those of earlier versions have no errors.
-                if ![(cases, SENSITIVITIES), (cases, 2 * SENSITIVITIES)].contains(&rows.dim()) {
+                let [most, fewest] = SENSITIVITIES;
+                if ![fewest, 2 * fewest, 2 * most].map(|width| (cases, width)).contains(&rows.dim()) {
                     fault = Some(format!("sensitivities has the shape {:?}", rows.shape()));
                 }
                 sensitivities = Some(rows);
@@ -189,11 +193,14 @@ impl ShardReader {
     /// How friction of a case changes with the parameters, and the errors of that; `None` if the shard has it not, or
     /// the case failed.
     pub(super) fn sensitivities(&self, row: usize) -> [Option<Sensitivities>; 2] {
+        let [most, fewest] = SENSITIVITIES;
+        let width = if self.sensitivities.as_ref().is_some_and(|values| values.ncols() > most) { most } else { fewest };
         let part = |first: usize| {
             let values = self.sensitivities.as_ref().filter(|values| first < values.ncols())?;
-            Sensitivities::from_row(std::array::from_fn(|column| values[(row, first + column)]))
+            let at = |column: usize| if column < width { values[(row, first + column)] } else { 0.0 };
+            Sensitivities::from_row(std::array::from_fn(at))
         };
-        [part(0), part(SENSITIVITIES)]
+        [part(0), part(width)]
     }
 
     /// A field of a case as it is packed; `None` if the shard has it not, or the case failed.

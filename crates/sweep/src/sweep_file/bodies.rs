@@ -6,7 +6,7 @@ use super::sections::{keys, section};
 use super::substrate::{self, MaterialDefaults, ReadSubstrate};
 use super::temperature::read_shift;
 use stribeck_input::{Entry, Fault, Quantity, Section, Values};
-use stribeck_lab::{Dimension, LaboratoryQuantity, Roller, ShiftLaw};
+use stribeck_lab::{Dimension, LaboratoryQuantity, Modulus, Roller, ShiftLaw};
 use stribeck_solver::Substrate;
 
 /// The two bodies as a sweep file has them.
@@ -172,16 +172,15 @@ fn soft_roller(entry: &Entry<'_>, files: &NamedSeries) -> Result<(Roller, Substr
         None if f == 0.0 => 0.0,
         None => Dimension::Time.read(&body.require("retardation_time", "add retardation_time = \"20 ms\"")?)?,
     };
-    let relaxed = match (material.relaxed_modulus, material.instantaneous_modulus) {
-        (Some(modulus), _) => modulus,
-        (None, Some(modulus)) => modulus / (1.0 + f),
+    let modulus = match (material.relaxed_modulus, material.instantaneous_modulus) {
+        (Some(modulus), _) => Modulus::Relaxed(modulus),
+        (None, Some(modulus)) => Modulus::Instantaneous(modulus),
         (None, None) => {
             let help =
                 "add relaxed_modulus = \"1 MPa\" (or instantaneous_modulus); for a rigid roller leave the section out";
             return Err(body.fault("[roller] needs a modulus, which is missing", "no modulus", help));
         }
     };
-    let relaxed = relaxed * material.kind.young_factor(poisson_ratio);
-    let plane_strain_modulus = relaxed / (1.0 - poisson_ratio * poisson_ratio);
-    Ok((Roller { plane_strain_modulus, f, retardation_time }, substrate))
+    let modulus = modulus.times(material.kind.young_factor(poisson_ratio));
+    Ok((Roller { modulus, poisson_ratio, f, retardation_time }, substrate))
 }

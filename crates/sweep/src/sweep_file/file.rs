@@ -7,7 +7,7 @@ use toml::de::DeTable;
 use super::bodies::{self, ReadBodies};
 use super::named_series::NamedSeries;
 use super::sections::{home, keys, section};
-use super::specification::{Method, Sweep};
+use super::specification::Sweep;
 use super::{laboratory, output, solver, surface};
 use crate::{Axes, Grid};
 use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
@@ -65,7 +65,6 @@ pub(super) fn interpret_document(
     // what can be asked for depends on the method
     let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
     check_fields(&root, &grid, &output)?;
-    check_bodies(&root, &bodies, solver.method, &output)?;
     Ok(Sweep {
         title: title.unwrap_or_else(|| printable(name).into_owned()),
         grid,
@@ -92,26 +91,6 @@ fn check_fields(root: &Section<'_>, grid: &Grid, output: &Output) -> Result<(), 
     let what = "where the roller may turn `shear_traction` follows from the film: `output.fields` needs \
                 `film_thickness` too";
     Err(entry.fault(what, "no film_thickness among them", help))
-}
-
-/// Refuses what is not computed of a soft roller.
-fn check_bodies(root: &Section<'_>, bodies: &ReadBodies, method: Method, output: &Output) -> Result<(), Fault> {
-    let of_roller = bodies.substrate.of_roller();
-    let is_soft = of_roller > 0 || !bodies.roller.is_rigid();
-    let both_retard = match bodies.roller.is_rigid() {
-        true => of_roller > 0 && of_roller < bodies.substrate.modes().len(),
-        false => bodies.roller.f > 0.0 && bodies.flat.f != Some(0.0),
-    };
-    let entry = || root.require("roller", "it was read");
-    if method == Method::Relaxation && both_retard {
-        let what = "the relaxation method does not tell the hysteresis of two viscoelastic bodies apart";
-        return Err(entry()?.fault(what, "beside a viscoelastic flat", "take method = \"collocation\"").unquoted());
-    }
-    if is_soft && output.sensitivities {
-        let what = "`sensitivities` are derivatives for a rigid roller, and this one is soft";
-        return Err(entry()?.fault(what, "a soft roller", "remove `sensitivities` from [output]").unquoted());
-    }
-    Ok(())
 }
 
 /// Reads a title.

@@ -175,21 +175,6 @@ pub fn bad_files() -> Vec<Row> {
             "says nothing of a rigid flat",
             "remove it",
         ),
-        (
-            with_body("[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\n[output]\nsensitivities = true\n"),
-            "10:1",
-            "derivatives for a rigid roller",
-            "remove `sensitivities`",
-        ),
-        (
-            with_body(
-                "[roller]\npoisson_ratio = 0.5\nrelaxed_modulus = 1e6\nf = 1.0\nretardation_time = 1.0\n[solver]\n\
-                 method = \"relaxation\"\n",
-            ),
-            "10:1",
-            "two viscoelastic bodies",
-            "method = \"collocation\"",
-        ),
         (with_speeds("speed = 1.0\nswap = true"), "9:8", "needs `slide_roll_ratio`", "entrainment_speed"),
         (
             with_speeds("entrainment_speed = 1.0\nslide_roll_ratio = [-1.0, 1.0]\nswap = true"),

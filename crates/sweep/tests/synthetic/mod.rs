@@ -60,14 +60,16 @@ pub fn entry(f: f64, alpha: f64, beta: f64, output: &Output) -> CaseEntry {
             hysteresis_traction: wanted(hysteresis_traction, 0.7),
         },
         sensitivities: (output.sensitivities && !failed).then(|| Sensitivities {
-            viscoelastic: [alpha, beta, f],
-            hydrodynamic: [-alpha, 1.0 / beta, f / 3.0],
-            pressure: [alpha / 3.0, -1.0 / beta, f],
+            viscoelastic_flat: [alpha, beta, f, 0.0, 0.0],
+            viscoelastic_roller: [0.0; 5],
+            hydrodynamic: [-alpha, 1.0 / beta, f / 3.0, 0.0, 0.0],
+            pressure: [alpha / 3.0, -1.0 / beta, f, 0.0, 0.0],
         }),
         sensitivity_errors: (output.sensitivities && !failed).then(|| Sensitivities {
-            viscoelastic: [alpha, beta, f].map(|error| 1e-6 * error),
-            hydrodynamic: [1e-6; 3],
-            pressure: [2e-6; 3],
+            viscoelastic_flat: [alpha, beta, f, 0.0, 0.0].map(|error| 1e-6 * error),
+            viscoelastic_roller: [0.0; 5],
+            hydrodynamic: [1e-6, 1e-6, 1e-6, 0.0, 0.0],
+            pressure: [2e-6, 2e-6, 2e-6, 0.0, 0.0],
         }),
         timing: Timing {
             seconds: 0.125 + beta / 3.0,
