@@ -183,7 +183,7 @@ fn a_fit_ends_when_its_time_is_up() {
     write_points(directory.path());
     let fit = ["fit", "points.csv", "sweep.toml", "--unknown", "viscosity"];
     let said = say(directory.path(), &[&fit[..], &["--time-limit", "0.000001s"]].concat());
-    assert!(code(&said) == 2 && err(&said).contains("the time is up after"), "{}", err(&said));
+    assert!(code(&said) == 5 && err(&said).contains("the time is up before"), "{}", err(&said));
     for (options, expected) in [
         (["--time-limit", "soon"], "write a time as in 90s, 10m or 1.5h"),
         (["--bounds", "f=0:100"], "--bounds has f, which is not looked for"),

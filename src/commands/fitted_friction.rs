@@ -29,7 +29,12 @@ impl FittedFriction<'_> {
         let mut text = self.heading() + &self.estimates() + &self.correlations() + &self.goodness() + &self.plot();
         text += "\n[laboratory]\n";
         for Estimate { unknown, value, .. } in &self.fit.estimates {
-            let line = format!("{} = {value:e}  # {}", unknown.name(), unit(*unknown));
+            let comment = if self.fit.is_minimum {
+                unit(*unknown).to_owned()
+            } else {
+                format!("{} the best so far", unit(*unknown))
+            };
+            let line = format!("{} = {value:e}  # {}", unknown.name(), comment.trim());
             text += &format!("{}\n", line.trim_end_matches("  # "));
         }
         if let Some(directory) = directory {
@@ -42,10 +47,15 @@ impl FittedFriction<'_> {
         let FrictionFit { points, evaluations, .. } = self.fit;
         let names: Vec<String> = self.measured.files.iter().map(|file| shown(file)).collect();
         format!(
-            "{} of {}, {} solved {evaluations} times\n\n",
+            "{} of {}, {} solved {evaluations} times\n{}\n",
             count(points.len() as u64, "point"),
             names.join(" and "),
             if points.len() == 1 { "it was" } else { "all of them were" },
+            if self.fit.is_minimum {
+                ""
+            } else {
+                "NO MINIMUM: the time was up; the best values so far, without errors\n"
+            },
         )
     }
 
@@ -70,7 +80,7 @@ impl FittedFriction<'_> {
     }
 
     fn correlations(&self) -> String {
-        if self.fit.estimates.len() == 1 {
+        if self.fit.estimates.len() == 1 || !self.fit.is_minimum {
             return String::new();
         }
         let mut text = "\ncorrelations\n".to_owned();
@@ -154,6 +164,7 @@ impl FittedFriction<'_> {
             "degrees_of_freedom": fit.degrees_of_freedom,
             "reduced_chi_squared": fit.reduced_chi_squared,
             "evaluations": fit.evaluations,
+            "is_minimum": fit.is_minimum,
             "intervals": self.intervals,
             "points": points,
         });
@@ -208,7 +219,9 @@ impl FittedFriction<'_> {
             .iter()
             .map(|it| format!("{} = {}", it.unknown.name(), short(it.value, it.error, it.unknown.units())));
         let labels = [along, "friction coefficient μ"];
-        chart("friction, measured and fitted", found.collect::<Vec<_>>().join(", "), labels, curves)
+        let found = found.collect::<Vec<_>>().join(", ");
+        let subtitle = if fit.is_minimum { found } else { format!("no minimum, the best so far: {found}") };
+        chart("friction, measured and fitted", subtitle, labels, curves)
     }
 
     /// Residuals over speed.
