@@ -236,8 +236,8 @@ fn columns_are_documented_as_they_are_declared() {
     for (name, unit, what) in Scales::VARIABLES.into_iter().chain(Experiment::AT_TEMPERATURE) {
         page += &place(name, what, unit);
     }
-    page += "\nA sweep with `[laboratory]` has those that it gives, and `a0` to `friction_scale`. With a `temperature` it has \
-             the last two, and `viscosity` and `retardation_time` are those at the reference of their laws.\n\n\
+    page += "\nA sweep with `[laboratory]` has those that it gives, and `a0` to `friction_scale`. With a `temperature` it has the last\n\
+             two, and `viscosity` and `retardation_time` are those at the reference of their laws.\n\n\
              ## More columns of some sweeps\n\n| name | what it is | when |\n| --- | --- | --- |\n";
     for column in stribeck_sweep::store::further_columns(
         None,

@@ -1,11 +1,11 @@
-//! Numbers of any size in any dialect are read back the same.
+//! Tables in any dialect are read back the same: numbers of any size, and what instruments export.
 
 use std::path::Path;
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use stribeck_lab::Dimension;
 use stribeck_lab::table::{Field, Measures, TableFile};
+use stribeck_lab::{Dimension, MaterialFile, MaterialOptions, Measured};
 
 /// What the columns hold; none is a ratio, so that units have to be found.
 const FIELDS: [Field; 4] = [
@@ -105,18 +105,19 @@ impl Dialect {
         }
         text.replace('\n', self.end)
     }
+}
 
-    fn bytes(&self, text: &str) -> Vec<u8> {
-        let wide = |mark: &[u8], to: fn(u16) -> [u8; 2]| {
-            mark.iter().copied().chain(text.encode_utf16().flat_map(to)).collect::<Vec<u8>>()
-        };
-        match self.encoding {
-            0 => text.as_bytes().to_vec(),
-            1 => ["\u{feff}".as_bytes(), text.as_bytes()].concat(),
-            2 => wide(&[0xff, 0xfe], u16::to_le_bytes),
-            3 => wide(&[0xfe, 0xff], u16::to_be_bytes),
-            _ => text.chars().map(|c| u8::try_from(u32::from(c)).expect("Latin-1")).collect(),
-        }
+/// A text in one of five encodings.
+fn encoded(text: &str, encoding: usize) -> Vec<u8> {
+    let wide = |mark: &[u8], to: fn(u16) -> [u8; 2]| {
+        mark.iter().copied().chain(text.encode_utf16().flat_map(to)).collect::<Vec<u8>>()
+    };
+    match encoding {
+        0 => text.as_bytes().to_vec(),
+        1 => ["\u{feff}".as_bytes(), text.as_bytes()].concat(),
+        2 => wide(&[0xff, 0xfe], u16::to_le_bytes),
+        3 => wide(&[0xfe, 0xff], u16::to_be_bytes),
+        _ => text.chars().map(|c| u8::try_from(u32::from(c)).expect("Latin-1")).collect(),
     }
 }
 
@@ -143,6 +144,70 @@ proptest! {
         let exact = |number: &(i64, u32, i32)| Some(plain.number(*number).parse::<f64>().expect("a number"));
         let expected: Vec<Vec<_>> = rows.iter().map(|row| row[..columns].iter().map(exact).collect()).collect();
         let text = dialect.text(columns, &rows);
-        prop_assert_eq!(read(&dialect.bytes(&text), columns), expected, "{:?}", text);
+        prop_assert_eq!(read(&encoded(&text, dialect.encoding), columns), expected, "{:?}", text);
+    }
+}
+
+/// Two steps of a traction machine.
+const TRACTION: &str = include_str!("findings/table/steps-of-readings.txt");
+/// Two steps of a rheometer, each with names and units of its own.
+const STEPS: &str = "Filename\tmade up\nInstrument\tG2\n[step]\nFrequency sweep - 1\n\
+    Angular frequency\tStorage modulus\tLoss modulus\tTan(delta)\tTemperature\nrad/s\tPa\tPa\t\t°C\n\
+    0.1\t100.5\t10.25\t0.102\t25.0\n1\t120\t15\t0.125\t25.1\n10.5\t150\t20\t0.133\t25.0\n\
+    [step]\nFrequency sweep - 2\n\
+    Angular frequency\tStorage modulus\tLoss modulus\tTan(delta)\tTemperature\nrad/s\tPa\tPa\t\t°C\n\
+    0.1\t90.5\t9.5\t0.105\t35.0\n1\t105\t12\t0.114\t35.0\n10.5\t130.25\t16.5\t0.127\t35.1\n";
+/// An interval of a rheometer, whose names stand behind a word.
+const INTERVAL: &str = "Project:\tmade up\nTest:\t3\n\nResult:\tFrequency sweep 1\n\nInterval and data points:\t1\t3\n\
+    Interval data:\tPoint No.\tAngular Frequency\tStorage Modulus\tLoss Modulus\tLoss Factor\tStatus\n\
+    \t\t[rad/s]\t[kPa]\t[kPa]\t[1]\t\n\
+    \t1\t0.1\t1.05\t0.1\t0.095\tDy_\n\t2\t1.5\t1.2\t0.15\t0.125\tDy_\n\t3\t10\t1.55\t0.25\t0.161\tDy_\n";
+/// A melt in the manner of RepTate.
+const MELT: &str = "T=-10;Mw=94.9;chem=PI;label=made up\nFreq\tG'\tG\"\tTemp\tStrain\nrad/s\tPa\tPa\t°C\t%\n\
+    100\t3.9E5\t82274.5\t-9.99\t0.97\n68.1\t3.7E5\t74797\t-10.01\t0.96\n46.4\t3.6E5\t70832\t-9.98\t0.96\n";
+
+/// A table of tabs and decimal points as spreadsheets and instruments of other countries write it.
+fn rewritten(text: &str) -> Vec<(String, Vec<u8>)> {
+    let mut all = Vec::new();
+    for (separator, decimal) in [("\t", '.'), ("\t", ','), (";", '.'), (";", ','), (",", '.'), (",", ',')] {
+        let cell = |cell: &str| match cell.parse::<f64>() {
+            Ok(_) if separator == "," && decimal == ',' => format!("\"{}\"", cell.replace('.', ",")),
+            Ok(_) => cell.replace('.', &decimal.to_string()),
+            Err(_) => cell.to_owned(),
+        };
+        let line = |line: &str| line.split('\t').map(cell).collect::<Vec<_>>().join(separator);
+        let text: String = text.lines().map(|text| line(text) + "\n").collect();
+        for end in ["\n", "\r\n", "\r"] {
+            let text = text.replace('\n', end);
+            for encoding in 0..5 {
+                let bytes = encoded(&text, encoding);
+                all.push((format!("{separator:?} {decimal:?} {end:?} {encoding}: {text}"), bytes));
+            }
+        }
+    }
+    all
+}
+
+/// What instruments export is the same in every dialect.
+#[test]
+fn exports_are_the_same_in_every_dialect() {
+    let friction = |bytes: &[u8]| {
+        let found = Measured::of(Path::new("made.txt"), bytes, &[], None);
+        found.map(|(points, _)| points).map_err(|error| error.to_string())
+    };
+    let expected = friction(TRACTION.as_bytes()).expect("steps");
+    for (dialect, bytes) in rewritten(TRACTION) {
+        assert_eq!(friction(&bytes).as_ref(), Ok(&expected), "{dialect}");
+    }
+    let options = MaterialOptions { is_shear: true, poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let material = |bytes: &[u8]| {
+        let found = MaterialFile::of(Path::new("made.txt"), bytes, &options);
+        found.map(|file| file.data).map_err(|error| error.to_string())
+    };
+    for text in [STEPS, INTERVAL, MELT] {
+        let expected = material(text.as_bytes()).expect("moduli");
+        for (dialect, bytes) in rewritten(text) {
+            assert_eq!(material(&bytes).as_ref(), Ok(&expected), "{dialect}");
+        }
     }
 }
