@@ -39,7 +39,8 @@ impl MasterCurve {
     /// Shifts isotherms to a reference temperature, in K, within their range.
     ///
     /// Each isotherm is shifted against its neighbour until the mean of |ΔE*|²/|E*|² over their overlap is least, with
-    /// straight lines between the points on logarithmic scales.
+    /// straight lines between the points on logarithmic scales. Where moduli are shifted by their overlap as well, it is
+    /// least of both together.
     ///
     /// # Errors
     /// [`MasterCurveError`] if the reference lies outside, or two neighbours have no best overlap of a fifth of the

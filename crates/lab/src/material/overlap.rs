@@ -4,11 +4,15 @@ use super::isotherms::Isotherm;
 use super::master_curve::MasterCurveError;
 use super::measurement::Measurement;
 use crate::temperature::least_of;
+use std::f64::consts::LN_10;
 
 /// The part of the shorter one of two isotherms, in decades, that lies over the other one at least.
 const OVERLAP: f64 = 0.2;
 /// Steps in a decade in which a shift is looked for.
 const STEPS: f64 = 50.0;
+/// What (ln b)² counts beside the mean square of differences, b being the factor between the moduli of neighbours: as if
+/// b were known to 1 within ten times the scatter of the moduli.
+const PRICE: f64 = 0.01;
 
 /// How the warmer one of two isotherms was laid over the colder one.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +26,8 @@ pub(super) struct Overlap {
 }
 
 impl Overlap {
-    /// The best one; moduli are shifted, too, if they are free.
+    /// The best one: the mean of |ΔE*|²/|E*|² is least. If moduli are free, (ln b)² counts beside it, a little: where a
+    /// shift of rates and one of moduli do the same, moduli stay.
     ///
     /// # Errors
     /// [`MasterCurveError::NoOverlap`] if there is none of a fifth of the shorter isotherm.
@@ -37,7 +42,8 @@ impl Overlap {
         let at = |step: f64| least + (most - least) * step / steps;
         let square = |step: f64| {
             let level = if is_free { pair.level(at(step)).unwrap_or(f64::NAN) } else { 0.0 };
-            pair.mean_square(at(step), level).unwrap_or(f64::INFINITY)
+            let price = PRICE * (LN_10 * level).powi(2);
+            pair.mean_square(at(step), level).map_or(f64::INFINITY, |square| square + price)
         };
         let tried = (0..=steps as u32).map(|step| (f64::from(step), square(f64::from(step))));
         let (best, _) = tried.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or(none)?;

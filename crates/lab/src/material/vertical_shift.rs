@@ -8,7 +8,7 @@ pub enum VerticalShift {
     /// Not at all: b_T = 1.
     #[default]
     None,
-    /// By what lays neighbours best over one another.
+    /// By what lays neighbours best over one another, together with the shift of their rates.
     Overlap,
     /// As the modulus of a rubber is proportional to ρT: b_T = ρ₀T₀/(ρT).
     Density {

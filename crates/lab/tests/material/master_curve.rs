@@ -80,9 +80,9 @@ fn moduli_are_shifted_back() {
     let b = |temperature: f64| (1.0 + 6e-4 * (temperature - REFERENCE)) * REFERENCE / temperature;
     let all = rows(&rubber(), &WLF, wave).into_iter();
     let rows = all.map(|(temperature, row)| (temperature, row.stiffer(1.0 / b(temperature)))).collect();
-    let isotherms = Isotherms::new(rows).expect("isotherms");
+    let all = Isotherms::new(rows).expect("isotherms");
     let error = |vertical: VerticalShift| {
-        let curve = MasterCurve::by_overlap(&isotherms, REFERENCE, vertical).expect("a curve");
+        let curve = MasterCurve::by_overlap(&all, REFERENCE, vertical).expect("a curve");
         for shift in &curve.shifts {
             let exact = if vertical == VerticalShift::None { 0.0 } else { b(shift.temperature).log10() };
             assert!((shift.log_vertical - exact).abs() < 0.01, "{vertical:?}: {shift:?}, not {exact}");
