@@ -177,13 +177,43 @@ fn a_curve_of_the_program_is_fitted_by_itself() {
     assert!((json["estimates"][0]["value"].as_f64().unwrap() / 5.1 - 1.0).abs() < 1e-4, "{json}");
 }
 
+/// Turns a minute are speeds by the radius of the sweep, and by none where that is looked for.
+#[test]
+fn turns_are_fitted_by_the_radius_of_the_sweep() {
+    let directory = tempfile::tempdir().unwrap();
+    let sweep = SWEEP.replace("[100.0, 119.0]", "119.0").replace("[1e-3, 1e-2]", "[1e-3, 1e-2, 1e-1]");
+    fs::write(directory.path().join("curve.toml"), &sweep).unwrap();
+    assert_eq!(code(&say(directory.path(), &["curve", "curve.toml", "--csv", "curve.csv"])), 0);
+    let table = fs::read_to_string(directory.path().join("curve.csv")).unwrap();
+    let mut lines = table.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let place = |name: &str| names.iter().position(|it| *it == name).unwrap();
+    let [speed, drag, radius] = ["speed", "mu_drag", "radius"].map(place);
+    let mut text = "speed (rpm);COF\n".to_owned();
+    for line in lines {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+        let turns = cells[speed] / cells[radius] * 60.0 / std::f64::consts::TAU;
+        text += &format!("{turns};{}\n", cells[drag]);
+    }
+    fs::write(directory.path().join("turns.csv"), text).unwrap();
+    fs::write(directory.path().join("sweep.toml"), sweep.replace("5.1 Pa s", "4 Pa s")).unwrap();
+    let fit =
+        |unknown: &str| say(directory.path(), &["fit", "turns.csv", "sweep.toml", "--json", "--unknown", unknown]);
+    let said = fit("viscosity");
+    assert_eq!(code(&said), 0, "{}", err(&said));
+    let json: Value = serde_json::from_str(&out(&said)).unwrap();
+    assert!((json["estimates"][0]["value"].as_f64().unwrap() / 5.1 - 1.0).abs() < 1e-4, "{json}");
+    let said = fit("radius");
+    assert!(code(&said) == 2 && err(&said).contains("is in turns, not a speed"), "{}", err(&said));
+}
+
 #[test]
 fn a_fit_ends_when_its_time_is_up() {
     let directory = tempfile::tempdir().unwrap();
     write_points(directory.path());
     let fit = ["fit", "points.csv", "sweep.toml", "--unknown", "viscosity"];
     let said = say(directory.path(), &[&fit[..], &["--time-limit", "0.000001s"]].concat());
-    assert!(code(&said) == 2 && err(&said).contains("the time is up after"), "{}", err(&said));
+    assert!(code(&said) == 5 && err(&said).contains("the time is up before"), "{}", err(&said));
     for (options, expected) in [
         (["--time-limit", "soon"], "write a time as in 90s, 10m or 1.5h"),
         (["--bounds", "f=0:100"], "--bounds has f, which is not looked for"),

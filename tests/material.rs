@@ -192,6 +192,37 @@ fn isotherms_need_a_reference_and_give_a_law() {
     let given = say(directory.path(), &["material", "isotherms.csv", "--shift-factors", "factors.csv"]);
     assert_eq!(code(&given), 0, "{}", err(&given));
     assert!((energy(&out(&given)) / 120.0 - 1.0).abs() < 1e-4, "{}", out(&given));
+    fs::write(directory.path().join("bare.csv"), factors).expect("written");
+    let given = ["material", "isotherms.csv", "--shift-factors", "bare.csv", "--shift-columns"];
+    let said = say(directory.path(), &[&given[..], &["temperature=#1 (degC),log_shift_factor=#2"]].concat());
+    assert!(code(&said) == 0 && (energy(&out(&said)) / 120.0 - 1.0).abs() < 1e-4, "{}", err(&said));
+}
+
+/// Isotherms whose moduli grow with the temperature as those of a rubber do, and the pictures of their shifts.
+#[test]
+fn moduli_are_shifted_if_asked_and_shifts_are_drawn() {
+    let directory = tempdir().expect("a temporary directory");
+    let isotherms = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/how-to/instrument-files/isotherms.csv");
+    let asked = ["material", isotherms, "--reference-temperature", "20 degC"];
+    let run = |options: &[&str]| say(directory.path(), &[&asked[..], options].concat());
+    assert!(!out(&run(&[])).contains("b_T"));
+    for (how, words) in [
+        (&["--vertical-shift", "fit"][..], "shifted along rates and moduli"),
+        (&["--vertical-shift", "density", "--expansion", "6e-4"], "with an expansion of 0.0006/K"),
+    ] {
+        let said = run(how);
+        assert!(code(&said) == 0 && out(&said).contains(words), "{}{}", out(&said), err(&said));
+        assert!(out(&said).contains("b_T") && out(&said).contains(" 1.0000 "), "{}", out(&said));
+    }
+    let said = run(&["--shift-picture", "shifts.svg"]);
+    assert!(out(&said).ends_with("\nshifts.svg\n\nshifts-residuals.svg\n"), "{}", out(&said));
+    for (name, words) in [("shifts.svg", "Shift factors"), ("shifts-residuals.svg", "miss the shift factors by")] {
+        let picture = fs::read_to_string(directory.path().join(name)).expect("a picture");
+        assert!(picture.contains(words) && picture.contains("a_T = 1 at 20 degC"), "{picture}");
+    }
+    fs::write(directory.path().join("series.csv"), "tau,fraction\n1,0.5\n").expect("written");
+    let refused = say(directory.path(), &["material", "series.csv", "--shift-picture", "more.svg"]);
+    assert!(code(&refused) == 2 && err(&refused).contains("nothing was shifted"), "{}", err(&refused));
 }
 
 /// A liquid is told whatever the number of terms, and a series of shear moduli is 2(1+ν) times as stiff.

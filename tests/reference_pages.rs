@@ -8,7 +8,7 @@ use std::path::Path;
 
 use clap::{Arg, ArgAction, Command};
 use stribeck::commands::{GROUPS, command_line};
-use stribeck_lab::{LaboratoryQuantity, Scales};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
 use stribeck_sweep::{Axes, Column, Field, Grid, Note, Unit};
 
 /// The command that makes the pages again.
@@ -175,6 +175,7 @@ fn commands_are_documented_as_help_has_them() {
         ("2", "bad input: a file, an option, a value"),
         ("3", "done, but some cases failed, or points lie outside of a surface"),
         ("4", "the disk or a file"),
+        ("5", "a time limit ended `fit`: the best values so far, or nothing"),
         ("130", "interrupted; the same command resumes"),
     ] {
         let _ = writeln!(page, "| {code} | {meaning} |");
@@ -232,10 +233,11 @@ fn columns_are_documented_as_they_are_declared() {
     for quantity in LaboratoryQuantity::ALL {
         page += &place(quantity.name(), quantity.long_name(), quantity.units());
     }
-    for (name, unit, what) in Scales::VARIABLES {
+    for (name, unit, what) in Scales::VARIABLES.into_iter().chain(Experiment::AT_TEMPERATURE) {
         page += &place(name, what, unit);
     }
-    page += "\nA sweep with `[laboratory]` has those that it gives, and all of the last four.\n\n\
+    page += "\nA sweep with `[laboratory]` has those that it gives, and `a0` to `friction_scale`. With a `temperature` it has the last\n\
+             two, and `viscosity` and `retardation_time` are those at the reference of their laws.\n\n\
              ## More columns of some sweeps\n\n| name | what it is | when |\n| --- | --- | --- |\n";
     for column in stribeck_sweep::store::further_columns(
         None,

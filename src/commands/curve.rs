@@ -14,7 +14,7 @@ use super::{CliError, Exit, console, threads};
 use crate::format::{Align, count, table_line};
 use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
-use stribeck_lab::{Experiment, Measured, Scales};
+use stribeck_lab::{Experiment, Measured};
 use stribeck_solver::{FieldSelection, Interrupt, Output, shortest};
 use stribeck_sweep::campaign::{InMemory, read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status};
@@ -56,9 +56,9 @@ const FIRST_COLUMNS: [&str; 5] = ["status", "reason", "f", "alpha", "beta"];
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut sweep = read_sweep(&arguments.sweep)?;
-    let measured = arguments.measured.read()?;
     let axes = laboratory(&sweep, &arguments.sweep)?;
     sweep.grid = Grid::Laboratory(one_curve(axes, &arguments.at)?);
+    let measured = arguments.measured.read(sweep.grid.radius())?;
     sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };
     let inputs = arguments.measured.files().chain([arguments.sweep.as_path()]);
     let is_ours = |beginning: &[u8]| beginning.starts_with(FIRST_COLUMNS.join(",").as_bytes());
@@ -261,13 +261,13 @@ fn table(cases: &[Solved]) -> Table {
     let quantities: Vec<_> = cases[0].experiment.given().collect();
     let columns: Vec<_> = Column::summary().map(Column::name).collect();
     let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
-    let scales = Scales::VARIABLES.map(|(name, ..)| name);
-    let header = [&FIRST_COLUMNS[..], &names[..], &columns[..], &scales[..]].concat();
+    let others: Vec<&str> = cases[0].experiment.variables().map(|((name, ..), _)| name).collect();
+    let header = [&FIRST_COLUMNS[..], &names[..], &columns[..], &others[..]].concat();
     let mut table = Table::new(&header);
     for case in cases {
         let given = quantities.iter().map(|quantity| case.experiment.value(*quantity));
         let numbers = case.numbers.into_iter().chain(given).chain(Column::summary().map(|column| case.value(column)));
-        let numbers = numbers.chain(case.experiment.scales().values());
+        let numbers = numbers.chain(case.experiment.variables().map(|(_, value)| value));
         table.row(&[case.entry.outcome.name(), &case.entry.reason], &numbers.collect::<Vec<_>>());
     }
     table

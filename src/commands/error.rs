@@ -11,7 +11,7 @@ use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
 use stribeck_input::{InputError, is_of_disk};
 use stribeck_input::{printable, shown};
-use stribeck_lab::{MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
+use stribeck_lab::{FrictionFitError, MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
 use stribeck_surface::{Outside, SurfaceError};
 use stribeck_sweep::Method;
@@ -77,6 +77,9 @@ pub enum CliError {
         /// Why.
         what: String,
     },
+    /// A time limit that ended a fit before there was anything.
+    #[error("{}", FrictionFitError::TimeLimit)]
+    TimeIsUp,
     /// A file that is no surface.
     #[error("{}: {source}", shown(file))]
     Surface {
@@ -315,6 +318,16 @@ pub enum CliError {
         /// The table of measurements.
         data: PathBuf,
     },
+    /// A picture of shift factors where nothing was shifted.
+    #[error(
+        "{}: nothing was shifted, so there is no picture of shift factors; leave out --shift-picture, or give \
+         --reference-temperature",
+        shown(data)
+    )]
+    NoShifts {
+        /// The file of the material.
+        data: PathBuf,
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -343,7 +356,7 @@ fn other_directory(error: &CampaignError) -> &'static str {
 }
 
 impl CliError {
-    /// The exit code: 2 for bad input, 4 for the disk and the system.
+    /// The exit code: 2 for bad input, 4 for the disk and the system, 5 for a time limit.
     pub fn code(&self) -> u8 {
         match self {
             CliError::Input(error) | CliError::Campaign(CampaignError::Input(error)) if error.is_of_disk() => 4,
@@ -363,6 +376,7 @@ impl CliError {
             | CliError::MasterCurve { .. }
             | CliError::SeveralTemperatures { .. }
             | CliError::NoTemperatures { .. }
+            | CliError::NoShifts { .. }
             | CliError::NoTarget
             | CliError::IsInput { .. }
             | CliError::NoName { .. }
@@ -399,6 +413,7 @@ impl CliError {
                 | CampaignError::Stopped { .. } => 4,
             },
             CliError::SurfaceBuild(SurfaceBuildError::Failed { .. }) => 3,
+            CliError::TimeIsUp => 5,
             CliError::SurfaceBuild(SurfaceBuildError::Interrupted) => 130,
             CliError::SurfaceBuild(_)
             | CliError::Store(_)

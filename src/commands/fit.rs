@@ -13,7 +13,7 @@ use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
-use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, Measured, Unknown};
+use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown};
 use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::create_directory;
 use stribeck_sweep::{friction_task, points_to_fit};
@@ -44,7 +44,7 @@ pub struct Arguments {
     /// Where unknowns must stay, in SI units, as in f=0:100; either end may be left out
     #[arg(long, value_name = "NAME=LO:HI,…", value_delimiter = ',', value_parser = bounds)]
     bounds: Vec<Bounds>,
-    /// End the search after this time, as in 10m or 90s
+    /// End the search after this time, as in 10m or 90s, with the best values so far and exit code 5
     #[arg(long, value_name = "TIME", value_parser = time_limit)]
     time_limit: Option<Duration>,
     /// Find intervals from the profile of the residuals, too: more fits, for errors that differ on both sides
@@ -91,7 +91,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         return Err(CliError::NoFit { files: vec![sweep_file.clone()], what });
     }
     let refuse = |what: String| CliError::NoFit { files: data.to_vec(), what };
-    let parts = data.iter().map(|path| measured::read(path, &arguments.columns));
+    let is_unknown = arguments.unknown.iter().any(|unknown| unknown.name() == LaboratoryQuantity::Radius.name());
+    let radius = sweep.grid.radius().filter(|_| !is_unknown);
+    let parts = data.iter().map(|path| measured::read(path, &arguments.columns, radius));
     let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
     let measured = points_to_fit(measured, &arguments.unknown);
     laboratory(&sweep, sweep_file)?;
@@ -101,16 +103,30 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let outputs = directory.map(|directory| outputs(arguments, directory)).transpose()?;
     let (fit, intervals) = watched(&arguments.unknown, arguments.time_limit, |watch| {
         let fit = FrictionFit::watched(&task, watch)?;
-        let intervals = arguments.profile.then(|| fit.intervals(&task, watch)).transpose()?;
-        Ok((fit, intervals))
+        let wanted = arguments.profile && fit.is_minimum;
+        match wanted.then(|| fit.intervals(&task, watch)).transpose() {
+            Err(FrictionFitError::TimeLimit) => Ok((fit, None)),
+            intervals => Ok((fit, intervals?)),
+        }
     })
-    .map_err(|error: FrictionFitError| refuse(error.to_string()))?;
+    .map_err(|error: FrictionFitError| match error {
+        FrictionFitError::TimeLimit => CliError::TimeIsUp,
+        error => refuse(error.to_string()),
+    })?;
     let fitted = FittedFriction { fit: &fit, measured: &measured, intervals: intervals.as_deref() };
+    let lacks_intervals = arguments.profile && intervals.is_none();
     if let Some(outputs) = outputs {
         write(&fitted, outputs, arguments.format)?;
     }
     console::print(&if arguments.json { fitted.json() } else { fitted.text(directory) })?;
-    Ok(Exit::Success)
+    if !fit.is_minimum {
+        console::tell(
+            "note: the time was up: these are the best values so far, no minimum; begin there, or give more time",
+        );
+    } else if lacks_intervals {
+        console::tell("note: the time was up before all intervals were found: give more time");
+    }
+    Ok(if fit.is_minimum && !lacks_intervals { Exit::Success } else { Exit::TimeIsUp })
 }
 
 /// Says that points at several temperatures are taken for points at one, where the sweep file has no temperature.

@@ -39,7 +39,8 @@ impl FittedFriction<'_> {
     fn section(&self, section: &str) -> String {
         let lines = self.fit.estimates.iter().filter_map(|Estimate { unknown, value, .. }| {
             let (of, key) = unknown.name().split_once('.').unwrap_or(("laboratory", unknown.name()));
-            let line = format!("{key} = {value:e}  # {}", unit(*unknown));
+            let best = if self.fit.is_minimum { "" } else { "the best so far" };
+            let line = format!("{key} = {value:e}  # {}", format!("{} {best}", unit(*unknown)).trim());
             (of == section).then(|| format!("{}\n", line.trim_end_matches("  # ")))
         });
         let lines: String = lines.collect();
@@ -50,10 +51,15 @@ impl FittedFriction<'_> {
         let FrictionFit { points, evaluations, .. } = self.fit;
         let names: Vec<String> = self.measured.files.iter().map(|file| shown(file)).collect();
         format!(
-            "{} of {}, {} solved {evaluations} times\n\n",
+            "{} of {}, {} solved {evaluations} times\n{}\n",
             count(points.len() as u64, "point"),
             names.join(" and "),
             if points.len() == 1 { "it was" } else { "all of them were" },
+            if self.fit.is_minimum {
+                ""
+            } else {
+                "NO MINIMUM: the time was up; the best values so far, without errors\n"
+            },
         )
     }
 
@@ -78,7 +84,7 @@ impl FittedFriction<'_> {
     }
 
     fn correlations(&self) -> String {
-        if self.fit.estimates.len() == 1 {
+        if self.fit.estimates.len() == 1 || !self.fit.is_minimum {
             return String::new();
         }
         let mut text = "\ncorrelations\n".to_owned();
@@ -162,6 +168,7 @@ impl FittedFriction<'_> {
             "degrees_of_freedom": fit.degrees_of_freedom,
             "reduced_chi_squared": fit.reduced_chi_squared,
             "evaluations": fit.evaluations,
+            "is_minimum": fit.is_minimum,
             "intervals": self.intervals,
             "points": points,
         });
@@ -216,7 +223,9 @@ impl FittedFriction<'_> {
             .iter()
             .map(|it| format!("{} = {}", it.unknown.name(), short(it.value, it.error, it.unknown.units())));
         let labels = [along, "friction coefficient μ"];
-        chart("friction, measured and fitted", found.collect::<Vec<_>>().join(", "), labels, curves)
+        let found = found.collect::<Vec<_>>().join(", ");
+        let subtitle = if fit.is_minimum { found } else { format!("no minimum, the best so far: {found}") };
+        chart("friction, measured and fitted", subtitle, labels, curves)
     }
 
     /// Residuals over speed.

@@ -3,18 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::fitted_material::FittedMaterial;
-use super::measured::ColumnArguments;
-use super::output_file::{OutputFiles, or_empty};
+use super::measured::{self, Choices, ColumnArguments};
+use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::prony_material::PronyMaterial;
-use super::{CliError, Exit, console};
+use super::{CliError, Exit, console, shifted};
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::shown;
 use stribeck_lab::{
     Dimension, Isotherms, MasterCurve, MaterialData, MaterialFile, MaterialOptions, Measurements, RelaxationFit,
-    ShiftFactors, TermChoice, parse_temperature,
+    ShiftFactors, TermChoice, VerticalShift, parse_temperature,
 };
 
 #[derive(Clone, Debug, Args)]
@@ -53,14 +53,42 @@ pub struct Arguments {
     /// A table of shift factors, by which moduli are shifted, instead of those that are found
     #[arg(long, value_name = "FILE")]
     shift_factors: Option<PathBuf>,
+    /// What columns of the shift factors hold, as in "temperature=#1 (degC),log_shift_factor=#2"
+    #[arg(long, value_name = "NAME=COLUMN,…", requires = "shift_factors", value_parser = measured::choices)]
+    shift_columns: Vec<Choices>,
+    /// Multiply the moduli at T by b_T, too: by what fits the overlaps best, or by rho_0 T_0 / (rho T)
+    #[arg(long, value_enum, value_name = "HOW", default_value_t)]
+    vertical_shift: Vertical,
+    /// Thermal expansion of the volume in 1/K, for the density of --vertical-shift density
+    #[arg(long, value_name = "PER_K", value_parser = expansion)]
+    expansion: Option<f64>,
     #[command(flatten)]
     columns: ColumnArguments,
     /// A picture of measurements and fit, SVG or PNG by its extension
     #[arg(short, long, value_name = "FILE", value_parser = picture)]
     output: Option<(PathBuf, Format)>,
+    /// A picture of log a_T and its laws over the temperature; one of what they miss it by is NAME-residuals beside it
+    #[arg(long, value_name = "FILE", value_parser = picture)]
+    shift_picture: Option<(PathBuf, Format)>,
     /// JSON instead of a table
     #[arg(long)]
     json: bool,
+}
+
+/// How moduli are shifted beside their rates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Vertical {
+    /// Not at all
+    #[default]
+    None,
+    /// By the least squares of the overlaps
+    Fit,
+    /// As for a rubber, by rho_0 T_0 / (rho T)
+    Density,
+}
+
+fn expansion(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|it| (0.0..=2e-3).contains(it)).ok_or("a number from 0 to 0.002; rubber has 6e-4")
 }
 
 /// The number of terms of a fit.
@@ -116,7 +144,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             let refused = |source| CliError::Series { file: arguments.data.clone(), source };
             let relaxation = series.relaxation().map_err(refused)?;
             let material = PronyMaterial { name: &name, series, relaxation: &relaxation };
-            return finish(arguments, &material.table(), &material.json(), &material.chart());
+            let drawn = Drawn { chart: material.chart(), master_curve: None };
+            return finish(arguments, &material.table(), &material.json(), drawn);
         }
         MaterialData::Moduli(measurements) => shifted_already(arguments, measurements)?,
         MaterialData::Isotherms(isotherms) => at_one_temperature(arguments, isotherms)?,
@@ -137,7 +166,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         choice: choice.as_ref(),
         master_curve: measured.master_curve.as_ref(),
     };
-    finish(arguments, &material.table(), &material.json(), &material.chart())
+    let drawn = Drawn { chart: material.chart(), master_curve: measured.master_curve.as_ref() };
+    finish(arguments, &material.table(), &material.json(), drawn)
 }
 
 /// Measurements at one temperature, and how they came there.
@@ -153,7 +183,7 @@ fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result
         (None, Some(_)) => return Err(CliError::NoTemperatures { data: arguments.data.clone() }),
         (Some(file), reference) => {
             let refused = |source| CliError::MasterCurve { data: file.clone(), source };
-            let factors = read_factors(file)?;
+            let factors = read_factors(arguments, file)?;
             Some(MasterCurve::of_shifted(measurements.clone(), &factors, reference).map_err(refused)?)
         }
     };
@@ -161,8 +191,8 @@ fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result
 }
 
 /// Reads shift factors, and tells what was understood of them.
-fn read_factors(file: &Path) -> Result<ShiftFactors, CliError> {
-    let (factors, understood) = ShiftFactors::read(file)?;
+fn read_factors(arguments: &Arguments, file: &Path) -> Result<ShiftFactors, CliError> {
+    let (factors, understood) = ShiftFactors::read(file, &measured::all(&arguments.shift_columns))?;
     console::tell(understood.to_string().trim_end());
     Ok(factors)
 }
@@ -170,12 +200,17 @@ fn read_factors(file: &Path) -> Result<ShiftFactors, CliError> {
 /// Shifts isotherms to the reference temperature; a single one without a reference stays as it is.
 fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Measured, CliError> {
     let refused = |source| CliError::MasterCurve { data: arguments.data.clone(), source };
+    let vertical = match arguments.vertical_shift {
+        Vertical::None => VerticalShift::None,
+        Vertical::Fit => VerticalShift::Overlap,
+        Vertical::Density => VerticalShift::Density { expansion: arguments.expansion.unwrap_or(0.0) },
+    };
     let curve = match (&arguments.shift_factors, arguments.reference_temperature) {
         (Some(file), reference) => {
-            let factors = read_factors(file)?;
-            MasterCurve::by_factors(isotherms, &factors, reference).map_err(refused)?
+            let factors = read_factors(arguments, file)?;
+            MasterCurve::by_factors(isotherms, &factors, reference, vertical).map_err(refused)?
         }
-        (None, Some(reference)) => MasterCurve::by_overlap(isotherms, reference).map_err(refused)?,
+        (None, Some(reference)) => MasterCurve::by_overlap(isotherms, reference, vertical).map_err(refused)?,
         (None, None) => {
             let [only] = isotherms.all() else {
                 return Err(CliError::SeveralTemperatures { data: arguments.data.clone(), range: isotherms.range() });
@@ -186,12 +221,32 @@ fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Me
     Ok(Measured { measurements: curve.measurements.clone(), master_curve: Some(curve) })
 }
 
-/// Prints a material and paints its picture.
-fn finish(arguments: &Arguments, table: &str, json: &str, chart: &Chart) -> Result<Exit, CliError> {
-    let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
+/// What pictures show of a material.
+struct Drawn<'a> {
+    chart: Chart,
+    master_curve: Option<&'a MasterCurve>,
+}
+
+/// Prints a material and paints its pictures.
+fn finish(arguments: &Arguments, table: &str, json: &str, drawn: Drawn<'_>) -> Result<Exit, CliError> {
+    let mut charts = Vec::new();
     if let Some((file, format)) = &arguments.output {
-        let inputs = arguments.shift_factors.iter().chain([&arguments.data]).map(PathBuf::as_path);
-        OutputFiles::new("material", inputs).check(file, or_empty(is_picture))?.write(&chart.paint(*format)?)?;
+        charts.push((file.clone(), *format, drawn.chart));
+    }
+    if let Some((file, format)) = &arguments.shift_picture {
+        let curve = drawn.master_curve.ok_or_else(|| CliError::NoShifts { data: arguments.data.clone() })?;
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let beside = file.with_file_name(format!("{name}-residuals.{}", format.extension()));
+        charts.push((file.clone(), *format, shifted::factor_chart(curve)));
+        charts.push((beside, *format, shifted::residual_chart(curve)));
+    }
+    let inputs = arguments.shift_factors.iter().chain([&arguments.data]).map(PathBuf::as_path);
+    let files = OutputFiles::new("material", inputs);
+    let outputs = charts.iter().map(|(file, ..)| files.check(file, or_empty(is_picture)));
+    let outputs = outputs.collect::<Result<Vec<OutputFile>, _>>()?;
+    let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
+    for (output, (file, format, chart)) in outputs.into_iter().zip(&charts) {
+        output.write(&chart.paint(*format)?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

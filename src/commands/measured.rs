@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::{CliError, console};
-use stribeck_lab::{ColumnChoice, Measured};
+use stribeck_lab::{ColumnChoice, LaboratoryQuantity, Measured};
+use stribeck_sweep::store::DataSet;
 
 /// Options of commands that lay measured points over solutions.
 #[derive(Clone, Debug, Args)]
@@ -27,17 +28,23 @@ pub struct ColumnArguments {
 
 /// The choices of one option.
 #[derive(Clone, Debug)]
-struct Choices(Vec<ColumnChoice>);
+pub struct Choices(Vec<ColumnChoice>);
 
-fn choices(text: &str) -> Result<Choices, String> {
+/// The choices of a text.
+pub fn choices(text: &str) -> Result<Choices, String> {
     ColumnChoice::list(text).map(Choices)
 }
 
 impl ColumnArguments {
     /// All choices.
     pub fn choices(&self) -> Vec<ColumnChoice> {
-        self.columns.iter().flat_map(|choices| choices.0.clone()).collect()
+        all(&self.columns)
     }
+}
+
+/// The choices of an option that is given once or several times.
+pub fn all(options: &[Choices]) -> Vec<ColumnChoice> {
+    options.iter().flat_map(|choices| choices.0.clone()).collect()
 }
 
 impl MeasuredArguments {
@@ -46,15 +53,24 @@ impl MeasuredArguments {
         self.measured.iter().map(PathBuf::as_path)
     }
 
-    /// Reads the points, if there are some, and tells what was understood.
-    pub fn read(&self) -> Result<Option<Measured>, CliError> {
-        self.measured.as_deref().map(|path| read(path, &self.columns)).transpose()
+    /// Reads the points, if there are some, and tells what was understood; speeds in turns need the radius of the
+    /// cylinder (m).
+    pub fn read(&self, radius: Option<f64>) -> Result<Option<Measured>, CliError> {
+        self.measured.as_deref().map(|path| read(path, &self.columns, radius)).transpose()
     }
 }
 
 /// Reads measured points, and tells on stderr what was understood of them.
-pub fn read(path: &Path, columns: &ColumnArguments) -> Result<Measured, CliError> {
-    let (measured, understood) = Measured::read(path, &columns.choices())?;
+pub fn read(path: &Path, columns: &ColumnArguments, radius: Option<f64>) -> Result<Measured, CliError> {
+    let (measured, understood) = Measured::read(path, &columns.choices(), radius)?;
     console::tell(understood.to_string().trim_end());
     Ok(measured)
+}
+
+/// The radius of the cylinder of a published sweep (m), where it has one value.
+pub fn radius(data: &DataSet) -> Option<f64> {
+    let name = LaboratoryQuantity::Radius.name();
+    let axis = data.dimensions.iter().find(|dimension| dimension.name == name).filter(|it| it.values.len() == 1);
+    let fixed = data.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
+    fixed.or_else(|| axis.map(|axis| axis.values[0]))
 }

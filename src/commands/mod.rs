@@ -16,7 +16,7 @@
 //! | `solution` | one solved case as a table and as JSON |
 //! | `fitted_material`, `fitted_friction` | a fit as a table, as JSON and as charts |
 //! | `prony_material` | a Prony series that was read, likewise |
-//! | `material_text`, `shifted` | a material and a master curve as lines of text and as JSON |
+//! | `material_text`, `shifted` | a material and a master curve as lines of text, as JSON and as charts |
 //! | `error`, `console` | errors with their exit codes; output |
 //! | `shell`, `threads` | quoted commands; number of threads |
 //! | `number` | numbers of the command line |
@@ -136,6 +136,8 @@ enum Exit {
     CasesFailed,
     /// Damage was found.
     Damaged,
+    /// A time limit ended it: what was found so far is printed.
+    TimeIsUp,
     /// Stopped by a signal.
     Interrupted,
 }
@@ -147,6 +149,7 @@ impl Exit {
             Exit::DoesNotHold => 1,
             Exit::CasesFailed => 3,
             Exit::Damaged => 4,
+            Exit::TimeIsUp => 5,
             Exit::Interrupted => 130,
         }
     }

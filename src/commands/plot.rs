@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::measured::MeasuredArguments;
+use super::measured::{self, MeasuredArguments};
 use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console, published};
@@ -115,7 +115,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             None
         }
     };
-    let measured = arguments.measured.read()?;
+    let measured = arguments.measured.read(measured::radius(&data))?;
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
     let values: Vec<(String, Vec<f64>)> = named.chain(arguments.at.iter().cloned()).collect();

@@ -94,6 +94,19 @@ pub struct TemperatureLaws {
 }
 
 impl TemperatureLaws {
+    /// What a quantity is, in words; what a law changes belongs to the reference temperature of that law.
+    pub fn long_name(&self, quantity: LaboratoryQuantity) -> &'static str {
+        match quantity {
+            LaboratoryQuantity::Viscosity if self.viscosity.is_some() => {
+                "viscosity of the fluid at the reference temperature of its law"
+            }
+            LaboratoryQuantity::RetardationTime if self.flat.is_some() => {
+                "retardation time of the substrate at the reference temperature of its shift"
+            }
+            other => other.long_name(),
+        }
+    }
+
     /// True where every law has a value.
     pub fn admit(&self, temperature: f64) -> bool {
         let shifts = [self.flat, self.roller].into_iter().flatten().all(|law| law.shift_factor(temperature).is_some());
@@ -225,6 +238,21 @@ impl Experiment {
         Parameters::of_two_bodies([alpha, self.beta(), f], &flat, &roller).expect("parts of f add up to 1")
     }
 
+    /// Names of the numbers that temperature changes, with unit and description, in the order of
+    /// [`Experiment::variables`], behind those of [`Scales::VARIABLES`].
+    pub const AT_TEMPERATURE: [(&'static str, &'static str, &'static str); 2] = [
+        ("viscosity_at_temperature", "Pa s", "viscosity of the fluid at the temperature"),
+        ("retardation_time_at_temperature", "s", "retardation time of the substrate at the temperature"),
+    ];
+
+    /// What is published beside the solution, with name, unit and description: the scales, and what temperature changes
+    /// if there is one.
+    pub fn variables(&self) -> impl Iterator<Item = ((&'static str, &'static str, &'static str), f64)> {
+        let at_temperature = [self.viscosity_there(), self.flat_time()];
+        let shifted = Self::AT_TEMPERATURE.into_iter().zip(at_temperature).filter(|_| self.temperature.is_some());
+        Scales::VARIABLES.into_iter().zip(self.scales().values()).chain(shifted)
+    }
+
     /// The units of its solution.
     pub fn scales(&self) -> Scales {
         let length = self.contact_length();
@@ -249,6 +277,11 @@ impl Experiment {
             LaboratoryQuantity::Temperature => self.temperature.map_or(f64::NAN, |temperature| temperature.value),
             speed => self.motion.value(speed),
         }
+    }
+
+    /// What a quantity is, in words.
+    pub fn long_name(&self, quantity: LaboratoryQuantity) -> &'static str {
+        self.temperature.map_or(quantity.long_name(), |temperature| temperature.laws.long_name(quantity))
     }
 
     /// The quantities that are given, in the order of [`LaboratoryQuantity::ALL`]: one of the moduli, and the speeds of

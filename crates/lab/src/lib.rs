@@ -23,13 +23,13 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `quantity`, `units`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
+//! | `quantity`, `units`, `temperature_unit`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
 //! | `motion` | speeds of both surfaces |
 //! | `roller` | what the roller is made of |
 //! | `temperature`, `viscosity_law` | how times and viscosity change with temperature |
 //! | `experiment`, `scales` | an experiment and its dimensionless case; results in SI units |
 //! | `material` | relaxation and creep of a substrate; fits to measured moduli |
-//! | `table` | tables of numbers as laboratories have them |
+//! | [`table`] | tables of numbers as laboratories have them |
 //! | `measured` | measured friction |
 //! | `friction_fit` | fits to measured friction |
 
@@ -42,8 +42,9 @@ mod notation;
 mod quantity;
 mod roller;
 mod scales;
-mod table;
+pub mod table;
 mod temperature;
+mod temperature_unit;
 mod units;
 mod viscosity_law;
 
@@ -55,17 +56,15 @@ pub use material::{
     Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
     MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,
     PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors,
-    ShiftFactorsError, TermChoice,
+    ShiftFactorsError, TermChoice, VerticalShift,
 };
 pub use measured::Measured;
 pub use motion::Motion;
 pub use quantity::LaboratoryQuantity;
 pub use roller::{Roller, RollerQuantity};
 pub use scales::{Scales, si_units};
-pub use table::{
-    Column, ColumnChoice, Columns, Decimal, Decoded, Field, Heading, Layout, LeftOutColumn, Measures, Row, Separator,
-    Table, TableError, TableFile, Understood, decode,
-};
-pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit, TemperatureUnit, parse_temperature};
+pub use table::{ColumnChoice, TableError, Understood};
+pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit};
+pub use temperature_unit::parse_temperature;
 pub use units::{Conversion, Dimension};
 pub use viscosity_law::{ViscosityLaw, ViscosityTable};

@@ -1,6 +1,6 @@
 //! Quantities of the laboratory: what an experiment has in place of α and β.
 
-use crate::{Dimension, parse_temperature};
+use crate::Dimension;
 use stribeck_input::{Entry, Fault, Values};
 
 /// A quantity of an experiment, in SI units.
@@ -84,14 +84,14 @@ impl LaboratoryQuantity {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 
-    /// What it measures; `None` for ratios, which have no unit, and for the temperature, whose units have zeros of
-    /// their own.
+    /// What it measures; `None` for ratios, which have no unit.
     pub fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Radius => Some(Dimension::Length),
             Self::Load => Some(Dimension::LineLoad),
             Self::RelaxedModulus | Self::InstantaneousModulus => Some(Dimension::Modulus),
-            Self::PoissonRatio | Self::SlideRollRatio | Self::Temperature => None,
+            Self::PoissonRatio | Self::SlideRollRatio => None,
+            Self::Temperature => Some(Dimension::Temperature),
             Self::Viscosity => Some(Dimension::Viscosity),
             Self::RetardationTime => Some(Dimension::Time),
             Self::Speed | Self::RollerSpeed | Self::EntrainmentSpeed | Self::FlatSpeed => Some(Dimension::Speed),
@@ -100,10 +100,7 @@ impl LaboratoryQuantity {
 
     /// SI unit; `1` for ratios.
     pub fn units(self) -> &'static str {
-        match self {
-            Self::Temperature => "K",
-            other => other.dimension().map_or("1", Dimension::unit),
-        }
+        self.dimension().map_or("1", Dimension::unit)
     }
 
     /// What it is, in words.
@@ -171,11 +168,6 @@ impl Values for LaboratoryQuantity {
     /// A number in SI units or with a unit, within what the quantity [admits](LaboratoryQuantity::admits).
     fn read(&self, entry: &Entry<'_>) -> Result<f64, Fault> {
         let value = match self.dimension() {
-            None if *self == Self::Temperature && entry.is_text() => {
-                let what = "a temperature has a unit, as in \"20 degC\" or \"293.15 K\"";
-                let help = "K, degC and degF are known";
-                parse_temperature(entry.text()?).ok_or_else(|| entry.fault(what, "no temperature", help))?
-            }
             Some(dimension) => dimension.read_number(entry)?,
             None => entry.number()?,
         };

@@ -12,9 +12,13 @@ use uom::si::{
     surface_tension, time, velocity,
 };
 
-use crate::TemperatureUnit;
 use crate::notation::{Comma, canonical, in_si, parts, with_point};
+use crate::temperature_unit;
+use std::f64::consts::TAU;
 use stribeck_input::{Entry, Fault, Values};
+
+/// How people write turns in a minute, beside rpm.
+const TURNS_A_MINUTE: [&str; 5] = ["1/min", "U/min", "rev/min", "r/min", "turns/min"];
 
 /// What a value with a unit measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,9 +52,9 @@ pub enum Dimension {
 /// How a number in some unit becomes one in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conversion {
-    factor: f64,
+    pub(crate) factor: f64,
     /// Added after the factor.
-    offset: f64,
+    pub(crate) offset: f64,
 }
 
 impl Conversion {
@@ -66,6 +70,11 @@ impl Conversion {
     pub fn in_si(self, number: f64) -> f64 {
         let scaled = in_si(number, self.factor);
         if self.offset == 0.0 { scaled } else { scaled + self.offset }
+    }
+
+    /// A difference of two such numbers in SI units.
+    pub fn of_difference(self, number: f64) -> f64 {
+        in_si(number, self.factor)
     }
 }
 
@@ -140,6 +149,7 @@ impl Dimension {
             Dimension::Speed => factor!(Velocity, velocity, meter_per_second),
             Dimension::Frequency => factor!(Frequency, frequency, hertz),
             Dimension::AngularFrequency if unit == "1/s" => Some(1.0),
+            Dimension::AngularFrequency if TURNS_A_MINUTE.contains(&unit) => Some(TAU / 60.0),
             Dimension::AngularFrequency => factor!(AngularVelocity, angular_velocity, radian_per_second),
             Dimension::Angle => factor!(Angle, angle, radian),
             Dimension::Force => factor!(Force, force, newton),
@@ -161,8 +171,7 @@ impl Dimension {
     /// What becomes of numbers in a unit, written in any way; `None` if the unit has another dimension.
     pub fn conversion(self, unit: &str) -> Option<Conversion> {
         if self == Dimension::Temperature {
-            let unit = TemperatureUnit::named(unit)?;
-            return Some(Conversion { factor: unit.kelvins_of_difference(1.0), offset: unit.kelvins(0.0) });
+            return temperature_unit::conversion(unit);
         }
         self.factor(&canonical(unit)).map(Conversion::by)
     }
@@ -278,6 +287,10 @@ mod tests {
             (Dimension::Viscosity, "3 P", 0.3),
             (Dimension::Modulus, "3 N/m2", 3.0),
             (Dimension::AngularFrequency, "3 s^-1", 3.0),
+            (Dimension::AngularFrequency, "30 rpm", TAU / 2.0),
+            (Dimension::AngularFrequency, "30 1/min", TAU / 2.0),
+            (Dimension::AngularFrequency, "30 min^-1", TAU / 2.0),
+            (Dimension::AngularFrequency, "30 U/min", TAU / 2.0),
             (Dimension::AngularFrequency, "3 rad s-1", 3.0),
             (Dimension::Temperature, "20 degC", 293.15),
             (Dimension::Temperature, "20 °C", 293.15),

@@ -1,5 +1,6 @@
 //! Laws of materials, units and fits: one module a subject.
 
+mod dialects;
 mod friction_fit;
 mod material;
 mod measured;

@@ -7,7 +7,7 @@ use stribeck_lab::{ColumnChoice, Measured, TableError};
 /// The points in a text, and what was understood of it.
 fn points(text: &str, columns: &str) -> Result<(Measured, String), String> {
     let choices = if columns.is_empty() { Vec::new() } else { ColumnChoice::list(columns)? };
-    match Measured::of(Path::new("points.csv"), text.as_bytes(), &choices) {
+    match Measured::of(Path::new("points.csv"), text.as_bytes(), &choices, None) {
         Ok((measured, understood)) => Ok((measured, understood.to_string())),
         Err(error) => Err(error.to_string()),
     }
@@ -58,7 +58,7 @@ fn what_is_wrong_is_named_with_its_place() {
         ("speed (Pa),mu\n1,1\n", "points.csv: its column `speed (Pa)` is in Pa: a modulus, not a speed"),
         (
             "speed (parrot),mu\n1,1\n",
-            "points.csv: its column `speed (parrot)` is in `parrot`, no unit that is known here; write (m/s), or a unit of \
+            "points.csv: its column `speed (parrot)` is in `parrot`, no unit that is known here; write (m/s or rad/s), or a unit of \
              that kind",
         ),
         (
@@ -80,7 +80,7 @@ fn what_is_wrong_is_named_with_its_place() {
     ] {
         assert_eq!(read(text).unwrap_err(), expected, "{text}");
     }
-    let missing = Measured::read(Path::new("nowhere.csv"), &[]).unwrap_err();
+    let missing = Measured::read(Path::new("nowhere.csv"), &[], None).unwrap_err();
     assert!(matches!(missing, TableError::Unreadable { .. }) && missing.to_string().contains("nowhere.csv"));
 }
 
@@ -88,7 +88,7 @@ fn what_is_wrong_is_named_with_its_place() {
 #[test]
 fn steps_of_readings_are_points_with_their_errors() {
     let bytes = include_bytes!("findings/table/steps-of-readings.txt");
-    let (found, understood) = Measured::of(Path::new("steps.txt"), bytes, &[]).expect("steps");
+    let (found, understood) = Measured::of(Path::new("steps.txt"), bytes, &[], None).expect("steps");
     assert_eq!(found.friction.len(), 2);
     // 0.1, 0.101 and 0.099 scatter by 1 %, 0.2 ± 0.001 by 0.5 %: together by √((1² + 0.5²)/2) %
     assert!((found.friction[0] - 0.1).abs() < 1e-15 && (found.friction[1] - 0.2).abs() < 1e-15);
@@ -191,7 +191,7 @@ fn repeated_readings_are_one_point() {
 
 #[test]
 fn files_are_joined_where_they_hold_the_same() {
-    let part = |name: &str, text: &str| Measured::of(Path::new(name), text.as_bytes(), &[]).expect("points").0;
+    let part = |name: &str, text: &str| Measured::of(Path::new(name), text.as_bytes(), &[], None).expect("points").0;
     let [one, two] = [part("a.csv", "speed,mu\n1,0.5\n"), part("b.csv", "mu;speed (mm/s)\n0,4;3\n")];
     let whole = Measured::join([one.clone(), two]).expect("alike");
     assert_eq!((whole.coordinate("speed"), &whole.friction[..]), (Some(&[1.0, 3e-3][..]), &[0.5, 0.4][..]));
@@ -210,13 +210,64 @@ fn files_are_joined_where_they_hold_the_same() {
 #[test]
 fn a_workbook_is_read_as_a_table() {
     let bytes = include_bytes!("findings/table/two-sheets.xlsx");
-    let (found, said) = Measured::of(Path::new("a.xlsx"), bytes, &[]).expect("a workbook");
+    let (found, said) = Measured::of(Path::new("a.xlsx"), bytes, &[], None).expect("a workbook");
     assert_eq!((found.coordinate("speed"), &found.friction[..]), (Some(&[1e-3, 2.5e-3][..]), &[0.5, 0.25][..]));
     assert_eq!(found.places, [(0, 4), (0, 5)]);
     assert!(said.to_string().starts_with("a.xlsx: workbook, sheet Friction; 2 rows\n"), "{said}");
     for (bytes, expected) in [(&b"PK\x03\x04 no archive"[..], "no workbook"), (b"\xd0\xcf\x11\xe0", "of the old kind")]
     {
-        let error = Measured::of(Path::new("a.xlsx"), bytes, &[]).unwrap_err().to_string();
+        let error = Measured::of(Path::new("a.xlsx"), bytes, &[], None).unwrap_err().to_string();
         assert!(error.contains(expected), "{error}");
     }
+}
+
+/// A cylinder of 10 mm that turns sixty times a minute moves at 2π cm/s; whose radius it is must be known.
+#[test]
+fn turns_are_speeds_by_the_radius() {
+    use std::f64::consts::TAU;
+    let of = |text: &str, radius: Option<f64>| Measured::of(Path::new("a.csv"), text.as_bytes(), &[], radius);
+    let speeds = |text: &str, radius: Option<f64>, name: &str| {
+        let (points, said) = of(text, radius).unwrap_or_else(|error| panic!("{error}"));
+        (points.coordinate(name).expect(name).to_vec(), said.to_string())
+    };
+    for (text, name) in [
+        ("speed (rpm),mu\n60,0.5\n", "speed"),
+        ("Geschwindigkeit [U/min];Reibwert\n60;0,5\n", "speed"),
+        ("speed (1/min),mu\n60,0.5\n", "speed"),
+        ("speed (rad/s),mu\n6.283185307179586,0.5\n", "speed"),
+        ("roller_speed (rpm),flat_speed,mu\n60,0.1,0.5\n", "roller_speed"),
+    ] {
+        let (found, said) = speeds(text, Some(0.01), name);
+        assert!((found[0] / (0.01 * TAU) - 1.0).abs() < 1e-14, "{text}: {found:?}");
+        assert!(said.contains("speeds in turns are multiplied by 0.01 m, the radius of the cylinder"), "{said}");
+        let error = of(text, None).unwrap_err().to_string();
+        assert!(
+            error.contains("is in turns, not a speed") && error.contains("give [laboratory] one radius"),
+            "{error}"
+        );
+    }
+    // a radius in the file goes before the other one
+    let (found, _) = speeds("radius (mm),speed (rpm),mu\n10,60,0.5\n20,60,0.4\n", Some(1.0), "speed");
+    assert!((found[0] / (0.01 * TAU) - 1.0).abs() < 1e-14 && (found[1] / found[0] - 2.0).abs() < 1e-14, "{found:?}");
+    // turns of a flat, or of both, are about another axis
+    for name in ["flat_speed", "entrainment_speed"] {
+        let error = of(&format!("{name} (rpm),slide_roll_ratio,mu\n60,1,0.5\n"), Some(0.01)).unwrap_err().to_string();
+        assert!(error.contains("turns, not a speed"), "{error}");
+    }
+}
+
+/// What German instruments and people write.
+#[test]
+fn german_names_are_known() {
+    let text = "Geschwindigkeit (mm/s);Schlupf (%);Linienlast (N/mm);Temperatur (°C);Reibungszahl;Standardabweichung\n\
+                10;100;0,5;20;0,25;0,01\n";
+    let (points, said) = Measured::of(Path::new("a.csv"), text.as_bytes(), &[], None).expect("points");
+    let at = |name: &str| points.coordinate(name).unwrap_or_else(|| panic!("{name}\n{said}"))[0];
+    let found = ["speed", "slide_roll_ratio", "load", "temperature"].map(at);
+    assert_eq!((found, points.friction[0]), ([0.01, 1.0, 500.0, 293.15], 0.25));
+    assert_eq!(points.errors.as_deref(), Some(&[0.01][..]));
+    let text = "Gleitgeschwindigkeit [m/s]\tNormalkraft [N]\tReibwert\n0,1\t20\t0,3\n";
+    let (points, said) = Measured::of(Path::new("a.csv"), text.as_bytes(), &[], None).expect("points");
+    assert_eq!((points.coordinate("speed"), &points.friction[..]), (Some(&[0.1][..]), &[0.3][..]));
+    assert!(said.to_string().contains("a force; a load is per length"), "{said}");
 }

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use stribeck_lab::{Dimension, Field, Measures, Table, TableFile};
+use stribeck_lab::Dimension;
+use stribeck_lab::table::{ColumnChoice, Field, Measures, Table, TableFile};
 
 const SPEEDS: &[Dimension] = &[Dimension::Speed];
 const FIELDS: [Field; 2] = [
@@ -112,7 +113,7 @@ fn a_table_has_its_lines_above_and_its_units_below() {
     let file = read(&bytes);
     let [table] = &file.tables[..] else { panic!("{file:?}") };
     assert_eq!(table.above, [(1, "T=-10;Mw=94.9;label=made".to_owned())]);
-    let choices = stribeck_lab::ColumnChoice::list("speed=V").expect("a choice");
+    let choices = ColumnChoice::list("speed=V").expect("a choice");
     let columns = table.columns(&FIELDS, &choices).expect("both");
     let speed = columns.find("speed").expect("chosen");
     assert_eq!(table.rows().map(|row| speed.value(&row)).collect::<Vec<_>>(), [Some(1e-6), Some(2.5e-6)]);
@@ -133,7 +134,7 @@ fn tables_of_one_file_are_kept_apart() {
 fn rows_without_names_are_a_table_of_numbered_columns() {
     let file = read(b"0.1,0.8,0.15\n0.3,0.9,0.14\n");
     let [table] = &file.tables[..] else { panic!("{file:?}") };
-    let choices = stribeck_lab::ColumnChoice::list("speed=#1 (mm/s),mu=#3").expect("choices");
+    let choices = ColumnChoice::list("speed=#1 (mm/s),mu=#3").expect("choices");
     let columns = table.columns(&FIELDS, &choices).expect("both");
     let value = |name: &str| table.rows().map(|row| columns.find(name)?.value(&row)).collect::<Vec<_>>();
     assert_eq!(value("speed"), [Some(1e-4), Some(3e-4)]);
@@ -158,8 +159,13 @@ mod law;
 fn findings_keep_the_law() {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/findings/table");
     let files = std::fs::read_dir(directory).expect("a directory").map(|entry| entry.expect("an entry").path());
-    let count = files.map(|file| law::check(&std::fs::read(file).expect("a file"))).count();
-    assert!(count >= 12, "{count}");
+    let count = files.map(|file| check(&std::fs::read(file).expect("a file"))).count();
+    assert!(count >= 15, "{count}");
+}
+
+fn check(bytes: &[u8]) {
+    law::check(bytes);
+    law::check_material(bytes);
 }
 
 /// Pieces that tables are made of.
@@ -204,12 +210,12 @@ proptest! {
 
     #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-        law::check(&bytes);
+        check(&bytes);
     }
 
     #[test]
     fn no_pieces_of_tables_make_it_panic(pieces in prop::collection::vec(piece(), 0..60)) {
-        law::check(pieces.concat().as_bytes());
+        check(pieces.concat().as_bytes());
     }
 }
 

@@ -52,7 +52,9 @@ pub fn fit(py: Python<'_>, request: Request) -> PyResult<Bound<'_, PyDict>> {
         .iter()
         .map(|(name, least, most)| unknown(name).map(|unknown| Bounds { unknown, least: *least, most: *most }));
     let bounds = bounds.collect::<PyResult<Vec<_>>>()?;
-    let (measured, understood) = request.measured()?;
+    let is_unknown = unknowns.iter().any(|unknown| unknown.name() == LaboratoryQuantity::Radius.name());
+    let radius = sweep.grid.radius().filter(|_| !is_unknown);
+    let (measured, understood) = request.measured(radius)?;
     let measured = points_to_fit(measured, &unknowns);
     let task = friction_task(&sweep, &measured, &unknowns, &bounds).map_err(errors::input)?;
     let (threads, interrupt) = (threads(request.threads)?, Interrupt::new());
@@ -87,14 +89,14 @@ fn unknown(name: &str) -> PyResult<Unknown> {
 
 impl Request {
     /// The measured points of all files, and what was understood of them.
-    fn measured(&self) -> PyResult<(Measured, String)> {
+    fn measured(&self, radius: Option<f64>) -> PyResult<(Measured, String)> {
         let choices = self.columns.as_deref().map(ColumnChoice::list).transpose().map_err(errors::input)?;
         let choices = choices.unwrap_or_default();
         let (mut parts, mut told) = (Vec::new(), String::new());
         for (path, content) in &self.files {
             let read = match content {
-                Some(bytes) => Measured::of(path, bytes, &choices),
-                None => Measured::read(path, &choices),
+                Some(bytes) => Measured::of(path, bytes, &choices, radius),
+                None => Measured::read(path, &choices, radius),
             };
             let (part, understood) = read.map_err(errors::input)?;
             told += &understood.to_string();

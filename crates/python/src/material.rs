@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck_lab::{
     ColumnChoice, MasterCurve, MaterialData, MaterialFile, MaterialFileError, MaterialOptions, Measurement,
-    Measurements, Modulus, ModulusKind, PronyParts, PronySeries, Relaxation, RelaxationFit, TermChoice,
+    Measurements, Modulus, ModulusKind, PronyParts, PronySeries, Relaxation, RelaxationFit, TermChoice, VerticalShift,
     parse_temperature,
 };
 
@@ -96,7 +96,8 @@ fn at_one_temperature(data: &MaterialData, reference: Option<&str>) -> Result<Me
     match (data, reference) {
         (MaterialData::Moduli(measurements), None) => Ok(measurements.clone()),
         (MaterialData::Isotherms(isotherms), Some(reference)) => {
-            MasterCurve::by_overlap(isotherms, reference).map(|it| it.measurements).map_err(|error| error.to_string())
+            let curve = MasterCurve::by_overlap(isotherms, reference, VerticalShift::None);
+            curve.map(|it| it.measurements).map_err(|error| error.to_string())
         }
         (MaterialData::Isotherms(isotherms), None) => match isotherms.all() {
             [only] => Ok(only.measurements.clone()),

@@ -4,7 +4,7 @@ use numpy::{Element, PyArray1};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use stribeck_lab::Scales;
+use stribeck_lab::Experiment;
 use stribeck_solver::Output;
 use stribeck_sweep::store::{CaseEntry, FurtherColumn, PlacedNumbers, Point, Status};
 use stribeck_sweep::{CaseId, Column, Dimension, Field, Note, Unit};
@@ -98,8 +98,10 @@ impl<'o> Results<'o> {
             let values = array(py, self.numbers(|it| it.point.numbers[i]));
             coordinates.add(name, values, describe(py, Some(Unit::ONE), long_name)?)?;
         }
-        for (i, (name, units, long_name)) in Scales::VARIABLES.into_iter().enumerate() {
-            let value = |it: &PlacedCase| it.point.experiment.map_or(f64::NAN, |it| it.scales().values()[i]);
+        let first = self.places.first().and_then(|place| place.point.experiment);
+        for (i, ((name, units, long_name), _)) in first.iter().flat_map(Experiment::variables).enumerate() {
+            let value = |it: &PlacedCase| it.point.experiment.and_then(|it| it.variables().nth(i));
+            let value = |it: &PlacedCase| value(it).map_or(f64::NAN, |(_, value)| value);
             coordinates.add(
                 name,
                 array(py, self.numbers(value)),

@@ -115,7 +115,9 @@ impl LaboratoryAxes {
     pub fn dimensions(&self) -> Vec<Dimension> {
         let of = |given: &Given| {
             let quantity = given.quantity;
-            Dimension::new(quantity.name(), quantity.units(), quantity.long_name(), &given.values)
+            let long_name =
+                if self.temperature_is_given() { self.laws.long_name(quantity) } else { quantity.long_name() };
+            Dimension::new(quantity.name(), quantity.units(), long_name, &given.values)
         };
         let strength = Dimension::strength(&self.f);
         std::iter::once(strength).chain(self.between().chain([self.speed()]).map(of)).collect()

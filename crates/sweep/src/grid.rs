@@ -1,7 +1,7 @@
 //! The places of a sweep: products of axes, dimensionless or of the laboratory.
 
 use crate::{Axes, Dimension, GridIndex, GridShape, LaboratoryAxes};
-use stribeck_lab::Experiment;
+use stribeck_lab::{Experiment, LaboratoryQuantity};
 use stribeck_solver::{Parameters, RetardationMode, Substrate};
 
 /// The grid of a sweep.
@@ -29,6 +29,13 @@ impl Grid {
             Grid::Dimensionless(axes) => Some(axes),
             Grid::Laboratory(_) => None,
         }
+    }
+
+    /// The radius of the cylinder (m), where a sweep of the laboratory has one.
+    pub fn radius(&self) -> Option<f64> {
+        let Grid::Laboratory(axes) = self else { return None };
+        let radius = axes.given.iter().find(|given| given.quantity == LaboratoryQuantity::Radius)?;
+        if let [radius] = radius.values[..] { Some(radius) } else { None }
     }
 
     /// The lengths of the grid.

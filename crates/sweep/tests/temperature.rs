@@ -1,5 +1,6 @@
 //! Temperature in sweeps: it shifts the times of each body and the viscosity by their own laws.
 
+use stribeck_lab::LaboratoryQuantity;
 use stribeck_sweep::{Grid, Sweep};
 
 fn parse(temperature: &str, viscosity: &str, bodies: &str) -> Result<Sweep, String> {
@@ -44,6 +45,32 @@ fn a_temperature_is_other_times_and_another_viscosity() {
     }
 }
 
+/// What is published at a temperature is what α and β are made of, and what is given is called that of the reference.
+#[test]
+fn published_times_and_viscosities_are_those_of_the_temperature() {
+    let shift = "shift = { law = \"wlf\", c1 = 10.0, c2 = \"80 K\", reference = \"20 degC\" }\n";
+    let law =
+        "{ law = \"arrhenius\", value = \"0.2 Pa s\", activation_energy = \"40 kJ/mol\", reference = \"20 degC\" }";
+    let sweep = parse("temperature = \"50 degC\"\n", law, &format!("[flat]\n{BODY}{shift}")).expect("valid");
+    let Grid::Laboratory(axes) = &sweep.grid else { panic!("it has quantities of the laboratory") };
+    let experiment = axes.experiment(sweep.grid.shape().index(0));
+    let number = |wanted: &str| {
+        let mut all = experiment.variables();
+        all.find(|((name, ..), _)| *name == wanted).unwrap_or_else(|| panic!("{wanted}")).1
+    };
+    let (a0, radius, speed) = (number("a0"), experiment.radius, 0.01);
+    let alpha = a0 / (speed * number("retardation_time_at_temperature"));
+    let beta = experiment.plane_strain_modulus() * a0.powi(4)
+        / (12.0 * number("viscosity_at_temperature") * speed * radius.powi(3));
+    assert!((alpha / experiment.alpha() - 1.0).abs() < 1e-12 && (beta / experiment.beta() - 1.0).abs() < 1e-12);
+    for quantity in [LaboratoryQuantity::Viscosity, LaboratoryQuantity::RetardationTime] {
+        assert!(experiment.long_name(quantity).contains("at the reference temperature"));
+    }
+    let plain = parse("", "0.2", &format!("[flat]\n{BODY}")).expect("valid");
+    let plain = plain.grid.experiment(plain.grid.shape().index(0)).expect("of the laboratory");
+    assert_eq!(plain.variables().count(), 4);
+}
+
 /// Each body has a law of its own: what warms the roller alone changes its modes and not those of the flat.
 #[test]
 fn the_roller_has_a_law_of_its_own() {
@@ -78,8 +105,8 @@ fn what_a_law_does_not_know_is_refused() {
     for (temperature, words) in [
         ("\"101 degC\"", "no value at 374.15 K"),
         ("20.0", "from 100 K to 2000 K"),
-        ("\"20\"", "a temperature has a unit"),
-        ("\"20 m\"", "a temperature has a unit"),
+        ("\"20\"", "must be a temperature, a number with a unit"),
+        ("\"20 m\"", "must be a temperature, in K or a unit of that kind"),
     ] {
         let error = at(temperature).expect_err(temperature);
         assert!(error.contains(words), "{error}");

@@ -96,17 +96,9 @@ pub enum FrictionFitError {
         /// The reason of its end.
         why: String,
     },
-    /// The search was told to stop.
-    #[error(
-        "the time is up after {evaluations} evaluations{}; give more time, or begin there",
-        best.as_ref().map_or_else(String::new, |best| format!(", the best so far with {best}"))
-    )]
-    TimeLimit {
-        /// The number of times that all points were solved.
-        evaluations: usize,
-        /// The best values so far, if there are some.
-        best: Option<String>,
-    },
+    /// The search was told to stop before there was anything.
+    #[error("the time is up before all points were solved once; give more time")]
+    TimeLimit,
     /// Some unknowns have the same effect.
     #[error(transparent)]
     Inseparable(#[from] Inseparable),
@@ -160,6 +152,8 @@ pub struct FrictionFit {
     pub reduced_chi_squared: f64,
     /// The number of times that all points were solved.
     pub evaluations: usize,
+    /// False if the search was told to stop: the values are the best so far, and nothing is known of their errors (NaN).
+    pub is_minimum: bool,
 }
 
 impl FrictionFit {
@@ -172,10 +166,12 @@ impl FrictionFit {
         Self::watched(task, &Watch { interrupt: &Interrupt::new(), evaluated: &|_, _| {} })
     }
 
-    /// Fits the unknowns of a task while somebody watches, and may end it.
+    /// Fits the unknowns of a task while somebody watches, and may end it: then it has the best values so far, and is
+    /// no minimum.
     ///
     /// # Errors
-    /// As [`FrictionFit::new`], and [`FrictionFitError::TimeLimit`] if the interrupt was requested.
+    /// As [`FrictionFit::new`], and [`FrictionFitError::TimeLimit`] if the interrupt was requested before the points
+    /// were solved once.
     pub fn watched(task: &FrictionTask<'_>, watch: &Watch<'_>) -> Result<Self, FrictionFitError> {
         let predictor = Predictor::new(task)?;
         let (found, evaluations) = search(task, &predictor, watch)?;
@@ -183,8 +179,10 @@ impl FrictionFit {
         let names: Vec<Unknown> = free.iter().map(|unknown| task.unknowns[*unknown]).collect();
         let known_errors = task.measured.errors.is_some();
         let jacobian = found.jacobian.select_columns(&free);
-        let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } =
-            statistics(&jacobian, &found.residuals, known_errors, &names)?;
+        let Statistics { errors, correlation, degrees_of_freedom, reduced_chi_squared } = match found.is_minimum {
+            true => statistics(&jacobian, &found.residuals, known_errors, &names)?,
+            false => Statistics::of_no_minimum(&found.residuals, names.len()),
+        };
         let place = |unknown: usize| free.iter().position(|free| *free == unknown);
         let estimates = task.unknowns.iter().enumerate().map(|(i, unknown)| Estimate {
             unknown: *unknown,
@@ -211,6 +209,7 @@ impl FrictionFit {
             degrees_of_freedom,
             reduced_chi_squared: reduced_chi_squared * found.scale * found.scale,
             evaluations,
+            is_minimum: found.is_minimum,
         })
     }
 }
@@ -229,10 +228,8 @@ fn search(
         .with_stepbound(FIRST_STEP);
     let (problem, report) = method.minimize(problem);
     let (evaluations, was_refused) = (problem.evaluations(), problem.was_refused());
-    if let Some(best) = problem.interrupted() {
-        let words = task.unknowns.iter().zip(best).map(|(unknown, value)| format!("{} = {value:.4e}", unknown.name()));
-        let best = Some(words.collect::<Vec<_>>().join(", "));
-        return Err(FrictionFitError::TimeLimit { evaluations, best });
+    if problem.interrupted() {
+        return problem.best().map(|found| (found, evaluations)).ok_or(FrictionFitError::TimeLimit);
     }
     let no_minimum = |why: String| Err(FrictionFitError::NoMinimum { evaluations, why });
     match report.termination {

@@ -29,8 +29,16 @@ pub(super) struct Problem<'a> {
     evaluations: usize,
     /// The number of evaluations in which cases had no solution.
     refused: usize,
-    /// The unknowns of the smallest residuals so far, and the sum of the squares.
-    best: (Vec<f64>, f64),
+    /// The smallest residuals so far.
+    best: Option<Best>,
+}
+
+/// The best of the evaluations: parameters and unknowns, what follows from them, and the sum of the squares.
+struct Best {
+    parameters: DVector<f64>,
+    unknowns: Vec<f64>,
+    prediction: Prediction,
+    sum: f64,
 }
 
 /// The end of a search. Residuals and Jacobian are those of the points over `scale`.
@@ -44,6 +52,8 @@ pub(super) struct Found {
     pub(super) scale: f64,
     /// True for each unknown at one of its bounds.
     pub(super) at_bounds: Vec<bool>,
+    /// False if the search was told to stop before.
+    pub(super) is_minimum: bool,
 }
 
 impl<'a> Problem<'a> {
@@ -67,7 +77,7 @@ impl<'a> Problem<'a> {
                     failure: Box::new(failure.clone()),
                 });
             }
-            Err(NotPredicted::Interrupted) => return Err(FrictionFitError::TimeLimit { evaluations: 0, best: None }),
+            Err(NotPredicted::Interrupted) => return Err(FrictionFitError::TimeLimit),
         };
         // Common factors of standard errors must not change the search: its steps are as long as residuals are large.
         let weights = measured.weights();
@@ -82,7 +92,7 @@ impl<'a> Problem<'a> {
             return Err(FrictionFitError::Task { what: what.to_owned() });
         }
         let weights = weights.into_iter().map(|weight| weight / scale).collect();
-        let (parameters, best) = (DVector::zeros(start.len()), (start.clone(), f64::INFINITY));
+        let parameters = DVector::zeros(start.len());
         let mut problem = Self {
             predictor,
             measured,
@@ -95,7 +105,7 @@ impl<'a> Problem<'a> {
             prediction,
             evaluations: 1,
             refused: 0,
-            best,
+            best: None,
         };
         problem.note_progress();
         Ok(problem)
@@ -110,9 +120,16 @@ impl<'a> Problem<'a> {
         self.refused > 0
     }
 
-    /// The best unknowns so far, if the search was told to stop.
-    pub(super) fn interrupted(&self) -> Option<&[f64]> {
-        matches!(self.prediction, Err(NotPredicted::Interrupted)).then_some(&self.best.0)
+    /// True if the search was told to stop.
+    pub(super) fn interrupted(&self) -> bool {
+        matches!(self.prediction, Err(NotPredicted::Interrupted))
+    }
+
+    /// The best of the search so far; `None` if there is none.
+    pub(super) fn best(mut self) -> Option<Found> {
+        let Best { parameters, prediction, .. } = self.best.take()?;
+        (self.parameters, self.prediction) = (parameters, Ok(prediction));
+        self.found().map(|found| Found { is_minimum: false, ..found })
     }
 
     /// The end of the search; `None` if cases failed there.
@@ -127,6 +144,7 @@ impl<'a> Problem<'a> {
             jacobian,
             scale: self.scale,
             at_bounds,
+            is_minimum: true,
         })
     }
 
@@ -144,10 +162,14 @@ impl<'a> Problem<'a> {
     fn note_progress(&mut self) {
         let Some((unknowns, residuals)) = self.unknowns().zip(self.residuals()) else { return };
         let sum = residuals.norm_squared();
-        if self.prediction.is_ok() && sum < self.best.1 {
-            self.best = (unknowns, sum);
+        if let Ok(prediction) = &self.prediction
+            && self.best.as_ref().is_none_or(|best| sum < best.sum)
+        {
+            let (parameters, prediction) = (self.parameters.clone(), prediction.clone());
+            self.best = Some(Best { parameters, unknowns, prediction, sum });
         }
-        (self.watch.evaluated)(self.evaluations, &self.best.0);
+        let best = self.best.as_ref().map_or(&self.start, |best| &best.unknowns);
+        (self.watch.evaluated)(self.evaluations, best);
     }
 
     /// The Jacobian with respect to the logarithms of the unknowns.
@@ -185,7 +207,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     type ParameterStorage = Owned<f64, Dyn>;
 
     fn set_params(&mut self, parameters: &DVector<f64>) {
-        if *parameters == self.parameters || self.interrupted().is_some() {
+        if *parameters == self.parameters || self.interrupted() {
             return;
         }
         self.parameters.copy_from(parameters);

@@ -80,14 +80,14 @@ impl FrictionFit {
             return match predictor.predict(&[], watch.interrupt) {
                 Ok(prediction) => Ok(Some(squares(task.measured, &prediction.friction))),
                 Err(NotPredicted::Failed { .. }) => Ok(None),
-                Err(NotPredicted::Interrupted) => Err(FrictionFitError::TimeLimit { evaluations: 0, best: None }),
+                Err(NotPredicted::Interrupted) => Err(FrictionFitError::TimeLimit),
             };
         }
         match search(&task, &predictor, watch) {
-            Ok((Found { friction, .. }, _)) => Ok(Some(squares(task.measured, &friction))),
-            Err(FrictionFitError::TimeLimit { evaluations, best }) => {
-                Err(FrictionFitError::TimeLimit { evaluations, best })
+            Ok((Found { is_minimum: false, .. }, _)) | Err(FrictionFitError::TimeLimit) => {
+                Err(FrictionFitError::TimeLimit)
             }
+            Ok((Found { friction, .. }, _)) => Ok(Some(squares(task.measured, &friction))),
             Err(_) => Ok(None),
         }
     }

@@ -18,6 +18,24 @@ pub(super) struct Statistics {
     pub(super) reduced_chi_squared: f64,
 }
 
+impl Statistics {
+    /// Of residuals that are not at their minimum: nothing but their size is known.
+    pub(super) fn of_no_minimum(residuals: &DVector<f64>, unknowns: usize) -> Self {
+        let (degrees_of_freedom, none) = (residuals.len() - unknowns, vec![f64::NAN; unknowns]);
+        Self {
+            correlation: vec![none.clone(); unknowns],
+            errors: none,
+            degrees_of_freedom,
+            reduced_chi_squared: reduced_chi_squared(residuals, degrees_of_freedom),
+        }
+    }
+}
+
+/// The mean square of residuals over their degrees of freedom; NaN without any.
+fn reduced_chi_squared(residuals: &DVector<f64>, degrees_of_freedom: usize) -> f64 {
+    if degrees_of_freedom == 0 { f64::NAN } else { residuals.norm_squared() / degrees_of_freedom as f64 }
+}
+
 /// Unknowns with the same effect on all points.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
@@ -44,10 +62,7 @@ pub(super) fn statistics(
 ) -> Result<Statistics, Inseparable> {
     let (points, count) = jacobian.shape();
     let degrees_of_freedom = points - count;
-    let reduced_chi_squared = match degrees_of_freedom {
-        0 => f64::NAN,
-        degrees => residuals.norm_squared() / degrees as f64,
-    };
+    let reduced_chi_squared = reduced_chi_squared(residuals, degrees_of_freedom);
     if count == 0 {
         return Ok(Statistics { errors: vec![], correlation: vec![], degrees_of_freedom, reduced_chi_squared });
     }

@@ -1,14 +1,11 @@
 //! Isotherms shifted along the axis of rates until they are one curve.
 
 use super::isotherms::{Isotherm, Isotherms};
-use super::measurement::{Measurement, Measurements};
-use super::shift_factors::{ShiftFactors, ShiftFactorsError};
-use crate::temperature::{ShiftLawFit, least_of};
-
-/// The part of the shorter one of two isotherms, in decades, that lies over the other one at least.
-const OVERLAP: f64 = 0.2;
-/// Steps in a decade in which a shift is looked for.
-const STEPS: f64 = 50.0;
+use super::measurement::Measurements;
+use super::overlap::Overlap;
+use super::shift_factors::{ShiftFactors, ShiftFactorsError, between};
+use super::vertical_shift::VerticalShift;
+use crate::temperature::ShiftLawFit;
 
 /// Moduli at a reference temperature, from measurements at several.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +14,8 @@ pub struct MasterCurve {
     pub reference: f64,
     /// Where each isotherm went, cold ones first.
     pub shifts: Vec<Shift>,
+    /// How moduli were shifted.
+    pub vertical: VerticalShift,
     /// All measurements, at the rates that they would have at the reference temperature.
     pub measurements: Measurements,
     /// The laws that the shift factors follow, the better one first.
@@ -30,6 +29,8 @@ pub struct Shift {
     pub temperature: f64,
     /// log₁₀ a_T: decades of rate to the right.
     pub log_factor: f64,
+    /// log₁₀ b_T: decades of modulus upwards.
+    pub log_vertical: f64,
     /// Root of the mean square of |ΔE*|/|E*| where it lies over the next colder one; `None` for the coldest.
     pub residual: Option<f64>,
 }
@@ -38,23 +39,24 @@ impl MasterCurve {
     /// Shifts isotherms to a reference temperature, in K, within their range.
     ///
     /// Each isotherm is shifted against its neighbour until the mean of |ΔE*|²/|E*|² over their overlap is least, with
-    /// straight lines between the points on logarithmic scales. Nothing is shifted along the axis of moduli.
+    /// straight lines between the points on logarithmic scales. Where moduli are shifted by their overlap as well, it is
+    /// least of both together.
     ///
     /// # Errors
     /// [`MasterCurveError`] if the reference lies outside, or two neighbours have no best overlap of a fifth of the
     /// shorter one.
-    pub fn by_overlap(isotherms: &Isotherms, reference: f64) -> Result<Self, MasterCurveError> {
-        let all = isotherms.all();
-        let mut pairs = vec![(all[0].temperature, 0.0)];
-        let mut residuals = vec![None];
-        for next in all.windows(2) {
-            let (step, residual) = overlap(&next[0], &next[1])?;
-            pairs.push((next[1].temperature, pairs[pairs.len() - 1].1 + step));
-            residuals.push(Some(residual));
-        }
-        let factors = ShiftFactors::new(pairs)?;
+    pub fn by_overlap(
+        isotherms: &Isotherms,
+        reference: f64,
+        vertical: VerticalShift,
+    ) -> Result<Self, MasterCurveError> {
+        let is_free = vertical == VerticalShift::Overlap;
+        let levelled = vertical.levelled(isotherms, reference);
+        let pairs = levelled.windows(2).map(|pair| Overlap::best(&pair[0], &pair[1], is_free));
+        let overlaps = pairs.collect::<Result<Vec<_>, _>>()?;
+        let factors = ShiftFactors::new(running(isotherms, overlaps.iter().map(|overlap| overlap.step)))?;
         let factors = factors.at_reference(reference).ok_or_else(|| outside(reference, isotherms.range()))?;
-        Self::assemble(isotherms, &factors, reference, |i, _| residuals[i])
+        Self::assemble(isotherms, &factors, (reference, vertical), &overlaps)
     }
 
     /// Shifts isotherms by given factors, to the reference temperature of these or to another one.
@@ -65,13 +67,16 @@ impl MasterCurve {
         isotherms: &Isotherms,
         factors: &ShiftFactors,
         reference: Option<f64>,
+        vertical: VerticalShift,
     ) -> Result<Self, MasterCurveError> {
         let reference = reference.or_else(|| factors.reference()).ok_or(MasterCurveError::NoReference)?;
         let factors = factors.at_reference(reference).ok_or_else(|| outside(reference, factors.range()))?;
-        Self::assemble(isotherms, &factors, reference, |i, steps| {
-            let neighbours = isotherms.all().get(i.wrapping_sub(1)..=i)?;
-            difference(&neighbours[0], &neighbours[1], steps[i] - steps[i - 1])
-        })
+        let is_free = vertical == VerticalShift::Overlap;
+        let levelled = vertical.levelled(isotherms, reference);
+        let logs = logs(isotherms, &factors)?;
+        let pairs = levelled.windows(2).zip(logs.windows(2));
+        let overlaps = pairs.map(|(pair, logs)| Overlap::at(&pair[0], &pair[1], logs[1] - logs[0], is_free));
+        Self::assemble(isotherms, &factors, (reference, vertical), &overlaps.collect::<Result<Vec<_>, _>>()?)
     }
 
     /// Measurements that are at the reference temperature of given factors already, or at another one of theirs.
@@ -85,110 +90,65 @@ impl MasterCurve {
     ) -> Result<Self, MasterCurveError> {
         let reference = reference.or_else(|| factors.reference()).ok_or(MasterCurveError::NoReference)?;
         let factors = factors.at_reference(reference).ok_or_else(|| outside(reference, factors.range()))?;
-        let shift = |&(temperature, log_factor): &(f64, f64)| Shift { temperature, log_factor, residual: None };
+        let shift = |&(temperature, log_factor): &(f64, f64)| Shift {
+            temperature,
+            log_factor,
+            log_vertical: 0.0,
+            residual: None,
+        };
         let laws = ShiftLawFit::all(factors.pairs(), reference);
-        Ok(Self { reference, shifts: factors.pairs().iter().map(shift).collect(), measurements, laws })
+        let shifts = factors.pairs().iter().map(shift).collect();
+        Ok(Self { reference, shifts, vertical: VerticalShift::None, measurements, laws })
     }
 
-    /// The curve of shifted isotherms; `residual` is that of an isotherm over the next colder one, given all shifts.
+    /// The curve of shifted isotherms, from the overlaps of neighbours.
     fn assemble(
         isotherms: &Isotherms,
         factors: &ShiftFactors,
-        reference: f64,
-        residual: impl Fn(usize, &[f64]) -> Option<f64>,
+        (reference, vertical): (f64, VerticalShift),
+        overlaps: &[Overlap],
     ) -> Result<Self, MasterCurveError> {
-        let log_factor = |isotherm: &Isotherm| {
-            factors.at(isotherm.temperature).ok_or_else(|| outside(isotherm.temperature, factors.range()))
-        };
-        let logs: Vec<f64> = isotherms.all().iter().map(log_factor).collect::<Result<_, _>>()?;
+        let logs = logs(isotherms, factors)?;
+        let levels = running(isotherms, overlaps.iter().map(|overlap| overlap.level));
+        let residuals = std::iter::once(None).chain(overlaps.iter().map(|overlap| overlap.residual));
         let mut rows = Vec::new();
         let mut shifts = Vec::new();
-        for (i, isotherm) in isotherms.all().iter().enumerate() {
-            rows.extend_from_slice(isotherm.measurements.faster(10_f64.powf(logs[i])).rows());
-            let residual = residual(i, &logs);
-            shifts.push(Shift { temperature: isotherm.temperature, log_factor: logs[i], residual });
+        for ((Isotherm { temperature, measurements }, residual), (i, log_factor)) in
+            isotherms.all().iter().zip(residuals).zip(logs.into_iter().enumerate())
+        {
+            let log_vertical = match vertical {
+                VerticalShift::Overlap => levels[i].1 - between(&levels, reference),
+                other => other.log_factor(*temperature, reference),
+            };
+            let moved = measurements.faster(10_f64.powf(log_factor)).stiffer(10_f64.powf(log_vertical));
+            rows.extend_from_slice(moved.rows());
+            shifts.push(Shift { temperature: *temperature, log_factor, log_vertical, residual });
         }
         let laws = ShiftLawFit::all(factors.pairs(), reference);
         let measurements = Measurements::new(rows).expect("each isotherm has two rates");
-        Ok(Self { reference, shifts, measurements, laws })
+        Ok(Self { reference, shifts, vertical, measurements, laws })
     }
+}
+
+/// log₁₀ a_T of each isotherm.
+fn logs(isotherms: &Isotherms, factors: &ShiftFactors) -> Result<Vec<f64>, MasterCurveError> {
+    let log = |isotherm: &Isotherm| {
+        factors.at(isotherm.temperature).ok_or_else(|| outside(isotherm.temperature, factors.range()))
+    };
+    isotherms.all().iter().map(log).collect()
+}
+
+/// Temperatures of isotherms with the sums of the steps from the coldest one on.
+fn running(isotherms: &Isotherms, steps: impl Iterator<Item = f64>) -> Vec<(f64, f64)> {
+    let sums = std::iter::once(0.0).chain(steps).scan(0.0, |sum, step| {
+        *sum += step;
+        Some(*sum)
+    });
+    isotherms.all().iter().map(|isotherm| isotherm.temperature).zip(sums).collect()
 }
 
 fn outside(temperature: f64, (from, to): (f64, f64)) -> MasterCurveError {
     MasterCurveError::Outside { temperature, from, to }
-}
-
-/// log₁₀ of the rates, and of the moduli that are above zero, of an isotherm.
-struct Curve<'a> {
-    rows: &'a [Measurement],
-    rates: Vec<f64>,
-}
-
-impl<'a> Curve<'a> {
-    fn new(isotherm: &'a Isotherm) -> Self {
-        let rows = isotherm.measurements.rows();
-        Self { rows, rates: rows.iter().map(|row| row.rate().log10()).collect() }
-    }
-
-    fn ends(&self) -> (f64, f64) {
-        (self.rates[0], self.rates[self.rates.len() - 1])
-    }
-
-    /// The moduli at a rate within the ends: on straight lines between the points on logarithmic scales, where both
-    /// are above zero.
-    fn moduli(&self, rate: f64) -> [f64; 2] {
-        let above = self.rates.partition_point(|other| *other < rate).clamp(1, self.rates.len() - 1);
-        let (from, to) = (self.rates[above - 1], self.rates[above]);
-        let part = if to > from { ((rate - from) / (to - from)).clamp(0.0, 1.0) } else { 0.5 };
-        let [low, high] = [self.rows[above - 1].moduli(), self.rows[above].moduli()];
-        std::array::from_fn(|i| {
-            let straight = low[i] + part * (high[i] - low[i]);
-            if low[i] > 0.0 && high[i] > 0.0 { low[i] * (high[i] / low[i]).powf(part) } else { straight }
-        })
-    }
-
-    /// |ΔE*|²/|E*|² of each row of another curve that lies over this one when it is shifted, in decades.
-    fn squares(&self, other: &Self, shift: f64) -> impl Iterator<Item = f64> {
-        let (from, to) = self.ends();
-        let rows = other.rates.iter().map(move |rate| rate + shift).zip(other.rows);
-        let over = rows.filter(move |(rate, _)| (from..=to).contains(rate));
-        over.map(|(rate, row)| Measurement::distance(self.moduli(rate), row.moduli()).powi(2))
-    }
-}
-
-/// The mean of |ΔE*|²/|E*|² over the overlap of two curves, the second one shifted; `None` where none lies over the
-/// other.
-fn mean_square(fixed: &Curve<'_>, moved: &Curve<'_>, shift: f64) -> Option<f64> {
-    let (sum, count) = fixed
-        .squares(moved, shift)
-        .chain(moved.squares(fixed, -shift))
-        .fold((0.0, 0_u32), |(sum, count), square| (sum + square, count + 1));
-    (count > 1).then(|| sum / f64::from(count))
-}
-
-/// Root of the mean of |ΔE*|²/|E*|² of two isotherms, the second one shifted.
-fn difference(cold: &Isotherm, warm: &Isotherm, shift: f64) -> Option<f64> {
-    mean_square(&Curve::new(cold), &Curve::new(warm), shift).map(f64::sqrt)
-}
-
-/// The decades by which the warmer one of two isotherms lies best over the colder one, and what differs there.
-fn overlap(cold: &Isotherm, warm: &Isotherm) -> Result<(f64, f64), MasterCurveError> {
-    let none = MasterCurveError::NoOverlap { cold: cold.temperature, warm: warm.temperature };
-    let (fixed, moved) = (Curve::new(cold), Curve::new(warm));
-    let (fixed_ends, moved_ends) = (fixed.ends(), moved.ends());
-    let shared = OVERLAP * (fixed_ends.1 - fixed_ends.0).min(moved_ends.1 - moved_ends.0);
-    // from the left end of the cold one to its right end
-    let (least, most) = (fixed_ends.0 + shared - moved_ends.1, fixed_ends.1 - shared - moved_ends.0);
-    let steps = (STEPS * (most - least)).ceil().max(2.0);
-    let at = |step: f64| least + (most - least) * step / steps;
-    let square = |step: f64| mean_square(&fixed, &moved, at(step)).unwrap_or(f64::INFINITY);
-    let tried = (0..=steps as u32).map(|step| (f64::from(step), square(f64::from(step))));
-    let (best, _) = tried.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or(none)?;
-    if best == 0.0 || best == steps {
-        return Err(none);
-    }
-    let step = least_of(square, best - 1.0, best + 1.0);
-    Ok((at(step), square(step).sqrt()))
 }
 
 /// Why isotherms are no master curve. Messages have degrees Celsius, as laboratories do.

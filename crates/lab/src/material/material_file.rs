@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::material_table;
 use super::{Isotherms, Measurements, ModulusKind, PronyFile, PronySeries};
-use crate::table::bytes;
-use crate::{ColumnChoice, Modulus, TableError, TableFile, decode};
+use crate::Modulus;
+use crate::table::{ColumnChoice, TableError, TableFile, bytes, decode};
 use stribeck_input::{Fault, InputError, shown};
 
 /// What a file is called in messages.

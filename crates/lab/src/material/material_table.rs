@@ -5,9 +5,8 @@ use super::measurement::{Measurement, Measurements};
 use super::table_fields::FIELDS;
 use super::{Isotherms, ModulusKind, PronyParts, PronySeries};
 use crate::notation::{Comma, parts, with_point};
-use crate::{
-    Column, ColumnChoice, Columns, Dimension, Heading, Modulus, Row, Table, TableError, TableFile, Understood,
-};
+use crate::table::{Column, ColumnChoice, Columns, Heading, Row, Table, TableError, TableFile, Understood};
+use crate::{Dimension, Modulus};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use stribeck_input::printable;
 
@@ -15,6 +14,11 @@ use stribeck_input::printable;
 const WANTED: &str = "it has no columns of a material; these are storage and loss (Pa) over omega (rad/s) or frequency (Hz), \
                       |E*| and tan_delta over the same, relaxation (Pa) over time (s), or the terms of a Prony series, \
                       modulus (Pa) or fraction beside tau (s)";
+
+/// The end of the names of files in which RepTate keeps moduli over frequency: what a line of names says there does not
+/// count, the columns are always these.
+const REPTATE: &str = "tts";
+const REPTATE_COLUMNS: &str = "omega=#1,shear_storage=#2,shear_loss=#3";
 
 /// How the columns of a table describe a material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,12 +45,21 @@ struct Description {
 /// What a file of tables says of a material, and how it was understood.
 pub(super) fn read(file: &TableFile, options: &MaterialOptions) -> Result<(MaterialData, Understood), TableError> {
     let refuse = |what: String| TableError::NotATable { path: file.path.clone(), what };
-    let (tables, columns, description) = choose(file, &options.columns).map_err(refuse)?;
+    let is_reptate = file.path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(REPTATE));
+    let choices = if is_reptate && options.columns.is_empty() {
+        ColumnChoice::list(REPTATE_COLUMNS).map_err(refuse)?
+    } else {
+        options.columns.clone()
+    };
+    let (tables, columns, description) = choose(file, &choices).map_err(refuse)?;
     let factor = options.young_factor(description.kind).map_err(refuse)?;
     let mut understood = Understood::new(file, tables[0], &columns);
     tables[1..].iter().for_each(|table| understood.add(table));
     if factor != 1.0 {
         understood.note(format!("shear moduli are multiplied by 2 (1 + nu) = {factor}, for Young's modulus"));
+    }
+    if is_reptate {
+        understood.note("a file of RepTate: its columns are the angular frequency, G' and G\" at one temperature");
     }
     if description.kind == ModulusKind::Young && !options.is_shear && columns.taken.iter().any(may_be_shear) {
         understood
@@ -283,16 +296,21 @@ impl Reader<'_> {
             Some(Dimension::Modulus) if !column.has_unit() => self.options.modulus_unit.unwrap_or(1.0),
             _ => 1.0,
         };
-        column.value(row).map(|value| value * unit).filter(|value| value.is_finite() && fits(*value)).ok_or_else(|| {
-            TableError::Value {
+        column.value(row).map(|value| value * unit).filter(|value| is_measurable(*value) && fits(*value)).ok_or_else(
+            || TableError::Value {
                 path: self.file.path.clone(),
                 line: row.line,
                 column: printable(&column.heading).into_owned(),
                 value: column.text(row).to_owned(),
                 allowed: format!("{} is {allowed}; leave out rows that were not measured", column.field),
-            }
-        })
+            },
+        )
     }
+}
+
+/// True for zero and for numbers whose reciprocals and products are numbers, too.
+fn is_measurable(value: f64) -> bool {
+    value == 0.0 || (1e-100..=1e100).contains(&value.abs())
 }
 
 /// The modulus that a line such as `E0 = 1.7 GPa` names, in Pa.

@@ -15,7 +15,8 @@
 //! | `term_choice`, `doubt` | how many terms it needs; what the measurements do not tell of it |
 //! | `material_file`, `material_table`, `table_fields` | [`MaterialFile`]: a file that describes a material, whatever wrote it |
 //! | `isotherms` | [`Isotherms`]: measurements sorted by temperature |
-//! | `master_curve`, `shift_factors` | [`MasterCurve`]: isotherms shifted to one temperature; given shift factors |
+//! | `master_curve`, `overlap` | [`MasterCurve`]: isotherms shifted to one temperature, by how neighbours lie on one another |
+//! | `shift_factors`, `vertical_shift` | given shift factors; [`VerticalShift`]: moduli that change with temperature |
 //! | `shift_factor_file` | the reader of these |
 
 mod conversion;
@@ -27,6 +28,7 @@ mod material_file;
 mod material_table;
 mod measurement;
 mod modulus_kind;
+mod overlap;
 mod prony;
 mod prony_file;
 mod relaxation;
@@ -35,6 +37,7 @@ mod shift_factor_file;
 mod shift_factors;
 mod table_fields;
 mod term_choice;
+mod vertical_shift;
 
 pub use creep::Material;
 pub use doubt::Doubt;
@@ -49,3 +52,4 @@ pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};
 pub use relaxation_fit::{RelaxationFit, RelaxationFitError};
 pub use shift_factors::{ShiftFactors, ShiftFactorsError};
 pub use term_choice::TermChoice;
+pub use vertical_shift::VerticalShift;

@@ -4,31 +4,31 @@ use std::path::Path;
 
 use super::ShiftFactors;
 use super::table_fields::SHIFT_FIELDS;
-use crate::{TableError, TableFile, Understood};
+use crate::table::{Column, ColumnChoice, TableError, TableFile, Understood};
 use stribeck_input::printable;
 
 impl ShiftFactors {
     /// Reads a table with the columns `temperature` and `log_shift_factor` (log₁₀ a_T) or `shift_factor` (a_T), and
-    /// says what was understood of it.
+    /// says what was understood of it. Choices say what columns hold whose names do not tell.
     ///
     /// # Errors
     /// [`TableError`] if the file cannot be read, a column is missing, or the values are no shift factors.
-    pub fn read(path: &Path) -> Result<(Self, Understood), TableError> {
+    pub fn read(path: &Path, choices: &[ColumnChoice]) -> Result<(Self, Understood), TableError> {
         let file = TableFile::read("table of shift factors", path)?;
         let refuse = |what: String| TableError::NotATable { path: path.to_owned(), what };
         let table = &file.tables[0];
-        let columns = table.columns(&SHIFT_FIELDS, &[]).map_err(refuse)?;
+        let columns = table.columns(&SHIFT_FIELDS, choices).map_err(refuse)?;
         let factors = columns.find("log_shift_factor").or_else(|| columns.find("shift_factor"));
         let (Some(temperatures), Some(factors)) = (columns.find("temperature"), factors) else {
             return Err(refuse(
                 "it has no shift factors: the columns are temperature (degC) and log_shift_factor, or shift_factor; \
-                 name them so"
+                 name them so, or say which they are: --shift-columns \"temperature=#1 (degC),log_shift_factor=#2\""
                     .to_owned(),
             ));
         };
         let mut pairs = Vec::new();
         for row in table.rows() {
-            let value = |column: &crate::Column, allowed: &str, fits: fn(f64) -> bool| {
+            let value = |column: &Column, allowed: &str, fits: fn(f64) -> bool| {
                 column.value(&row).filter(|value| fits(*value)).ok_or_else(|| TableError::Value {
                     path: path.to_owned(),
                     line: row.line,

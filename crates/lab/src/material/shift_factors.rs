@@ -46,9 +46,7 @@ impl ShiftFactors {
         if temperature < self.0[0].0 - BEYOND || temperature > self.0[last].0 + BEYOND {
             return None;
         }
-        let above = self.0.partition_point(|pair| pair.0 < temperature).clamp(1, last);
-        let [(from, low), (to, high)] = [self.0[above - 1], self.0[above]];
-        Some(low + (high - low) * (temperature - from) / (to - from))
+        Some(between(&self.0, temperature))
     }
 
     /// The temperature at which a_T is 1, in K; `None` if there is none within the temperatures.
@@ -63,6 +61,13 @@ impl ShiftFactors {
         let zero = self.at(reference)?;
         Some(Self(self.0.iter().map(|(temperature, log)| (*temperature, log - zero)).collect()))
     }
+}
+
+/// What pairs have at a temperature: on the straight line between the next two.
+pub(super) fn between(pairs: &[(f64, f64)], temperature: f64) -> f64 {
+    let above = pairs.partition_point(|pair| pair.0 < temperature).clamp(1, pairs.len() - 1);
+    let [(from, low), (to, high)] = [pairs[above - 1], pairs[above]];
+    low + (high - low) * (temperature - from) / (to - from)
 }
 
 /// Why pairs are no shift factors. Messages have degrees Celsius, as laboratories do.

@@ -1,6 +1,7 @@
 //! The columns of measured points: their names, and the values that they may have.
 
-use crate::{Dimension, Field, LaboratoryQuantity, Measures};
+use crate::table::{Field, Measures};
+use crate::{Dimension, LaboratoryQuantity};
 
 /// Names of columns that hold friction coefficients, with the column of the results that they are compared with.
 pub(super) const FRICTION: [(&str, &str); 5] =
@@ -11,8 +12,13 @@ pub(super) const ERROR: &str = "error";
 const DIMENSIONLESS: [&str; 3] = ["f", "alpha", "beta"];
 
 /// What instruments and people call a friction coefficient.
-const FRICTION_SYNONYMS: [&str; 12] = [
+const FRICTION_SYNONYMS: &[&str] = &[
     "cof",
+    "cofmu",
+    "coff",
+    "averagecof",
+    "avgcof",
+    "meancof",
     "µ",
     "friction",
     "frictioncoefficient",
@@ -22,11 +28,25 @@ const FRICTION_SYNONYMS: [&str; 12] = [
     "tractioncoefficient",
     "tractioncoeff",
     "traction",
+    "tractioncoefficientµ",
     "frictioncoefficientµ",
+    "frictioncoefficientmu",
+    "frictioncoef",
+    "coefficientoffrictionµ",
+    "coefficientoffrictionmu",
+    "kineticfrictioncoefficient",
+    "dynamicfrictioncoefficient",
+    "reibwert",
+    "reibwertµ",
+    "reibungszahl",
+    "reibzahl",
+    "reibungskoeffizient",
+    "reibkoeffizient",
+    "reibbeiwert",
     "measured",
 ];
 /// What they call its standard error.
-const ERROR_SYNONYMS: [&str; 21] = [
+const ERROR_SYNONYMS: &[&str] = &[
     "err",
     "sd",
     "se",
@@ -48,22 +68,34 @@ const ERROR_SYNONYMS: [&str; 21] = [
     "cofstd",
     "coferror",
     "stdcof",
+    "sdcof",
+    "cofstddev",
+    "cofstandarddeviation",
+    "frictioncoefficientsd",
+    "fehler",
+    "standardfehler",
+    "standardabweichung",
+    "stdabw",
+    "unsicherheit",
 ];
 
 /// All columns that measured points may have.
 pub(super) fn fields() -> Vec<Field> {
     let ratio = |name, synonyms| Field { name, synonyms, measures: Measures::Ratio };
-    let friction = FRICTION.map(|(name, _)| ratio(name, if name == "mu" { &FRICTION_SYNONYMS[..] } else { &[] }));
+    let friction = FRICTION.map(|(name, _)| ratio(name, if name == "mu" { FRICTION_SYNONYMS } else { &[] }));
     let dimensionless = DIMENSIONLESS.map(|name| ratio(name, &[]));
     let quantities = LaboratoryQuantity::ALL.map(|quantity| Field {
         name: quantity.name(),
         synonyms: synonyms(quantity),
         measures: match quantity {
-            LaboratoryQuantity::Temperature => Measures::Dimensions(&[Dimension::Temperature]),
+            // what turns with the cylinder has a speed by its radius
+            LaboratoryQuantity::Speed | LaboratoryQuantity::RollerSpeed => {
+                Measures::Dimensions(&[Dimension::Speed, Dimension::AngularFrequency])
+            }
             other => other.dimension().map_or(Measures::Ratio, |dimension| Measures::Dimensions(alone(dimension))),
         },
     });
-    let error = ratio(ERROR, &ERROR_SYNONYMS[..]);
+    let error = ratio(ERROR, ERROR_SYNONYMS);
     friction.into_iter().chain([error]).chain(dimensionless).chain(quantities).collect()
 }
 
@@ -76,6 +108,7 @@ fn alone(dimension: Dimension) -> &'static [Dimension] {
         Dimension::Viscosity => &[Dimension::Viscosity],
         Dimension::Time => &[Dimension::Time],
         Dimension::Speed => &[Dimension::Speed],
+        Dimension::Temperature => &[Dimension::Temperature],
         other => unreachable!("no quantity of the laboratory is {}", other.words()),
     }
 }
@@ -83,7 +116,17 @@ fn alone(dimension: Dimension) -> &'static [Dimension] {
 /// What instruments and people call a quantity.
 fn synonyms(quantity: LaboratoryQuantity) -> &'static [&'static str] {
     match quantity.name() {
-        "speed" => &["slidingspeed", "slidingvelocity", "velocity"],
+        "radius" => &["cylinderradius", "rollerradius", "ballradius", "halbmesser"],
+        "viscosity" => &["dynamicviscosity", "viskosität", "dynamischeviskosität"],
+        "speed" => &[
+            "slidingspeed",
+            "slidingvelocity",
+            "velocity",
+            "linearspeed",
+            "linearvelocity",
+            "geschwindigkeit",
+            "gleitgeschwindigkeit",
+        ],
         "entrainment_speed" => &[
             "rollingspeed",
             "rollingvelocity",
@@ -91,12 +134,36 @@ fn synonyms(quantity: LaboratoryQuantity) -> &'static [&'static str] {
             "entrainmentvelocity",
             "entrainingspeed",
             "meanrollingspeed",
+            "rollgeschwindigkeit",
+            "mittleregeschwindigkeit",
         ],
-        "slide_roll_ratio" => &["srr", "slidetorollratio", "slideroll"],
-        "roller_speed" => &["ballspeed", "cylinderspeed"],
-        "flat_speed" => &["discspeed", "diskspeed"],
-        "load" => &["normalload", "ballload", "normalforce", "appliedload", "lineload", "loadperlength"],
-        "temperature" => &["temp", "luberttemp", "lubertdtemp", "lubetemp", "lubricanttemperature", "oiltemperature"],
+        "slide_roll_ratio" => &["srr", "slidetorollratio", "slideroll", "slip", "schlupf"],
+        "roller_speed" => &["ballspeed", "cylinderspeed", "kugelgeschwindigkeit", "walzengeschwindigkeit"],
+        "flat_speed" => &["discspeed", "diskspeed", "scheibengeschwindigkeit"],
+        "load" => &[
+            "normalload",
+            "ballload",
+            "normalforce",
+            "appliedload",
+            "lineload",
+            "loadperlength",
+            "force",
+            "kraft",
+            "normalkraft",
+            "last",
+            "linienlast",
+            "streckenlast",
+        ],
+        "temperature" => &[
+            "temp",
+            "luberttemp",
+            "lubertdtemp",
+            "lubetemp",
+            "lubricanttemperature",
+            "oiltemperature",
+            "temperatur",
+            "öltemperatur",
+        ],
         _ => &[],
     }
 }

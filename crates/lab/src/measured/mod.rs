@@ -14,7 +14,8 @@ mod repeated;
 
 use std::path::{Path, PathBuf};
 
-use crate::{ColumnChoice, Experiment, LaboratoryQuantity, TableError, TableFile, Understood};
+use crate::table::{ColumnChoice, TableError, TableFile, Understood};
+use crate::{Experiment, LaboratoryQuantity};
 use stribeck_input::shown;
 
 /// What a file of measured points is called in messages.
@@ -48,21 +49,29 @@ impl Measured {
     /// total that the file holds instead, `mu_tot`, `mu_v`, `mu_h`), its standard error `error` if
     /// it is known, and where it was measured: `speed`, `load` and the other names of `[laboratory]`, in SI units or
     /// with the unit behind the name as in `speed (mm/s)`; `f`, `alpha` and `beta` beside dimensionless results. Names
-    /// that instruments write for these are known, too; choices say what else a column holds.
+    /// that instruments write for these are known, too; choices say what else a column holds. A `speed` or
+    /// `roller_speed` in turns, as in `speed (rpm)`, is multiplied by the radius of the cylinder: the column `radius`, or
+    /// else the one that is given (m).
     ///
     /// # Errors
-    /// [`TableError`] if the file cannot be read, a column is missing or there twice, or a value is not allowed.
-    pub fn read(path: &Path, choices: &[ColumnChoice]) -> Result<(Self, Understood), TableError> {
+    /// [`TableError`] if the file cannot be read, a column is missing or there twice, or a value is not allowed; if
+    /// speeds are in turns, and no radius is known.
+    pub fn read(path: &Path, choices: &[ColumnChoice], radius: Option<f64>) -> Result<(Self, Understood), TableError> {
         let file = TableFile::read(KIND, path)?;
-        reading::points(&file, choices)
+        reading::points(&file, choices, radius)
     }
 
     /// The points in the bytes of a file, likewise.
     ///
     /// # Errors
     /// As [`Measured::read`].
-    pub fn of(path: &Path, bytes: &[u8], choices: &[ColumnChoice]) -> Result<(Self, Understood), TableError> {
-        reading::points(&TableFile::of(path, bytes)?, choices)
+    pub fn of(
+        path: &Path,
+        bytes: &[u8],
+        choices: &[ColumnChoice],
+        radius: Option<f64>,
+    ) -> Result<(Self, Understood), TableError> {
+        reading::points(&TableFile::of(path, bytes)?, choices, radius)
     }
 
     /// The points of several files together.

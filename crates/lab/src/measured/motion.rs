@@ -1,6 +1,6 @@
 //! Speeds that instruments write in several forms: mean, difference, ratio, and each surface by itself.
 
-use crate::Columns;
+use crate::table::Columns;
 
 /// Leaves out what follows from the entrainment speed and the slide-to-roll ratio, where a file of an instrument has
 /// both. What has its own name to the letter stays.

@@ -4,27 +4,34 @@ use super::Measured;
 use super::fields::{ERROR, FRICTION, admits, allowed, fields};
 use super::motion::{keep_one_form, sliding};
 use super::repeated::{Scatter, at_one_place, averaged, mean};
-use crate::table::Row;
-use crate::{
-    Column, ColumnChoice, Columns, Decimal, Heading, LaboratoryQuantity, Table, TableError, TableFile, Understood,
-};
+use crate::table::{Column, ColumnChoice, Columns, Decimal, Heading, Row, Table, TableError, TableFile, Understood};
+use crate::{Dimension, LaboratoryQuantity};
 use stribeck_input::printable;
 
 /// How far beyond 2 a slide-to-roll ratio of an instrument may be to be taken for 2.
 const BEYOND: f64 = 0.02;
 
 /// The points of a file, and what was understood of it.
-pub(super) fn points(file: &TableFile, choices: &[ColumnChoice]) -> Result<(Measured, Understood), TableError> {
+pub(super) fn points(
+    file: &TableFile,
+    choices: &[ColumnChoice],
+    radius: Option<f64>,
+) -> Result<(Measured, Understood), TableError> {
     let refuse = |what: String| TableError::NotATable { path: file.path.clone(), what };
     let (tables, columns) = tables(file, choices).map_err(refuse)?;
+    let radius = columns.taken.iter().find(|column| turns(column)).map(|turning| radius_of(turning, &columns, radius));
+    let radius = radius.transpose().map_err(refuse)?;
     let mut understood = Understood::new(file, tables[0], &columns);
+    if let Some(Radius::Given(radius)) = radius {
+        understood.note(format!("speeds in turns are multiplied by {radius} m, the radius of the cylinder"));
+    }
     tables[1..].iter().for_each(|table| understood.add(table));
     for table in file.tables.iter().filter(|table| !tables.iter().any(|taken| std::ptr::eq(*taken, *table))) {
         if let Some(row) = table.rows().next() {
             understood.note(format!("the table at line {} has other columns, and is left out", row.line));
         }
     }
-    let mut reader = Reader { file, columns: &columns, understood };
+    let mut reader = Reader { file, columns: &columns, radius, understood };
     let steps = tables.iter().map(|table| reader.read(table)).collect::<Result<Vec<_>, _>>()?;
     let Reader { mut understood, .. } = reader;
     let several = steps.len() > 1;
@@ -156,10 +163,38 @@ fn or_choose(columns: &Columns, field: &str) -> String {
     }
 }
 
+/// The radius of the cylinder, by which turns are speeds.
+#[derive(Clone, Copy)]
+enum Radius {
+    /// It stands in each row, at this place among the columns taken.
+    Column(usize),
+    /// It is one for all rows (m).
+    Given(f64),
+}
+
+/// True for a column of speeds in turns.
+fn turns(column: &Column) -> bool {
+    column.dimension == Some(Dimension::AngularFrequency)
+}
+
+/// The radius for a column of speeds in turns.
+fn radius_of(turning: &Column, columns: &Columns, given: Option<f64>) -> Result<Radius, String> {
+    let column = columns.taken.iter().position(|column| column.field == LaboratoryQuantity::Radius.name());
+    column.map(Radius::Column).or(given.map(Radius::Given)).ok_or_else(|| {
+        format!(
+            "its column `{}` is in turns, not a speed, and the radius that makes one of the other is not known; give \
+             [laboratory] one radius, the file a column `radius`, or the speeds in m/s",
+            printable(&turning.heading)
+        )
+    })
+}
+
 /// Reads the tables of a file one after the other.
 struct Reader<'f> {
     file: &'f TableFile,
     columns: &'f Columns,
+    /// Given where there are speeds in turns.
+    radius: Option<Radius>,
     understood: Understood,
 }
 
@@ -210,6 +245,14 @@ impl Reader<'_> {
             }
             let Some(value) = column.value(row) else { return Err(self.refused(column, row, Some(text))) };
             values.push(value);
+        }
+        if let Some(radius) = self.radius {
+            let radius = match radius {
+                Radius::Column(place) => values[place],
+                Radius::Given(radius) => radius,
+            };
+            let turning = values.iter_mut().zip(&self.columns.taken).filter(|(_, column)| turns(column));
+            turning.for_each(|(value, _)| *value *= radius);
         }
         if of_slide {
             let of =

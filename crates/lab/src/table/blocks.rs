@@ -194,7 +194,7 @@ impl<'t> Tables<'t> {
     /// A loose line as names of columns with these cells in a row, whatever separates the names.
     fn split(&self, place: usize, cells: &[Cow<'_, str>]) -> Option<Vec<String>> {
         let loose = &self.loose[place];
-        if loose.has_numbers {
+        if loose.has_numbers || are_settings(loose.line.text) {
             return None;
         }
         let text = loose.line.text.trim_start_matches('#');
@@ -212,7 +212,7 @@ impl<'t> Tables<'t> {
 
     /// The number of names in the last line of words, if it seems to be one of names.
     fn names_that_do_not_fit(&self) -> Option<usize> {
-        let last = self.words_since().last().filter(|loose| !loose.has_numbers)?;
+        let last = self.words_since().last().filter(|it| !it.has_numbers && !are_settings(it.line.text))?;
         let names = self.layout.separator.split(last.line.text).len();
         (names > 1 || last.line.text.contains([',', ';', '\t'])).then_some(names)
     }
@@ -271,6 +271,13 @@ fn together(text: &str) -> Vec<String> {
         depth = (depth + word.matches(['(', '[']).count()).saturating_sub(word.matches([')', ']']).count());
     }
     names
+}
+
+/// True for a line as `T=25;Mw=94.9;chem=PI;`.
+fn are_settings(text: &str) -> bool {
+    let mut pieces = text.split([';', '\t']).map(str::trim).filter(|piece| !piece.is_empty()).peekable();
+    let is_one = |piece: &str| piece.split_once('=').is_some_and(|(name, _)| !name.trim().is_empty());
+    pieces.peek().is_some() && pieces.all(is_one)
 }
 
 /// A unit without brackets.

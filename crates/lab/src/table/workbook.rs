@@ -1,9 +1,10 @@
 //! Workbooks (.xlsx): the first sheet that holds a table.
 
-use std::io::Cursor;
+use std::io::{self, Cursor, Read};
 use std::sync::Arc;
 
 use calamine::{DataRef, Reader, Xlsx, XlsxError};
+use zip::ZipArchive;
 
 use super::blocks::tables as tables_of;
 use super::layout::{Decimal, Layout, Separator};
@@ -14,6 +15,8 @@ use stribeck_input::printable;
 pub(super) const LAYOUT: Layout = Layout { separator: Separator::Tab, decimal: Decimal::Point };
 /// How the name of a sheet begins.
 pub(super) const SHEET: &str = "workbook, sheet ";
+/// Most bytes of a workbook when it is unpacked: few bytes may be packed gigabytes.
+const MOST_UNPACKED: u64 = 256 << 20;
 /// Most bytes of the text of a sheet.
 const MOST_BYTES: usize = 64 << 20;
 
@@ -36,9 +39,13 @@ pub(super) fn tables(bytes: &[u8]) -> Result<(String, Vec<Table>), String> {
     if is_old(bytes) {
         return Err("it is a workbook of the old kind; save it as .xlsx or CSV".to_owned());
     }
-    let broken = |error: XlsxError| {
-        format!("it is no workbook (.xlsx) that can be read: {}; save it as CSV", printable(&error.to_string()))
-    };
+    let no_workbook =
+        |error: String| format!("it is no workbook (.xlsx) that can be read: {}; save it as CSV", printable(&error));
+    let broken = |error: XlsxError| no_workbook(error.to_string());
+    if !unpacks_below(bytes, MOST_UNPACKED).map_err(|error| no_workbook(error.to_string()))? {
+        let most = MOST_UNPACKED >> 20;
+        return Err(format!("it unpacks to more than {most} MiB, the most that is read; save what is needed as CSV"));
+    }
     let mut workbook: Workbook<'_> = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
     for name in workbook.sheet_names() {
         let text = text(&mut workbook, &name).map_err(broken)?;
@@ -50,6 +57,16 @@ pub(super) fn tables(bytes: &[u8]) -> Result<(String, Vec<Table>), String> {
         }
     }
     Err("none of its sheets holds a table: names of columns, and rows of numbers below".to_owned())
+}
+
+/// True if all parts of an archive together have fewer bytes than `most` when they are unpacked. None is kept.
+fn unpacks_below(bytes: &[u8], most: u64) -> io::Result<bool> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes))?;
+    let mut left = most;
+    for part in 0..archive.len() {
+        left -= io::copy(&mut archive.by_index(part)?.take(left), &mut io::sink())?;
+    }
+    Ok(left > 0)
 }
 
 /// A sheet as text: cells with tabs between them, a line for each row; cut where it gets too large.
@@ -98,4 +115,35 @@ fn written(value: &DataRef<'_>) -> String {
     };
     let text = text.replace(['\t', '\n', '\r'], " ");
     if text.starts_with('"') { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use zip::ZipWriter;
+    use zip::write::SimpleFileOptions;
+
+    use super::*;
+
+    /// An archive with two parts of zeros.
+    fn archive(size: usize) -> Vec<u8> {
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        for name in ["xl/sharedStrings.xml", "xl/workbook.xml"] {
+            writer.start_file(name, SimpleFileOptions::default()).expect("a part");
+            writer.write_all(&vec![0; size]).expect("written");
+        }
+        writer.finish().expect("an archive").into_inner()
+    }
+
+    /// What counts is what all parts unpack to, and not the size of the file.
+    #[test]
+    fn a_small_file_may_be_too_large() {
+        let bytes = archive(1 << 20);
+        assert!(bytes.len() < 1 << 14);
+        assert!(unpacks_below(&bytes, (2 << 20) + 1).expect("an archive"));
+        assert!(!unpacks_below(&bytes, 2 << 20).expect("an archive"));
+        let refused = tables(&archive(MOST_UNPACKED as usize / 2)).expect_err("too large");
+        assert!(refused.starts_with("it unpacks to more than 256 MiB"), "{refused}");
+    }
 }

@@ -3,7 +3,7 @@
 use super::{rubber, solid};
 use stribeck_lab::{
     Isotherms, IsothermsError, MasterCurve, MasterCurveError, Measurement, Relaxation, ShiftFactors, ShiftFactorsError,
-    ShiftLaw, ShiftLawFit,
+    ShiftLaw, ShiftLawFit, VerticalShift,
 };
 
 const REFERENCE: f64 = 293.15;
@@ -45,7 +45,8 @@ fn isotherms(material: &Relaxation, law: &ShiftLaw, kind: Kind) -> Isotherms {
 fn a_known_law_comes_back_from_isotherms() {
     for kind in [wave as Kind, step] {
         for law in [WLF, ARRHENIUS] {
-            let curve = MasterCurve::by_overlap(&isotherms(&rubber(), &law, kind), REFERENCE).expect("a curve");
+            let curve = MasterCurve::by_overlap(&isotherms(&rubber(), &law, kind), REFERENCE, VerticalShift::None)
+                .expect("a curve");
             assert_eq!(curve.shifts.len(), 11);
             for shift in &curve.shifts {
                 let exact = law.log_shift_factor(shift.temperature).expect("within the law");
@@ -72,6 +73,30 @@ fn a_known_law_comes_back_from_isotherms() {
     }
 }
 
+/// Moduli that are larger by 1/b_T at T come back, by the overlaps as by the law of the density.
+#[test]
+fn moduli_are_shifted_back() {
+    let density = VerticalShift::Density { expansion: 6e-4 };
+    let b = |temperature: f64| (1.0 + 6e-4 * (temperature - REFERENCE)) * REFERENCE / temperature;
+    let all = rows(&rubber(), &WLF, wave).into_iter();
+    let rows = all.map(|(temperature, row)| (temperature, row.stiffer(1.0 / b(temperature)))).collect();
+    let all = Isotherms::new(rows).expect("isotherms");
+    let error = |vertical: VerticalShift| {
+        let curve = MasterCurve::by_overlap(&all, REFERENCE, vertical).expect("a curve");
+        for shift in &curve.shifts {
+            let exact = if vertical == VerticalShift::None { 0.0 } else { b(shift.temperature).log10() };
+            assert!((shift.log_vertical - exact).abs() < 0.01, "{vertical:?}: {shift:?}, not {exact}");
+        }
+        let misses = curve.measurements.rows().iter().map(|row| {
+            let ([a, b], [c, d]) = (row.moduli(), rubber().answer(row).moduli());
+            (a - c).hypot(b - d) / c.hypot(d)
+        });
+        misses.fold(0.0, f64::max)
+    };
+    let [none, fitted, known] = [VerticalShift::None, VerticalShift::Overlap, density].map(error);
+    assert!(fitted < 0.05 && known < 0.05 && none > 2.0 * known, "{none} {fitted} {known}");
+}
+
 /// Given the factors themselves, shifts and moduli are exact, at any reference.
 #[test]
 fn given_factors_are_taken() {
@@ -81,7 +106,7 @@ fn given_factors_are_taken() {
     assert!((factors.reference().expect("one within") - REFERENCE).abs() < 0.01);
     let isotherms = isotherms(&rubber(), &WLF, wave);
     for (asked, reference) in [(None, REFERENCE), (Some(REFERENCE), REFERENCE), (Some(313.15), 313.15)] {
-        let curve = MasterCurve::by_factors(&isotherms, &factors, asked).expect("a curve");
+        let curve = MasterCurve::by_factors(&isotherms, &factors, asked, VerticalShift::None).expect("a curve");
         assert!((curve.reference - reference).abs() < 0.01);
         let zero = exact(reference).1;
         for shift in &curve.shifts {
@@ -120,17 +145,26 @@ fn laws_are_found_from_their_own_factors() {
 fn what_cannot_be_shifted_is_told() {
     let material = rubber();
     let all = isotherms(&material, &WLF, wave);
-    assert!(matches!(MasterCurve::by_overlap(&all, 400.0), Err(MasterCurveError::Outside { temperature: 400.0, .. })));
+    assert!(matches!(
+        MasterCurve::by_overlap(&all, 400.0, VerticalShift::None),
+        Err(MasterCurveError::Outside { temperature: 400.0, .. })
+    ));
     let far: Vec<_> = rows(&material, &WLF, wave).into_iter().filter(|row| row.0 < 254.0 || row.0 > 300.0).collect();
     let far = Isotherms::new(far).expect("isotherms");
-    assert!(matches!(MasterCurve::by_overlap(&far, 310.0), Err(MasterCurveError::NoOverlap { .. })));
+    assert!(matches!(
+        MasterCurve::by_overlap(&far, 310.0, VerticalShift::None),
+        Err(MasterCurveError::NoOverlap { .. })
+    ));
     let factors = |pairs: &[(f64, f64)]| ShiftFactors::new(pairs.to_vec());
     assert_eq!(factors(&[(300.0, 0.0)]), Err(ShiftFactorsError::TooFew));
     assert_eq!(factors(&[(300.0, 0.0), (300.0, 1.0)]), Err(ShiftFactorsError::Twice { temperature: 300.0 }));
     assert_eq!(factors(&[(300.0, 0.0), (310.0, 1.0)]), Err(ShiftFactorsError::Rises { temperature: 310.0 }));
     let short = factors(&[(290.0, 1.0), (300.0, 0.5)]).expect("factors");
-    assert_eq!(MasterCurve::by_factors(&all, &short, None), Err(MasterCurveError::NoReference));
-    assert!(matches!(MasterCurve::by_factors(&all, &short, Some(295.0)), Err(MasterCurveError::Outside { .. })));
+    assert_eq!(MasterCurve::by_factors(&all, &short, None, VerticalShift::None), Err(MasterCurveError::NoReference));
+    assert!(matches!(
+        MasterCurve::by_factors(&all, &short, Some(295.0), VerticalShift::None),
+        Err(MasterCurveError::Outside { .. })
+    ));
 }
 
 #[test]

@@ -132,18 +132,62 @@ fn text_tables_of_rheometers_are_read() {
     assert_eq!(moduli.rows()[1].moduli().map(f64::round), [3600.0, 450.0]);
 }
 
+/// RepTate's own files: settings in the first line, then ω, G′ and G″ without names, and what else there is behind.
+#[test]
+fn files_of_reptate_have_their_columns_by_place() {
+    let shear = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let rows = oscillation(&rubber(), -2, 3);
+    type Numbers = fn(f64, [f64; 2]) -> Vec<f64>;
+    let plain: Numbers = |rate, [a, b]| vec![rate, a / 3.0, b / 3.0];
+    let more: Numbers = |rate, [a, b]| vec![rate, a / 3.0, b / 3.0, -9.99, 0.0];
+    for (name, above, numbers, separator) in [
+        ("plain.tts", "T=-35;Mw=33.6;chem=PI;", plain, "\t"),
+        ("more.TTS", "C1=8.7;T=25;isof=true;", more, "  "),
+        ("commented.tts", "T=40;\n#\n# Frequency\tG' \tG\" of a star\t\t", plain, " "),
+        ("named.tts", "Mw=634;T=25;\n#w  G'(w)  G\"(w) eta(w) T", more, " "),
+    ] {
+        let text = table(above, &rows, numbers).replace('\t', separator);
+        let file = MaterialFile::of(Path::new(name), text.as_bytes(), &shear);
+        let file = file.unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert!(file.understood.contains("a file of RepTate"), "{}", file.understood);
+        let MaterialData::Moduli(found) = file.data else { panic!("{text}") };
+        assert_near(&found, &rows, name);
+    }
+}
+
+/// Names in German, with decimal commas.
+#[test]
+fn german_names_are_known() {
+    let names = [
+        "Kreisfrequenz (rad/s)\tSpeichermodul (Pa)\tVerlustmodul (Pa)",
+        "Kreisfrequenz [1/s]\tSpeichermodul E' [Pa]\tVerlustfaktor",
+    ];
+    let rows = oscillation(&rubber(), -2, 3);
+    for (place, names) in names.into_iter().enumerate() {
+        let text = table(names, &rows, |rate, [a, b]| vec![rate, a, if place == 0 { b } else { b / a }]);
+        assert_near(&moduli(&text.replace('.', ","), &MaterialOptions::default()), &rows, names);
+    }
+    let mut rows = decay(&rubber(), -6, 3);
+    rows.reverse();
+    let text = table("Zeit (s)\tRelaxationsmodul (Pa)", &rows, |rate, [modulus, _]| vec![1.0 / rate, modulus]);
+    assert_near(&moduli(&text, &MaterialOptions::default()), &rows, "decay");
+}
+
 #[test]
 fn shift_factors_are_read_in_two_forms() {
     let directory = tempdir().expect("a temporary directory");
     let path = directory.path().join("factors.csv");
     let factors = |text: &str| {
         std::fs::write(&path, text).expect("written");
-        ShiftFactors::read(&path).map(|(factors, _)| factors)
+        ShiftFactors::read(&path, &[]).map(|(factors, _)| factors)
     };
     let one = factors("\u{feff}T,log_aT\nC, -\n40,-2\n20,0\n0,3\n").expect("factors");
     let other = factors("temperature (K);a_T\n273,15;1000\n293,15;1\n313,15;0,01\n").expect("factors");
     assert_eq!(one, other);
     assert_eq!(one.reference(), Some(293.15));
+    std::fs::write(&path, "theta,x,y\n40,7,-2\n20,7,0\n0,7,3\n").expect("written");
+    let choices = ColumnChoice::list("temperature=theta (degC),log_shift_factor=#3").expect("choices");
+    assert_eq!(ShiftFactors::read(&path, &choices).expect("chosen").0, one);
     for (text, said) in [
         ("T,b\nC,-\n0,1\n", "it has no shift factors"),
         ("T,log_aT\nC,-\n0,-2\n20,0\n", "some print its reciprocal"),

@@ -16,7 +16,7 @@ use super::publication::{Place, Publication};
 use super::{Status, program, version};
 use crate::grid_index::indices;
 use crate::{CaseId, Column, Dimension, Field, Note, Unit};
-use stribeck_lab::{Experiment, Scales};
+use stribeck_lab::Experiment;
 use stribeck_solver::Output;
 
 /// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f,
@@ -54,8 +54,8 @@ struct Variables {
 struct LaboratoryVariables {
     alpha: Dataset,
     beta: Dataset,
-    /// As in [`Scales::VARIABLES`].
-    scales: Vec<Dataset>,
+    /// As in [`Experiment::variables`].
+    others: Vec<Dataset>,
 }
 
 impl Results {
@@ -116,12 +116,12 @@ impl Results {
         for (i, variable) in more.iter().enumerate() {
             write.to(variable, places.iter().map(|place| place.more[i]))?;
         }
-        if let Some(LaboratoryVariables { alpha, beta, scales }) = laboratory {
+        if let Some(LaboratoryVariables { alpha, beta, others }) = laboratory {
             write.to(alpha, places.iter().map(|place| place.point.numbers[1]))?;
             write.to(beta, places.iter().map(|place| place.point.numbers[2]))?;
-            let values = |place: &Place| place.point.experiment.map_or([f64::NAN; 4], |it| it.scales().values());
-            for (i, variable) in scales.iter().enumerate() {
-                write.to(variable, places.iter().map(|place| values(place)[i]))?;
+            for (i, variable) in others.iter().enumerate() {
+                let value = |place: &Place| place.point.experiment.and_then(|it| it.variables().nth(i));
+                write.to(variable, places.iter().map(|place| value(place).map_or(f64::NAN, |(_, value)| value)))?;
             }
         }
         let ids = places.iter().map(|place| text(&place.point.case.to_string())).collect::<Result<Vec<_>>>()?;
@@ -188,18 +188,18 @@ impl Layout {
         for quantity in experiment.given().filter(|quantity| !dimensions.contains(&quantity.name())) {
             let number = file.write(quantity.name(), &arr0(experiment.value(quantity)))?;
             set_text(&number, "units", quantity.units())?;
-            set_text(&number, "long_name", quantity.long_name())?;
+            set_text(&number, "long_name", experiment.long_name(quantity))?;
             names.push(quantity.name());
         }
         let alpha = self.number(file, "alpha", Unit::ONE, Dimension::ALPHA)?;
         let beta = self.number(file, "beta", Unit::ONE, Dimension::BETA)?;
-        let mut scales = Vec::new();
-        for (name, units, long_name) in Scales::VARIABLES {
-            scales.push(self.number(file, name, Unit { units, scale: None }, long_name)?);
+        let mut others = Vec::new();
+        for ((name, units, long_name), _) in experiment.variables() {
+            others.push(self.number(file, name, Unit { units, scale: None }, long_name)?);
             names.push(name);
         }
         self.coordinates = Some(names.join(" "));
-        Ok(LaboratoryVariables { alpha, beta, scales })
+        Ok(LaboratoryVariables { alpha, beta, others })
     }
 
     /// Lays out the coordinate x and the fields that are asked for, in the order of [`Field::ALL`].

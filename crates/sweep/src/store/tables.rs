@@ -10,7 +10,7 @@ use super::further_columns::FurtherColumn;
 use super::publication::{Place, Point};
 use super::record::CaseRecord;
 use crate::{Column, Dimension};
-use stribeck_lab::{Experiment, LaboratoryQuantity, Scales};
+use stribeck_lab::{Experiment, LaboratoryQuantity};
 
 /// A table under a temporary name.
 struct Table {
@@ -84,8 +84,8 @@ impl Summary {
     ) -> Result<Self, StoreError> {
         let quantities = experiment.into_iter().flat_map(Experiment::given).map(LaboratoryQuantity::name);
         let columns = Column::summary().map(Column::name);
-        let scales = experiment.into_iter().flat_map(|_| Scales::VARIABLES).map(|(name, ..)| name);
-        let header = quantities.chain(["status", "reason"]).chain(columns).chain(scales).map(str::to_owned);
+        let others = experiment.into_iter().flat_map(Experiment::variables).map(|((name, ..), _)| name);
+        let header = quantities.chain(["status", "reason"]).chain(columns).chain(others).map(str::to_owned);
         Table::create(path, has_ratios, header.chain(more.iter().map(|column| column.name.clone()))).map(Self)
     }
 
@@ -99,7 +99,7 @@ impl Summary {
         table.field(&place.reason)?;
         table.numbers(Column::summary().map(|column| place.values[column]))?;
         if let Some(experiment) = experiment {
-            table.numbers(experiment.scales().values())?;
+            table.numbers(experiment.variables().map(|(_, value)| value))?;
         }
         table.numbers(place.more.iter().copied())?;
         table.end_row()

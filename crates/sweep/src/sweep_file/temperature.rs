@@ -1,7 +1,7 @@
 //! Laws of temperature in a sweep file: `shift` of a body, and a viscosity that changes.
 
 use stribeck_input::{Entry, Fault, RANGE_KEYS, Section, Values};
-use stribeck_lab::{Dimension, LaboratoryQuantity, ShiftLaw, TemperatureUnit, ViscosityLaw, ViscosityTable};
+use stribeck_lab::{Dimension, LaboratoryQuantity, ShiftLaw, ViscosityLaw, ViscosityTable};
 
 const SHIFT: &str = "write shift = { law = \"wlf\", c1 = 17.4, c2 = \"51.6 K\", reference = \"20 degC\" }, or \
                      { law = \"arrhenius\", activation_energy = \"80 kJ/mol\", reference = \"20 degC\" }";
@@ -101,7 +101,7 @@ fn positive(section: &Section<'_>, key: &str, help: &str) -> Result<f64, Fault> 
 
 /// A difference of temperatures in K: a number, or one with a unit.
 fn difference(section: &Section<'_>, key: &str, help: &str) -> Result<f64, Fault> {
-    let unit = |unit: &str| TemperatureUnit::named(unit).map(|unit| unit.kelvins_of_difference(1.0));
+    let unit = |unit: &str| Dimension::Temperature.conversion(unit).map(|unit| unit.of_difference(1.0));
     with_unit(&section.require(key, help)?, "a difference of temperatures, in K or with a unit, as \"51.6 K\"", unit)
 }
 
