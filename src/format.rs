@@ -70,6 +70,36 @@ pub fn table_line(columns: &[Align], cells: &[impl AsRef<str>]) -> String {
     line.trim_end().to_owned() + "\n"
 }
 
+/// Characters of a line in the terminal.
+const WIDTH: usize = 80;
+
+/// A text in lines of at most 80 characters, those behind the first one with `indent`. A word that is longer, as a path
+/// may be, stays whole.
+pub fn filled(text: &str, indent: &str) -> String {
+    let (mut lines, mut length) = (String::new(), 0);
+    for (place, word) in text.split(' ').enumerate() {
+        let width = word.chars().count();
+        if place > 0 && length + 1 + width > WIDTH {
+            lines.truncate(lines.trim_end_matches(' ').len());
+            lines += &format!("\n{indent}{word}");
+            length = indent.chars().count() + width;
+            continue;
+        }
+        if place > 0 {
+            lines.push(' ');
+            length += 1;
+        }
+        lines += word;
+        length += width;
+    }
+    lines
+}
+
+/// A line with a name and what it is, which goes on below itself where it is long.
+pub fn entry(name: &str, words: &str) -> String {
+    filled(&format!("{name:<10} {words}"), &" ".repeat(11)) + "\n"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -102,6 +132,19 @@ mod tests {
             ["3.1 ms", "99.4 ms", "0.10 s", "0.42 s", "12.3 s", "4 min 05 s", "3 h 20 min", "5 d 05 h"]
         );
         assert_eq!([0, 1, 99, 100].map(whole_seconds), ["under 1 s", "1 s", "99 s", "1 min 40 s"]);
+    }
+
+    #[test]
+    fn lines_end_before_the_edge_of_the_terminal() {
+        let text = "word ".repeat(40);
+        let filled_text = filled(text.trim(), "   ");
+        let lines: Vec<&str> = filled_text.lines().collect();
+        assert!(lines.iter().all(|line| line.chars().count() <= 80 && !line.ends_with(' ')), "{filled_text}");
+        assert!(lines[1].starts_with("   word") && lines.len() == 3, "{filled_text}");
+        assert_eq!(filled_text.split_whitespace().count(), 40);
+        assert_eq!(filled("a  table   cell", ""), "a  table   cell");
+        assert_eq!(filled(&"x".repeat(100), ""), "x".repeat(100));
+        assert_eq!(entry("state", "3 reused"), "state      3 reused\n");
     }
 
     #[test]

@@ -510,7 +510,7 @@ fn sensitivities_are_shown_where_they_are_asked_for() {
     let arguments = format!("solve {case} --sensitivities");
     let table = out(&say(directory.path(), &arguments.split_whitespace().collect::<Vec<_>>()));
     for value in
-        known.viscoelastic.into_iter().chain(known.hydrodynamic).chain(known.total_at(1.0)).chain(known.drag_at(1.0))
+        known.viscoelastic().into_iter().chain(known.hydrodynamic).chain(known.total_at(1.0)).chain(known.drag_at(1.0))
     {
         assert!(table.contains(&format!("{value:.6e}")), "{table}");
     }

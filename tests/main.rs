@@ -25,14 +25,17 @@ mod plot;
 mod program;
 mod published;
 mod reference_pages;
+mod refinement;
 mod report;
 mod resume;
 mod schema;
 mod scripts;
 mod slurm;
+mod solve_laboratory;
 mod study;
 mod surface;
 #[path = "../crates/sweep/tests/synthetic/mod.rs"]
 mod synthetic;
 mod systems;
+mod terminal_width;
 mod torture;

@@ -14,7 +14,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::in_python::{check, root, run_python};
-use crate::program::{out, say};
+use crate::program::{code, err, out, say};
 
 /// What a value is replaced by, and what keys are given that are not there.
 const VALUES: [&str; 27] = [
@@ -224,6 +224,87 @@ fn the_schema_takes_what_the_reader_takes_and_refuses_mistakes() {
     for text in MISTAKES {
         assert!(!is_taken(text), "{text}");
         cases.push(json!({ "name": "a mistake", "text": text, "valid": false }));
+    }
+    let (of_schema, of_cases) = (directory.path().join("schema.json"), directory.path().join("cases.json"));
+    fs::write(&of_schema, text).expect("written");
+    fs::write(&of_cases, serde_json::to_string(&cases).expect("JSON")).expect("written");
+    let paths = [&of_schema, &of_cases].map(|path| path.to_str().expect("text"));
+    let said = check(&run_python("tests/python/check_schema.py", &paths));
+    assert_eq!(said, format!("{} files as expected\n", cases.len()));
+}
+
+/// A study file with all that there is, and mistakes of it: what stands there, and what in its place.
+const STUDY: &str = r#"title = "All"
+measure = ["error", "stability"]
+repeats = 2
+start = "chain"
+[axes]
+f = [1.0]
+alpha = { from = 0.1, to = 10.0, points = 3, scale = "log" }
+beta = [10.0]
+[[case]]
+alpha = inf
+beta = 100.0
+f = 10.0
+[substrate]
+modes = [{ share = 1.0, time = 1.0 }]
+[[method]]
+method = "collocation"
+label = "tight"
+tolerance = [1e-3, 1e-5]
+degree = 8
+[[method]]
+method = "collocation"
+panels = [8, 12]
+[[method]]
+method = "relaxation"
+points = [201, 401]
+tolerance = 1e-6
+acceleration = "none"
+"#;
+
+const STUDY_MISTAKES: [(&str, &str); 13] = [
+    ("title = \"All\"", "title = \"\""),
+    ("\"stability\"", "\"speed\""),
+    ("repeats = 2", "repeats = 0"),
+    ("\"chain\"", "\"chains\""),
+    ("f = [1.0]", "slide_roll = [1.0]\nf = [1.0]"),
+    ("beta = 100.0", "beta = 0.0"),
+    ("alpha = inf\n", ""),
+    ("share = 1.0", "share = 2.0"),
+    ("label = \"tight\"", "lable = \"tight\""),
+    ("degree = 8", "degree = 0"),
+    ("[201, 401]", "[200]"),
+    ("[8, 12]", "[8, 8]"),
+    ("method = \"relaxation\"", "method = \"relax\""),
+];
+
+#[test]
+fn the_schema_of_studies_takes_what_the_reader_takes_and_refuses_mistakes() {
+    let directory = tempdir().expect("a temporary directory");
+    let text = out(&say(directory.path(), &["schema", "--study"]));
+    let studies = fs::read_dir(root().join("sweeps")).expect("listed").map(|entry| entry.expect("listed").path());
+    let is_study =
+        |path: &std::path::PathBuf| path.file_name().is_some_and(|it| it.to_string_lossy().starts_with("study-"));
+    let files =
+        studies.filter(is_study).map(|path| (path.display().to_string(), fs::read_to_string(&path).expect("read")));
+    let mut cases: Vec<Value> = files
+        .chain([("all of it".to_owned(), STUDY.to_owned())])
+        .map(|(name, text)| json!({ "name": name, "text": text, "valid": true }))
+        .collect();
+    assert!(cases.len() > 2);
+    for (good, bad) in STUDY_MISTAKES {
+        assert!(STUDY.contains(good), "{good}");
+        cases.push(json!({ "name": bad, "text": STUDY.replacen(good, bad, 1), "valid": false }));
+    }
+    // The reader agrees, file by file.
+    for case in &cases {
+        let file = directory.path().join("study.toml");
+        fs::write(&file, case["text"].as_str().expect("text")).expect("written");
+        // A directory that cannot be one ends a study that is valid, before anything is solved.
+        let said = say(directory.path(), &["study", "study.toml", "-o", "study.toml"]);
+        let expected = if case["valid"] == true { 4 } else { 2 };
+        assert_eq!(code(&said), expected, "{}: {}", case["name"], err(&said));
     }
     let (of_schema, of_cases) = (directory.path().join("schema.json"), directory.path().join("cases.json"));
     fs::write(&of_schema, text).expect("written");

@@ -129,3 +129,33 @@ fn what_is_not_ours_is_not_replaced_and_damage_is_told_and_healed() {
     assert!(err(&refused).contains("`stribeck surface` has not written"), "{}", err(&refused));
     assert_eq!(fs::read_to_string(&file).expect("read"), "{\"mine\": 1}");
 }
+
+/// The status of a surface tells its rounds, the error that it has reached, and its cases.
+#[test]
+fn the_status_of_a_surface_tells_how_far_it_is() {
+    let directory = with_surface();
+    let status = || out(&say(directory.path(), &["status", "s"]));
+    let line = |text: &str, name: &str| {
+        let found = text.lines().find_map(|line| line.strip_prefix(name).map(str::trim)).map(str::to_owned);
+        found.unwrap_or_else(|| panic!("no {name} in {text}"))
+    };
+    let finished = status();
+    assert!(finished.contains("finished: s/surface.json"), "{finished}");
+    let file: Value =
+        serde_json::from_slice(&fs::read(directory.path().join("s/surface.json")).expect("read")).expect("JSON");
+    let errors = file["certificate"]["errors"].as_array().expect("errors");
+    let largest = errors.iter().map(|it| it["largest"].as_f64().expect("a number")).fold(0.0, f64::max);
+    assert_eq!(line(&finished, "error"), format!("at most {largest:.1e} at random points; the tolerance is 1e-3"));
+    let made_from = file["certificate"]["cases"].as_u64().expect("a number");
+    let (rounds, nodes) = {
+        let words = line(&finished, "rounds");
+        let (rounds, nodes) = words.split_once(", ").expect("two numbers");
+        (rounds.parse::<u64>().expect("rounds"), nodes.trim_end_matches(" nodes").parse::<u64>().expect("nodes"))
+    };
+    assert!(rounds > 0 && nodes == made_from, "{rounds} rounds, {nodes} nodes, made from {made_from}");
+    let cases = line(&finished, "cases");
+    let converged: u64 = cases.split(' ').next().and_then(|number| number.parse().ok()).expect("a number");
+    assert!(converged >= made_from + 1000 && cases.ends_with(" 0 failed"), "{cases}");
+    fs::remove_file(directory.path().join("s/surface.json")).expect("removed");
+    assert!(status().contains("stopped; the same `stribeck surface` command goes on"), "{}", status());
+}

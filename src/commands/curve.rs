@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::measured::MeasuredArguments;
+use super::at::{self, At};
+use super::measured::{self, MeasuredArguments};
 use super::output_file::{OutputFiles, or_empty};
-use super::plot::at;
 use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
 use super::{CliError, Exit, console, threads};
-use crate::format::{Align, count, table_line};
+use crate::format::{Align, count, filled, table_line};
 use crate::pictures::{Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::{Experiment, Measured};
@@ -38,9 +38,9 @@ pub struct Arguments {
     /// The sweep file, with [laboratory]
     #[arg(value_name = "SWEEP")]
     sweep: PathBuf,
-    /// A value of each other axis that has several, in SI units, as in load=100; the nearest one is taken
-    #[arg(long, value_name = "AXIS=V", value_parser = at)]
-    at: Vec<(String, Vec<f64>)>,
+    /// A value of each other axis that has several, as in load=100 or load="100 N/m"; the nearest one is taken
+    #[arg(long, value_name = "AXIS=V,…", value_parser = at::parse)]
+    at: Vec<At>,
     /// Write all numbers to this file
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
@@ -57,8 +57,9 @@ const FIRST_COLUMNS: [&str; 5] = ["status", "reason", "f", "alpha", "beta"];
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut sweep = read_sweep(&arguments.sweep)?;
     let axes = laboratory(&sweep, &arguments.sweep)?;
-    sweep.grid = Grid::Laboratory(one_curve(axes, &arguments.at)?);
     let measured = arguments.measured.read(sweep.grid.radius())?;
+    measured.iter().for_each(|measured| measured::note_units(measured, &sweep.grid.dimensions()));
+    sweep.grid = Grid::Laboratory(choose(axes, &at::all(&arguments.at), Choice::Curve)?);
     sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };
     let inputs = arguments.measured.files().chain([arguments.sweep.as_path()]);
     let is_ours = |beginning: &[u8]| beginning.starts_with(FIRST_COLUMNS.join(",").as_bytes());
@@ -68,12 +69,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Some(csv) = csv {
         csv.write(&table(&cases).csv())?;
     }
-    let mut text = format!("{}\n{}\n", sweep.title, describe(&cases[0].experiment));
+    let mut text = format!("{}\n{}\n", sweep.title, filled(&describe(&cases[0].experiment), "  "));
     if let Grid::Laboratory(axes) = &sweep.grid {
         let extent = Extent::of(axes);
-        text += &format!("{extent}\n");
+        text += &format!("{}\n", filled(&extent.to_string(), "  "));
         let cavity = sweep.output.cavity_shear;
-        text += &format!("cavity_shear = \"{cavity}\": {}\n", cavity.meaning());
+        text += &format!("{}\n", filled(&format!("cavity_shear = \"{cavity}\": {}", cavity.meaning()), "  "));
         text += &reach(&cases);
         text += &notes(&cases, axes);
     }
@@ -81,7 +82,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     text += &rows(&cases);
     let failed: Vec<&Solved> = cases.iter().filter(|case| case.entry.outcome == Status::Failed).collect();
     for case in &failed {
-        text += &format!("failed at {} m/s: {}\n", shortest(case.along()), case.entry.reason);
+        let line = format!("failed at {} m/s: {}", shortest(case.along()), case.entry.reason);
+        text += &format!("{}\n", filled(&line, "  "));
     }
     if let Some(file) = &arguments.csv {
         text += &format!("{}: {}\n", shown(file), count(cases.len() as u64, "row"));
@@ -101,28 +103,47 @@ pub fn laboratory<'s>(sweep: &'s Sweep, path: &Path) -> Result<&'s LaboratoryAxe
     }
 }
 
-/// The axes with one value of each but the speed.
-fn one_curve(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)]) -> Result<LaboratoryAxes, CliError> {
-    // A curve is one of the runs of an instrument that swaps bodies.
+/// What is chosen of a sweep over quantities of the laboratory.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Choice {
+    /// A curve along the speed, by values of the sweep.
+    Curve,
+    /// A case, by any values.
+    Case,
+}
+
+/// The axes with one value of each; a curve has all speeds.
+///
+/// # Errors
+/// [`CliError`] if an axis has several values and none is asked for, or what is asked for is no axis.
+pub fn choose(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)], choice: Choice) -> Result<LaboratoryAxes, CliError> {
+    // Each is one of the runs of an instrument that swaps bodies.
     let mut one = LaboratoryAxes { swap: false, ..axes.clone() };
-    let speed = one.given.len() - 1;
+    let (of, chosen) = match choice {
+        Choice::Curve => ("a curve", one.given.len() - 1),
+        Choice::Case => ("a case", one.given.len()),
+    };
     let mut known: Vec<&str> = Vec::new();
     let lists = std::iter::once(("f", &mut one.f))
-        .chain(one.given[..speed].iter_mut().map(|given| (given.quantity.name(), &mut given.values)));
+        .chain(one.given[..chosen].iter_mut().map(|given| (given.quantity.name(), &mut given.values)));
     for (name, values) in lists {
         known.push(name);
         let wanted: Vec<f64> =
             at.iter().filter(|(axis, _)| axis == name).flat_map(|(_, values)| values.clone()).collect();
         let value = match wanted[..] {
             [] if values.len() == 1 => values[0],
+            [wanted] if choice == Choice::Case => wanted,
             [wanted] => values[nearest(name, values, wanted)?],
-            [] => return Err(CliError::SeveralCurves { axis: name.to_owned(), values: values.len() }),
-            _ => return Err(CliError::SeveralAsked { axis: name.to_owned() }),
+            [] => return Err(CliError::SeveralCurves { of, axis: name.to_owned(), values: values.len() }),
+            _ => return Err(CliError::SeveralAsked { of, axis: name.to_owned() }),
         };
         *values = vec![value];
     }
     match at.iter().find(|(axis, _)| !known.contains(&axis.as_str())) {
-        Some((axis, _)) => Err(CliError::NoSuchAxis { axis: axis.clone(), known: known.join(", ") }),
+        Some((axis, _)) => {
+            let of = if choice == Choice::Curve { "a curve runs along the speed, and" } else { of };
+            Err(CliError::NoSuchAxis { of, axis: axis.clone(), known: known.join(", ") })
+        }
         None => Ok(one),
     }
 }
@@ -224,21 +245,18 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
 
 /// One line for each speed.
 fn rows(cases: &[Solved]) -> String {
-    let along = format!("{} (m/s)", cases[0].experiment.motion.along().0.name());
-    let names =
-        [along.as_str(), "alpha", "beta", "mu_drag", "mu_v", "mu_shear", "mu_pressure", "film_min (m)", "error"];
-    let columns = [along.len().max(12), 11, 11, 11, 11, 11, 12, 12, 8].map(Align::Right);
+    let names = ["speed (m/s)", "mu_drag", "mu_v", "mu_shear", "mu_pressure", "film_min (m)", "error"];
+    let columns = [11, 9, 9, 9, 11, 12, 6].map(Align::Right);
     let mut text = table_line(&columns, &names);
-    let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4e}") };
+    let number = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.3e}") };
     for case in cases {
-        let [_, alpha, beta] = case.numbers;
         let errors =
             [Column::ErrorMuDrag, Column::ErrorMuV, Column::ErrorMuH, Column::ErrorC].map(|column| case.value(column));
         let error =
             if errors.iter().any(|error| error.is_nan()) { f64::NAN } else { errors.into_iter().fold(0.0, f64::max) };
         let values = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure, Column::FilmMin]
             .map(|column| case.value(column));
-        let numbers: Vec<f64> = [case.along(), alpha, beta].into_iter().chain(values).collect();
+        let numbers: Vec<f64> = std::iter::once(case.along()).chain(values).collect();
         let mut cells: Vec<String> = numbers.into_iter().map(number).collect();
         cells.push(match case.entry.outcome {
             Status::Failed => "failed".to_owned(),
@@ -248,12 +266,15 @@ fn rows(cases: &[Solved]) -> String {
         text += &table_line(&columns, &cells);
     }
     let slide_roll = cases[0].experiment.motion.slide_roll();
-    text + &format!(
-        "\nmu_drag = mu_v + S mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow; \
-         S = {} here\n\
-         error: the largest estimated relative error of mu_drag, mu_v, mu_h and the film c\n",
+    let along = cases[0].experiment.motion.along().0.name();
+    let drag = format!(
+        "mu_drag = mu_v + S mu_shear - mu_pressure: what a load cell reads, by hysteresis, shear and pressure flow; \
+         S = {} here",
         shortest(slide_roll)
-    )
+    );
+    let error = "error: the largest estimated relative error of mu_drag, mu_v, mu_h and the film c";
+    let speed = if along == "speed" { String::new() } else { format!("speed: {along}\n") };
+    text + &format!("\n{speed}{}\n{}\n", filled(&drag, "  "), filled(error, "  "))
 }
 
 /// All numbers in SI units: what is given, and the columns of the summary.

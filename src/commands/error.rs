@@ -31,17 +31,19 @@ pub enum CliError {
     Table(#[from] TableError),
     /// A sweep without quantities of the laboratory.
     #[error(
-        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes] \
-         (docs/reference/sweep-file.md)",
+        "{} is dimensionless, and this needs a speed: write the section [laboratory] in place of [axes]; \
+         `stribeck init --laboratory` prints an example",
         shown(file)
     )]
     NotLaboratory {
         /// The sweep file.
         file: PathBuf,
     },
-    /// A sweep with more than one curve along the speed.
-    #[error("{axis} has {values} values in the sweep file, and a curve has one; choose with --at {axis}=VALUE")]
+    /// A sweep with more than one curve along the speed, or more than one case.
+    #[error("{axis} has {values} values in the sweep file, and {of} has one; choose with --at {axis}=VALUE")]
     SeveralCurves {
+        /// What is chosen: a curve, or a case.
+        of: &'static str,
         /// The axis.
         axis: String,
         /// How many values it has.
@@ -55,15 +57,19 @@ pub enum CliError {
     /// Modes that are no substrate.
     #[error("--modes and --roller-modes: {0}; scale the shares so that those of both bodies add up to 1")]
     Modes(SubstrateError),
-    /// More than one value of an axis of a curve.
-    #[error("--at {axis}=… asks for several values, and a curve has one of each axis; give one")]
+    /// More than one value of an axis of a curve or a case.
+    #[error("--at {axis}=… asks for several values, and {of} has one of each axis; give one")]
     SeveralAsked {
+        /// What is chosen: a curve, or a case.
+        of: &'static str,
         /// The axis.
         axis: String,
     },
-    /// An axis that a curve has not.
-    #[error("--at {}: a curve runs along the speed, and can be chosen by {known}", printable(axis))]
+    /// An axis that a curve or a case has not.
+    #[error("--at {}: {of} can be chosen by {known}", printable(axis))]
     NoSuchAxis {
+        /// What is chosen: a curve along the speed, or a case.
+        of: &'static str,
         /// The axis.
         axis: String,
         /// Those that there are.

@@ -9,8 +9,8 @@ use std::sync::Arc;
 use clap::Args;
 use serde_json::{Map, Value, json};
 
+use super::at::{self, At};
 use super::output_file::{OutputFiles, or_empty, unwritten};
-use super::plot::at;
 use super::{CliError, Exit, console, number, threads};
 use stribeck_input::{printable, shown};
 use stribeck_solver::{Interrupt, shortest};
@@ -44,9 +44,9 @@ pub struct Arguments {
     /// f of the point
     #[arg(long, value_name = "F", value_parser = number::parse, allow_negative_numbers = true)]
     f: Option<f64>,
-    /// A coordinate of the point, in SI units, as in speed=0.01
-    #[arg(long, value_name = "AXIS=V", value_parser = at)]
-    at: Vec<(String, Vec<f64>)>,
+    /// Coordinates of the point, as in speed=0.01 or speed="10 mm/s"
+    #[arg(long, value_name = "AXIS=V", value_parser = at::parse)]
+    at: Vec<At>,
     /// Also the derivatives with respect to the axes
     #[arg(long)]
     derivatives: bool,
@@ -125,9 +125,9 @@ fn point(arguments: &Arguments, surface: &Surface) -> Result<Vec<f64>, CliError>
     let named = [("alpha", arguments.alpha), ("beta", arguments.beta), ("f", arguments.f)];
     let mut given: Vec<(String, f64)> =
         named.into_iter().filter_map(|(name, value)| Some((name.to_owned(), value?))).collect();
-    for (axis, values) in &arguments.at {
-        let [value] = values[..] else { return Err(CliError::SeveralAsked { axis: axis.clone() }) };
-        given.push((axis.clone(), value));
+    for (axis, values) in at::all(&arguments.at) {
+        let [value] = values[..] else { return Err(CliError::SeveralAsked { of: "a point", axis }) };
+        given.push((axis, value));
     }
     let names: Vec<&str> = surface.axes().iter().map(|axis| axis.name.as_str()).collect();
     for (name, value) in given.iter().filter(|(name, _)| !names.contains(&name.as_str())) {

@@ -1,16 +1,16 @@
 //! `stribeck explain`: why a case is as it is.
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::at;
 use super::number::number;
 use super::shell::quoted;
-use super::solution::numbers;
+use super::solution::{describe_experiment, numbers};
 use super::trace_report::{describe_seed, describe_trace};
 use super::{CliError, Exit, console};
-use crate::format::{count, duration, utc_timestamp};
+use crate::format::{count, duration, entry as entry_line, filled, utc_timestamp};
 use stribeck_input::shown;
 use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::Method;
@@ -19,14 +19,12 @@ use stribeck_sweep::campaign::{
 };
 use stribeck_sweep::store::{CaseEntry, Origin, Status};
 
-const IN_MEMORY: &str = "writing to memory does not fail";
-
 #[derive(Clone, Debug, Args)]
 #[command(
     before_help = "\
 Examples:
   stribeck explain results/quick 100,1,1000             the place nearest to these f, alpha and beta
-  stribeck explain results/experiment entrainment_speed=0.1,slide_roll_ratio=1
+  stribeck explain results/experiment entrainment_speed=\"0.1 m/s\",slide_roll_ratio=1
   stribeck explain results/quick 100,1,1000 --stored    what is stored only; nothing is solved",
     after_help = "\
 A case is also known by its id, in the column `case` of summary.csv.
@@ -39,7 +37,7 @@ pub struct Arguments {
     /// A results directory
     #[arg(value_name = "DIR")]
     directory: PathBuf,
-    /// A case: its id, or its place as F,ALPHA,BETA or as AXIS=VALUE,… in SI units
+    /// A case: its id, or its place as F,ALPHA,BETA or as AXIS=VALUE,… with units or in SI units
     #[arg(value_name = "CASE", value_parser = case_name, allow_hyphen_values = true)]
     case: CaseName,
     /// Tell what is stored; solve nothing again
@@ -51,12 +49,12 @@ fn case_name(text: &str) -> Result<CaseName, String> {
     if let Ok(id) = text.parse() {
         return Ok(CaseName::Id(id));
     }
-    let pair = |pair: &str| {
-        pair.split_once('=')
-            .and_then(|(name, value)| Some((name.trim().to_owned(), number(value).filter(|value| !value.is_nan())?)))
-    };
-    if let Some(wanted) = text.split(',').map(pair).collect::<Option<Vec<_>>>() {
-        return Ok(CaseName::At(wanted));
+    if text.contains('=') {
+        let axes = at::parse(text)?.0.into_iter().map(|(axis, values)| match values[..] {
+            [value] => Ok((axis, value)),
+            _ => Err(format!("give one value of {axis}: a case has one of each axis")),
+        });
+        return axes.collect::<Result<_, _>>().map(CaseName::At);
     }
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     match numbers.as_deref() {
@@ -124,27 +122,22 @@ fn nearest(asked: &CaseName, place: &CasePlace) -> String {
         return String::new();
     }
     let words: Vec<String> = asked.iter().map(|(name, value)| format!("{name} = {}", shortest(*value))).collect();
-    format!("  the nearest one to {}, which is no place of the sweep\n", words.join(", "))
+    filled(&format!("  the nearest one to {}, which is no place of the sweep", words.join(", ")), "  ") + "\n"
 }
 
 /// Where a case is in the sweep, and in its chain.
 fn describe_place(place: &CasePlace) -> String {
     let [f, alpha, beta] = place.numbers.map(shortest);
-    let experiment = place.experiment.map_or_else(String::new, |experiment| {
-        let given = experiment.given().map(|quantity| {
-            let value = shortest(experiment.value(quantity));
-            format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
-        });
-        format!("  {}\n", given.collect::<Vec<_>>().join(", "))
-    });
+    let experiment =
+        place.experiment.map_or_else(String::new, |experiment| format!("{}\n", describe_experiment(&experiment)));
     let same = match place.parameters.is_relaxed_elastic() {
         true => ", solved once for all places of this beta whose substrate is elastic (f = 0 or alpha = inf)",
         false => "",
     };
     let end = |case: Option<&Parameters>| case.map_or_else(String::new, |case| shortest(case.beta));
+    let numbers = filled(&format!("  f = {f}, alpha = {alpha}, beta = {beta}{same}"), "  ");
     format!(
-        "{experiment}  f = {f}, alpha = {alpha}, beta = {beta}{same}\n  number {} of the {} of its chain, beta from \
-         {} to {}\n",
+        "{experiment}{numbers}\n  number {} of the {} of its chain, beta from {} to {}\n",
         place.index + 1,
         place.chain.len(),
         end(place.chain.first()),
@@ -155,7 +148,7 @@ fn describe_place(place: &CasePlace) -> String {
 /// What is stored of a case, with its numbers at the slide-to-roll ratio S, and how it came there.
 fn describe_stored(entry: &CaseEntry, origin: &Origin, slide_roll: f64) -> String {
     let mut text = "\n".to_owned();
-    let mut line = |name: &str, words: &str| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
+    let mut line = |name: &str, words: &str| text += &entry_line(name, words);
     if entry.outcome == Status::Failed {
         line("reason", &entry.reason);
     }
@@ -182,10 +175,9 @@ fn describe_stored(entry: &CaseEntry, origin: &Origin, slide_roll: f64) -> Strin
     let values = entry.values.at_slide_roll(slide_roll);
     if slide_roll != 1.0 {
         let ratio = shortest(2.0 * slide_roll);
-        text +=
-            &format!("\nnumbers at the slide-to-roll ratio {ratio} of its first place; other ratios share the film\n");
+        text += &format!("\nnumbers at the slide-to-roll ratio {ratio} of its first place; others share the film\n");
     }
-    text + "\n" + &numbers(&CaseEntry { values, ..entry.clone() }, slide_roll)
+    text + "\n" + &numbers(&CaseEntry { values, ..entry.clone() }, slide_roll, |units| units)
 }
 
 /// What becomes of a case that is not stored, and why one of the same problem is of no use.
@@ -194,8 +186,8 @@ fn describe_missing(worker: Option<&str>, stale: Option<&StaleReason>) -> String
         Some(worker) => format!("a run works here ({worker})"),
         None => "`stribeck run` solves it".to_owned(),
     };
-    let stale = stale.map_or_else(String::new, |why| format!("stale      it is stored, but {why}\n"));
-    format!("\nto do      {next}\n{stale}")
+    let stale = stale.map_or_else(String::new, |why| entry_line("stale", &format!("it is stored, but {why}")));
+    format!("\n{}{stale}", entry_line("to do", &next))
 }
 
 /// The keys and values of a recipe.
@@ -219,7 +211,8 @@ fn describe_solved_again(again: &SolvedAgain, place: &CasePlace, method: Method)
         Method::Relaxation => "residual",
     };
     let same = describe_comparison(&again.comparison);
-    format!("\nsolved again, {before}: {same}\n{}", describe_trace(&again.case, residual))
+    let again_line = filled(&format!("solved again, {before}: {same}"), "  ");
+    format!("\n{again_line}\n{}", describe_trace(&again.case, residual))
 }
 
 fn describe_comparison(comparison: &Comparison) -> String {

@@ -13,6 +13,7 @@ use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
+use stribeck_input::nearest;
 use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown};
 use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::create_directory;
@@ -66,7 +67,12 @@ pub struct Arguments {
 fn unknown(name: &str) -> Result<Unknown, String> {
     Unknown::named(name.trim()).ok_or_else(|| {
         let known: Vec<&str> = Unknown::all().map(Unknown::name).collect();
-        format!("give some of {}", known.join(", "))
+        let meant = match name.trim().to_lowercase().as_str() {
+            "modulus" | "young_modulus" | "e" => Some("relaxed_modulus"),
+            name => nearest(name, &known),
+        };
+        let meant = meant.map_or_else(String::new, |meant| format!("did you mean {meant}? "));
+        format!("{meant}give some of {}", known.join(", "))
     })
 }
 
@@ -97,6 +103,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
     let measured = points_to_fit(measured, &arguments.unknown);
     laboratory(&sweep, sweep_file)?;
+    measured::note_units(&measured, &sweep.grid.dimensions());
     let task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
     note_temperatures(&measured, &task.experiment);
     let directory = arguments.output.as_deref();

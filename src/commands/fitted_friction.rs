@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::short_value::short;
 use super::terminal_plot::{TextAxis, plot};
-use crate::format::{Align, count, table_line};
+use crate::format::{Align, count, filled, table_line};
 use crate::pictures::Table;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::shown;
@@ -50,35 +50,35 @@ impl FittedFriction<'_> {
     fn heading(&self) -> String {
         let FrictionFit { points, evaluations, .. } = self.fit;
         let names: Vec<String> = self.measured.files.iter().map(|file| shown(file)).collect();
-        format!(
-            "{} of {}, {} solved {evaluations} times\n{}\n",
+        let heading = format!(
+            "{} of {}, {} solved {evaluations} times",
             count(points.len() as u64, "point"),
             names.join(" and "),
             if points.len() == 1 { "it was" } else { "all of them were" },
-            if self.fit.is_minimum {
-                ""
-            } else {
-                "NO MINIMUM: the time was up; the best values so far, without errors\n"
-            },
-        )
+        );
+        let best = if self.fit.is_minimum {
+            ""
+        } else {
+            "NO MINIMUM: the time was up; the best values so far, without errors\n"
+        };
+        format!("{}\n{best}\n", filled(&heading, ""))
     }
 
     fn estimates(&self) -> String {
-        let columns = [Align::Left(22), Align::Right(12), Align::Right(12), Align::Left(5), Align::Right(12)];
-        let columns = [&columns[..], &[Align::Left(18), Align::Left(0)]].concat();
-        let interval = if self.intervals.is_some() { "interval" } else { "" };
-        let mut text = table_line(&columns, &["unknown", "value", "std. error", "unit", "start", "in short", interval]);
-        let number = |number: f64| if number.is_nan() { "-".to_owned() } else { format!("{number:.5e}") };
+        let columns =
+            [Align::Left(21), Align::Right(10), Align::Right(10), Align::Left(4), Align::Right(10), Align::Left(0)];
+        let mut text = table_line(&columns, &["unknown", "value", "std. error", "unit", "start", "in short"]);
+        let number = |number: f64| if number.is_nan() { "-".to_owned() } else { format!("{number:.4e}") };
         for (i, Estimate { unknown, value, error, start, at_bound }) in self.fit.estimates.iter().enumerate() {
             let [value_text, error_text, start] = [*value, *error, *start].map(number);
             let bound = if *at_bound { " at its bound" } else { "" };
             let short = short(*value, *error, unknown.units()) + bound;
-            let interval = self.intervals.map_or_else(String::new, |intervals| {
-                let [from, to] = intervals[i].map(|end| end.map_or("?".to_owned(), |end| format!("{end:.4e}")));
-                format!("{from} to {to}")
-            });
-            let cells = [unknown.name(), &value_text, &error_text, unknown.units(), &start, &short, &interval];
+            let cells = [unknown.name(), &value_text, &error_text, unknown.units(), &start, &short];
             text += &table_line(&columns, &cells);
+            if let Some(intervals) = self.intervals {
+                let [from, to] = intervals[i].map(|end| end.map_or("?".to_owned(), |end| format!("{end:.4e}")));
+                text += &format!("  interval {from} to {to}\n");
+            }
         }
         text
     }
@@ -103,10 +103,13 @@ impl FittedFriction<'_> {
             _ if degrees_of_freedom == 0 => {
                 "\nas many points as unknowns: nothing is left to tell whether the model holds\n".to_owned()
             }
-            Some(_) => format!(
-                "\nreduced chi-squared {reduced_chi_squared:.4} with {degrees} of freedom: near 1 where the \
-                 given errors are right and the model holds\n"
-            ),
+            Some(_) => {
+                let words = format!(
+                    "reduced chi-squared {reduced_chi_squared:.4} with {degrees} of freedom: near 1 where the given \
+                     errors are right and the model holds"
+                );
+                format!("\n{}\n", filled(&words, "  "))
+            }
             None => format!(
                 "\nrelative error of a point {:.3} %, from the residuals with {degrees} of freedom\n",
                 100.0 * reduced_chi_squared.sqrt()
@@ -119,7 +122,8 @@ impl FittedFriction<'_> {
         let (points, (from, to)) = self.residuals();
         let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
         let drawn = plot(&[(from, 0.0), (to, 0.0)], &points, x, y);
-        format!("\nresiduals {} against {} in m/s, logarithmic\n{drawn}\n", self.residual_label(), self.along())
+        let label = format!("residuals {} against {} in m/s, logarithmic", self.residual_label(), self.along());
+        format!("\n{}\n{drawn}\n", filled(&label, "  "))
     }
 
     /// The name of the speed that points are drawn over.

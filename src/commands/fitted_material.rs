@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::material_text::{self, digits, number_line};
 use super::shifted;
-use crate::format::count;
+use crate::format::{count, filled};
 use crate::pictures::Chart;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::printable;
@@ -42,12 +42,12 @@ impl FittedMaterial<'_> {
             relaxation.terms().len(),
             count(self.offered as u64, "term"),
         );
-        text += &self.choice.map(|choice| format!("{}\n", reason(choice))).unwrap_or_default();
+        text += &self.choice.map(|choice| filled(&reason(choice), "  ") + "\n").unwrap_or_default();
         let size = if self.is_oscillation() { "of |E*|" } else { "of E(t)" };
         text += &number_line("residual, rms", self.fit.rms_residual, size);
         text += &number_line("residual, largest", self.fit.largest_residual, size);
         text += &material_text::numbers(relaxation, true);
-        text += &self.doubt().map(|doubt| format!("note: {doubt}\n")).unwrap_or_default();
+        text += &self.doubt().map(|doubt| filled(&format!("note: {doubt}"), "      ") + "\n").unwrap_or_default();
         text += &material_text::spectra(relaxation, true);
         text += &format!("\nFor a sweep file:\n\n{}", material_text::toml(&material_text::series(relaxation)));
         text + &self.master_curve.map(shifted::law_lines).unwrap_or_default()

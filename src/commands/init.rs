@@ -42,7 +42,7 @@ pub struct Arguments {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let (text, command) = match (arguments.laboratory, arguments.surface) {
-        (true, _) => (LABORATORY, "run"),
+        (true, _) => (LABORATORY, "curve"),
         (_, true) => (SURFACE, "surface"),
         _ => (SWEEP, "run"),
     };

@@ -5,8 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::{CliError, console};
+use stribeck_input::printable;
 use stribeck_lab::{ColumnChoice, LaboratoryQuantity, Measured};
 use stribeck_sweep::store::DataSet;
+use stribeck_sweep::{Dimension, range};
+
+/// So many times a sweep's fastest speed, or a part of its slowest, is far outside of it.
+const FAR: f64 = 10.0;
 
 /// Options of commands that lay measured points over solutions.
 #[derive(Clone, Debug, Args)]
@@ -58,6 +63,39 @@ impl MeasuredArguments {
     pub fn read(&self, radius: Option<f64>) -> Result<Option<Measured>, CliError> {
         self.measured.as_deref().map(|path| read(path, &self.columns, radius)).transpose()
     }
+}
+
+/// Says on stderr if speeds whose unit nobody named are far outside of those of a sweep.
+pub fn note_units(measured: &Measured, sweep: &[Dimension]) {
+    for (name, heading) in &measured.without_unit {
+        if let Some(values) = measured.coordinate(name) {
+            note_far(&format!("column `{}`", printable(heading)), name, values, sweep);
+        }
+    }
+}
+
+/// The same of values on the command line.
+pub fn note_value(axis: &str, values: &[f64], sweep: &[Dimension]) {
+    note_far(&printable(axis), axis, values, sweep);
+}
+
+fn note_far(what: &str, axis: &str, values: &[f64], sweep: &[Dimension]) {
+    let ends = |values: &[f64]| {
+        let above_0 = values.iter().copied().filter(|value| *value > 0.0);
+        above_0.fold([f64::INFINITY, 0.0], |[least, most], value| [f64::min(least, value), f64::max(most, value)])
+    };
+    let Some(of_sweep) = sweep.iter().find(|it| it.name == axis && it.units == "m/s") else { return };
+    let ([least, most], [slowest, fastest]) = (ends(values), ends(&of_sweep.values));
+    if most == 0.0 || (least <= FAR * fastest && most >= slowest / FAR) {
+        return;
+    }
+    let in_mm = least / 1000.0 <= FAR * fastest && most / 1000.0 >= slowest / FAR;
+    let remedy = if in_mm { "did you mean mm/s?" } else { "which unit did you mean?" };
+    let mm = range([1000.0 * slowest, 1000.0 * fastest]);
+    console::tell(&format!(
+        "note: {what}, {}, is read as m/s; the sweep has {mm} mm/s; {remedy} Write the unit behind the name or the number",
+        range([least, most])
+    ));
 }
 
 /// Reads measured points, and tells on stderr what was understood of them.

@@ -19,10 +19,13 @@
 //! | `material_text`, `shifted` | a material and a master curve as lines of text, as JSON and as charts |
 //! | `error`, `console` | errors with their exit codes; output |
 //! | `shell`, `threads` | quoted commands; number of threads |
-//! | `number` | numbers of the command line |
+//! | `number`, `at` | numbers of the command line; values of axes, with units |
+//! | `case_fields` | the fields of one case in a file |
 //! | `output_file` | files that a command writes for its user |
 //! | `sbatch_option` | options of sbatch that a user adds |
 
+mod at;
+mod case_fields;
 mod command_line;
 mod completions;
 mod console;

@@ -1,6 +1,5 @@
 //! `stribeck plan`: what `run` would do, without doing it.
 
-use std::fmt::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -9,13 +8,11 @@ use clap::Args;
 use super::destination::destination;
 use super::run_report::about_fields;
 use super::{CliError, Exit, console, threads};
-use crate::format::{bytes, count, duration};
+use crate::format::{bytes, count, duration, entry};
 use stribeck_input::shown;
 use stribeck_sweep::campaign::{CaseSeconds, Cost, DirectoryState, PlanOptions, PlanReport, plan, read_sweep};
 use stribeck_sweep::store::Inspection;
 use stribeck_sweep::{Extent, Grid, Sweep};
-
-const IN_MEMORY: &str = "writing to memory does not fail";
 
 #[derive(Clone, Debug, Args)]
 #[command(
@@ -81,7 +78,7 @@ fn describe_sweep(sweep: &Sweep, file: &Path, directory: &Path, report: &PlanRep
         Grid::Laboratory(_) => "those with the same f, alpha and beta are solved once",
     };
     let mut text = String::new();
-    let mut line = |name: &str, words: String| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
+    let mut line = |name: &str, words: String| text += &entry(name, &words);
     line("sweep", format!("{} ({})", sweep.title, shown(file)));
     line("directory", format!("{} ({state})", shown(directory)));
     line("cases", format!("{} = {}", report.plan.cases(), axes.join(" x ")));
@@ -103,7 +100,7 @@ fn describe_sweep(sweep: &Sweep, file: &Path, directory: &Path, report: &PlanRep
 fn describe_pending(report: &PlanReport) -> String {
     let pending = &report.pending;
     let mut text = String::new();
-    let mut line = |name: &str, words: String| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
+    let mut line = |name: &str, words: String| text += &entry(name, &words);
     let (reused, new, failed) = (pending.converged, pending.new, pending.failed);
     let stale = match pending.stale_cases() {
         0 => String::new(),
@@ -115,6 +112,9 @@ fn describe_pending(report: &PlanReport) -> String {
     }
     if pending.unplaced > 0 {
         line("others", format!("{} stored have no place in this sweep; they stay", count(pending.unplaced, "case")));
+    }
+    for refinement in &report.refinements {
+        line("refine", format!("{refinement} cases of the sweep before"));
     }
     if pending.to_do() > 0 {
         let (to_do, chains) = (pending.to_do(), pending.chains.len() as u64);
@@ -148,9 +148,7 @@ fn describe_cost(cost: &Cost, threads: NonZeroUsize) -> String {
     };
     let (run, case) = (duration(cost.seconds), duration(cost.case.seconds()));
     let (stored, published) = (bytes(cost.size.stored), bytes(cost.size.published));
-    format!(
-        "time       about {run} on {}; {case} per case, {source}\n\
-         disk       about {stored} to store, {published} published\n",
-        count(threads.get() as u64, "thread"),
-    )
+    let threads = count(threads.get() as u64, "thread");
+    entry("time", &format!("about {run} on {threads}; {case} per case, {source}"))
+        + &entry("disk", &format!("about {stored} to store, {published} published"))
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use super::at::{self, At};
 use super::measured::{self, MeasuredArguments};
 use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
@@ -55,9 +56,9 @@ pub struct Arguments {
     /// Values of β
     #[arg(long, value_name = "B,…", value_delimiter = ',')]
     beta: Vec<f64>,
-    /// Values of any axis, in SI units, as in load=100,200; may be given several times
-    #[arg(long, value_name = "AXIS=V,…", value_parser = at)]
-    at: Vec<(String, Vec<f64>)>,
+    /// Values of any axis, as in load=100,200 or speed="3 mm/s"; may be given several times
+    #[arg(long, value_name = "AXIS=V,…", value_parser = at::parse)]
+    at: Vec<At>,
     #[command(flatten)]
     measured: MeasuredArguments,
     /// Where profiles and stresses are shown, in a₀ [default: all of the sweep's x]
@@ -92,15 +93,6 @@ fn range(text: &str) -> Result<(f64, f64), String> {
     }
 }
 
-/// An axis and values of it.
-pub fn at(text: &str) -> Result<(String, Vec<f64>), String> {
-    let values = |values: &str| values.split(',').map(number).collect::<Option<Vec<f64>>>();
-    match text.split_once('=').map(|(axis, numbers)| (axis.trim().to_owned(), values(numbers))) {
-        Some((axis, Some(values))) if !axis.is_empty() => Ok((axis, values)),
-        _ => Err("an axis and values of it, as in speed=0.001,0.01".to_owned()),
-    }
-}
-
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let home = published::directory(&arguments.directory);
     let data = published::open(&home)?;
@@ -116,9 +108,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
     };
     let measured = arguments.measured.read(measured::radius(&data))?;
+    measured.iter().for_each(|measured| measured::note_units(measured, &data.dimensions));
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
-    let values: Vec<(String, Vec<f64>)> = named.chain(arguments.at.iter().cloned()).collect();
+    let values: Vec<(String, Vec<f64>)> = named.chain(at::all(&arguments.at)).collect();
     let sweep = SweepData::new(data, sweep, measured, &values)?;
     let request = Request {
         kinds: arguments.what.clone(),

@@ -126,7 +126,9 @@ impl Display {
     fn tell(&mut self, event: &Event<'_>) {
         match event {
             Event::Damaged(warning) => console::tell(&format!("warning: {warning}")),
-            Event::OtherSweep { directory, pending } => console::tell(&about_other_sweep(directory, pending)),
+            Event::OtherSweep { directory, pending, refinements } => {
+                console::tell(&about_other_sweep(directory, pending, refinements));
+            }
             Event::TookOver(joined) => {
                 console::tell(&format!("note: took over {} that parts of it have solved", count(joined.cases, "case")));
             }

@@ -3,21 +3,22 @@
 use std::path::Path;
 
 use super::shell;
-use crate::format::{bytes, count, duration};
+use crate::format::{bytes, count, duration, filled};
 use stribeck_input::shown;
-use stribeck_sweep::campaign::{FailedCase, Pending, RunReport, field_bytes};
+use stribeck_sweep::campaign::{FailedCase, Pending, Refinement, RunReport, field_bytes};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::{Published, StoreError};
 use stribeck_sweep::{Note, NoteCounts, Part, Plan, Sweep};
 
 /// What becomes of the cases of a directory that was last run with another sweep file.
-pub fn about_other_sweep(directory: &Path, pending: &Pending) -> String {
+pub fn about_other_sweep(directory: &Path, pending: &Pending, refinements: &[Refinement]) -> String {
     let (reused, new) = (pending.reused(), pending.new);
     let stale: String =
         pending.stale.iter().map(|stale| format!(", {} stale ({})", stale.cases, stale.reason)).collect();
+    let finer: String = refinements.iter().map(|refinement| format!("\nnote: {refinement} cases of it")).collect();
     format!(
         "note: {} was last run with another sweep file. Of the {} of this one {reused} are there and used again, {new} \
-         are new{stale}. Cases that only the other one has stay stored, but are not published.",
+         are new{stale}. Cases that only the other one has stay stored, but are not published.{finer}",
         shown(directory),
         count(reused + pending.to_do(), "case"),
     )
@@ -52,7 +53,7 @@ pub fn how_to_resume(left: &Pending, directory: &Path, stopped_by: Option<&Store
 
 /// A note on places of a sweep.
 pub fn note_line(note: Note, count: u64, places: u64) -> String {
-    format!("note: {} at {count} of {places} places: {}\n", note.name(), note.sentence())
+    filled(&format!("note: {} at {count} of {places} places: {}", note.name(), note.sentence()), "      ") + "\n"
 }
 
 /// What a run did that published.
@@ -100,6 +101,6 @@ fn about_solving(pending: &Pending, seconds: f64) -> String {
 }
 
 fn list(failures: &[FailedCase]) -> String {
-    let lines: String = failures.iter().map(|failure| format!("  {failure}\n")).collect();
+    let lines: String = failures.iter().map(|failure| filled(&format!("  {failure}"), "      ") + "\n").collect();
     format!("failed cases, the first {}:\n{lines}", failures.len())
 }

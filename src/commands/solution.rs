@@ -4,9 +4,10 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::sensitivities;
-use crate::format::{Align, count, duration, table_line};
-use stribeck_solver::continuation::{Path, PathPoint};
-use stribeck_solver::{Parameters, Sensitivities};
+use crate::format::{Align, count, duration, filled, table_line};
+use stribeck_lab::{Experiment, si_units};
+use stribeck_solver::continuation::{Path, PathPoint, Seed};
+use stribeck_solver::{Parameters, Sensitivities, shortest};
 use stribeck_sweep::store::{CaseEntry, Status, errors_of_derivatives};
 use stribeck_sweep::{Column, Method, SolverSettings};
 
@@ -24,31 +25,39 @@ pub struct SolvedProblem<'a> {
     pub path: &'a Path,
     /// Unknowns of its system, or points of its grid; 0 if it failed.
     pub unknowns: usize,
+    /// The experiment that it is a case of; then numbers are in SI units.
+    pub experiment: Option<Experiment>,
 }
+
+/// The unit of a number, by that of dimensionless results.
+pub type Units = fn(&'static str) -> &'static str;
 
 /// One row for each quantity of a case, whose values are those at the slide-to-roll ratio S, with its error and its
 /// limit for large β; of a failed case the limits.
-pub fn numbers(entry: &CaseEntry, slide_roll: f64) -> String {
+pub fn numbers(entry: &CaseEntry, slide_roll: f64, units: Units) -> String {
     match entry.outcome {
-        Status::Converged => quantities(entry, slide_roll),
-        Status::Failed => limits(entry),
+        Status::Converged => quantities(entry, slide_roll, units),
+        Status::Failed => limits(entry, units),
     }
 }
 
-fn quantities(entry: &CaseEntry, slide_roll: f64) -> String {
+fn quantities(entry: &CaseEntry, slide_roll: f64, units: Units) -> String {
     let mut text = String::new();
-    let widths =
-        [Align::Left(15), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10), Align::Left(0)];
-    text += &table_line(&widths, &["symbol", "value", "error", "large beta", "unit", "name"]);
+    let widths = [Align::Left(15), Align::Right(13), Align::Right(8), Align::Right(13), Align::Left(10)];
+    text += &table_line(&widths, &["symbol", "value", "error", "large beta", "unit"]);
+    let mut names = Vec::new();
     for column in Column::ALL.into_iter().filter(|column| !column.is_error() && !column.is_limit()) {
         let known = |column: Option<Column>| column.and_then(|column| entry.values.known(column));
         let six = |value: f64| format!("{value:.6e}");
         let error = known(column.error()).map_or_else(String::new, |error| format!("{error:.0e}"));
         let limit = known(column.limit()).map_or_else(String::new, six);
         let value = known(Some(column)).map_or_else(|| "-".to_owned(), six);
-        text += &table_line(&widths, &[column.name(), &value, &error, &limit, column.units(), column.long_name()]);
+        text += &table_line(&widths, &[column.name(), &value, &error, &limit, units(column.units())]);
+        names.push(format!("{}: {}", column.name(), column.long_name()));
     }
-    text += "\nerror: estimated relative error; large beta: friction of dry sliding for mu_v, approximation for mu_h\n";
+    names.push("error: estimated relative error".to_owned());
+    names.push("large beta: friction of dry sliding for mu_v, approximation for mu_h".to_owned());
+    text += &format!("\n{}\n", filled(&names.join("; "), ""));
     if let Some(known) = &entry.sensitivities {
         text +=
             &format!("\n{}", sensitivities::table(known, entry.sensitivity_errors.as_ref(), &entry.values, slide_roll));
@@ -57,12 +66,12 @@ fn quantities(entry: &CaseEntry, slide_roll: f64) -> String {
 }
 
 /// What is known of a case that failed.
-fn limits(entry: &CaseEntry) -> String {
+fn limits(entry: &CaseEntry, units: Units) -> String {
     let mut text = String::new();
     for column in Column::ALL.into_iter().filter(|column| column.is_limit()) {
         let limit = entry.values.known(column).map_or_else(|| "-".to_owned(), |value| format!("{value:.6e}"));
-        let widths = [Align::Left(15), Align::Right(13), Align::Left(10), Align::Left(0)];
-        text += &table_line(&widths, &[column.name(), &limit, column.units(), column.long_name()]);
+        let widths = [Align::Left(12), Align::Right(13), Align::Left(10), Align::Left(0)];
+        text += &table_line(&widths, &[column.name(), &limit, units(column.units()), column.long_name()]);
     }
     text
 }
@@ -78,13 +87,16 @@ impl SolvedProblem<'_> {
             slide_roll => format!(", slide-roll {slide_roll}"),
         };
         let mut text = format!("f = {f}, alpha = {alpha}, beta = {beta}{rolling}{same}: {}\n", entry.outcome.name());
+        if let Some(experiment) = &self.experiment {
+            text += &format!("{}\n", describe_experiment(experiment));
+        }
         if entry.outcome == Status::Failed {
-            text += &format!("  {}\n", entry.reason);
+            text += &format!("{}\n", filled(&format!("  {}", entry.reason), "  "));
         }
         text += &self.cost();
         text += &self.path();
         text += "\n";
-        text + &numbers(entry, self.slide_roll)
+        text + &numbers(entry, self.slide_roll, if self.experiment.is_some() { si_units } else { |units| units })
     }
 
     /// One line: id, seed, effort and time.
@@ -106,7 +118,19 @@ impl SolvedProblem<'_> {
             }
         };
         let (id, method, seconds) = (self.entry.id, settings.method, duration(timing.seconds));
-        format!("case {id}, {method}, {setting}\nseed {}, {effort}, {seconds}\n", self.seed())
+        format!(
+            "case {id}, {method}, {setting}\n{}\n",
+            filled(&format!("seed {}, {effort}, {seconds}", self.seed_in_words()), "  ")
+        )
+    }
+
+    /// The seed for people: cases on the way have no number in the terms of the field.
+    fn seed_in_words(&self) -> String {
+        match self.entry.timing.seed {
+            Some(Seed::March(cases)) => format!("of thicker films, {}", count(cases as u64, "step")),
+            Some(Seed::Intermediate(cases)) => format!("of cases between, {}", count(cases as u64, "step")),
+            _ => self.seed(),
+        }
     }
 
     /// The name of the seed.
@@ -143,6 +167,9 @@ impl SolvedProblem<'_> {
             ("status", Value::from(entry.outcome.name())),
             ("reason", reason),
         ];
+        if let Some(experiment) = &self.experiment {
+            pairs.extend(experiment.given().map(|it| (it.name(), Value::from(experiment.value(it)))));
+        }
         pairs.extend(Column::summary().map(|column| (column.name(), Value::from(entry.values[column]))));
         if let Some(known) = &entry.sensitivities {
             let there = Sensitivities { hydrodynamic: known.hydrodynamic_at(self.slide_roll), ..*known };
@@ -169,6 +196,15 @@ impl SolvedProblem<'_> {
         let named = Sensitivities::NAMES.into_iter().zip(errors);
         named.map(|(name, error)| (name.to_owned(), Value::from(error))).collect::<serde_json::Map<_, _>>().into()
     }
+}
+
+/// The quantities of an experiment, in SI units.
+pub fn describe_experiment(experiment: &Experiment) -> String {
+    let given = experiment.given().map(|quantity| {
+        let value = shortest(experiment.value(quantity));
+        format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
+    });
+    filled(&format!("  {}", given.collect::<Vec<_>>().join(", ")), "  ")
 }
 
 /// A number in JSON, which has no infinity; NaN becomes null.

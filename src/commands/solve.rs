@@ -4,19 +4,41 @@ use std::path::PathBuf;
 
 use clap::{ArgAction, Args};
 
+use super::at::{self, At};
+use super::curve::{Choice, choose, laboratory};
 use super::number::number;
 use super::solution::SolvedProblem;
-use super::{CliError, Exit, console, solve_batch};
+use super::{CliError, Exit, case_fields, console, measured, solve_batch};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::relaxation::{Acceleration, Domain};
 use stribeck_solver::{CavityShear, FieldSelection, Interrupt, Output, Parameters, RetardationMode, Solver, Substrate};
-use stribeck_sweep::campaign::case_entry;
+use stribeck_sweep::campaign::{case_entry, published_point, read_sweep};
 use stribeck_sweep::store::Status;
-use stribeck_sweep::{Axes, Grid, Method, Plan, SolverSettings, Sweep};
+use stribeck_sweep::{Axes, Field, Grid, GridIndex, Method, Plan, SolverSettings, Sweep};
 
 /// Fewest points of a grid whose errors can be estimated.
 pub const ESTIMATE_POINTS: usize = relaxation::Settings::ESTIMATE_POINTS;
+
+/// What a sweep file says in place of options.
+const OF_DIMENSIONLESS: [&str; 16] = [
+    "alpha",
+    "beta",
+    "f",
+    "batch",
+    "method",
+    "tolerance",
+    "points",
+    "acceleration",
+    "estimate",
+    "domain",
+    "modes",
+    "roller_modes",
+    "slide_roll",
+    "cavity_shear",
+    "sensitivities",
+    "time_limit",
+];
 
 #[derive(Clone, Debug, Args)]
 #[command(
@@ -29,31 +51,46 @@ Examples:
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0        pure rolling
   stribeck solve --alpha 1 --beta 100 --f 10 --slide-roll 0 --modes 0.5:1 --roller-modes 0.5:1
   stribeck solve --alpha 1 --beta 100 --f 10 --method relaxation --points 401
-  stribeck solve --batch sweeps/points.csv --tolerance 1e-7 > solved.csv",
+  stribeck solve --batch sweeps/points.csv --tolerance 1e-7 > solved.csv
+  stribeck solve --laboratory sweeps/rubber.toml --at speed=\"3 mm/s\",load=\"200 N/m\" --fields fields.csv",
     after_help = "\
 Friction coefficients are over a0/R; docs/reference/columns.md has all names and units. With --json the keys are the
 columns of summary.csv and slide_roll, seed, path, iterations, factorisations, unknowns, seconds. The key path has the
 points that were solved on the way to the case. A number that is not known is null, an infinite alpha is \"inf\".
 With --sensitivities there are also dmu_v_dln_alpha and the like, and sensitivity_errors.
+
+With --laboratory numbers are in SI units, and method and tolerance are those of the sweep file. --fields writes x,
+pressure, film_thickness, displacement, shear_traction and hysteresis_traction, each with its unit; x is that of the
+sweep file, or from -3 to 3 a0.
 Exit code 3: the case failed."
 )]
 pub struct Arguments {
     /// Slide time over retardation time, at least 0, or inf
     #[arg(long, value_name = "A", value_parser = alpha, allow_negative_numbers = true)]
-    #[arg(required_unless_present = "batch")]
+    #[arg(required_unless_present_any = ["batch", "laboratory"])]
     alpha: Option<f64>,
     /// Inverse Hersey number, above 0
     #[arg(long, value_name = "B", value_parser = beta, allow_negative_numbers = true)]
-    #[arg(required_unless_present = "batch")]
+    #[arg(required_unless_present_any = ["batch", "laboratory"])]
     beta: Option<f64>,
     /// Strength of retardation E0/Einf - 1, at least 0
     #[arg(long, value_name = "F", value_parser = strength, allow_negative_numbers = true)]
-    #[arg(required_unless_present = "batch")]
+    #[arg(required_unless_present_any = ["batch", "laboratory"])]
     f: Option<f64>,
     /// Solve the cases of a CSV with f, alpha, beta, and where it has them modes and slide_roll; prints the rows of a
     /// summary.csv in its order
     #[arg(long, value_name = "FILE", conflicts_with_all = ["alpha", "beta", "f", "sensitivities", "json"])]
     batch: Option<PathBuf>,
+    /// Solve a case of the experiment in the section [laboratory] of this sweep file
+    #[arg(long, value_name = "SWEEP", conflicts_with_all = OF_DIMENSIONLESS)]
+    laboratory: Option<PathBuf>,
+    /// With --laboratory: quantities of the case, as in speed="3 mm/s",load="200 N/m"; without a unit in SI units. What
+    /// has one value in the sweep file may be left out
+    #[arg(long, value_name = "NAME=V,…", value_parser = at::parse, requires = "laboratory")]
+    at: Vec<At>,
+    /// Write the fields of the case along x to this file: a table by the ending .csv, HDF5 by .h5
+    #[arg(long, value_name = "FILE", value_parser = case_fields::parse, conflicts_with = "batch")]
+    fields: Option<PathBuf>,
     /// Method of solution: collocation or relaxation
     #[arg(long, default_value_t, value_parser = method)]
     method: Method,
@@ -80,8 +117,8 @@ pub struct Arguments {
     /// Retardation modes of the roller, written in the same way; the shares of both bodies add up to 1 [default: none]
     #[arg(long, value_name = "MODES", value_parser = modes)]
     roller_modes: Option<Modes>,
-    /// Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that slides without turning,
-    /// 0 pure rolling; alpha is that of the flat as it moves
+    /// Slide-to-sum ratio S = (u2 - u1)/(u1 + u2) of flat and roller, half of an instrument's slide-to-roll ratio: -1 to
+    /// 1, where 1 is a roller that slides without turning, 0 pure rolling; alpha is that of the flat as it moves
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = slide_roll, allow_negative_numbers = true)]
     slide_roll: f64,
     /// What fills the gap behind the film: full, streamers or none
@@ -253,8 +290,22 @@ impl Arguments {
         [self.f, self.alpha, self.beta].map(|given| given.unwrap_or(1.0))
     }
 
+    /// The fields that are kept: all, or none if they go nowhere.
+    fn kept_fields(&self) -> FieldSelection {
+        self.fields.as_ref().map_or_else(FieldSelection::default, |_| Field::selection(Field::ALL))
+    }
+
     /// The case as a sweep, so that it is the same as in a sweep, id included.
     fn sweep(&self) -> Result<Sweep, CliError> {
+        if let Some(file) = &self.laboratory {
+            let sweep = read_sweep(file)?;
+            let axes = laboratory(&sweep, file)?;
+            let at = at::all(&self.at);
+            at.iter().for_each(|(axis, values)| measured::note_value(axis, values, &sweep.grid.dimensions()));
+            let grid = Grid::Laboratory(choose(axes, &at, Choice::Case)?);
+            let output = Output { fields: self.kept_fields(), sensitivities: false, ..sweep.output };
+            return Ok(Sweep { grid, output, ..sweep });
+        }
         let [f, alpha, beta] = self.case();
         Ok(Sweep {
             title: String::new(),
@@ -267,7 +318,7 @@ impl Arguments {
             substrate: self.substrate()?,
             solver: self.settings()?,
             output: Output {
-                fields: FieldSelection::default(),
+                fields: self.kept_fields(),
                 cavity_shear: self.cavity_shear,
                 sensitivities: self.sensitivities,
                 ..Output::default()
@@ -283,25 +334,35 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Some(file) = &arguments.batch {
         return solve_batch::execute(file, &sweep, arguments.slide_roll);
     }
-    let [f, alpha, beta] = arguments.case();
-    if arguments.slide_roll == -1.0 && f > 0.0 && alpha != f64::INFINITY {
+    let place = GridIndex::from([0, 0, 0]);
+    let ([f, alpha, beta], slide_roll) = (sweep.grid.numbers(place), sweep.grid.slide_roll(place));
+    let experiment = sweep.grid.experiment(place);
+    if slide_roll == -1.0 && f > 0.0 && alpha != f64::INFINITY {
         return Err(CliError::FlatAtRest);
     }
     let settings = &sweep.solver;
-    if settings.method == Method::Relaxation && !settings.relaxation.estimate && arguments.estimate.is_none() {
+    let chooses_grid = arguments.estimate.is_none() && experiment.is_none();
+    if settings.method == Method::Relaxation && !settings.relaxation.estimate && chooses_grid {
         console::tell(&format!("note: no errors are estimated; that takes {ESTIMATE_POINTS} points or more"));
     }
+    let fields = arguments.fields.as_deref();
+    let output = fields.map(|file| case_fields::check(file, arguments.laboratory.as_deref())).transpose()?;
     let plan = Plan::new(&sweep);
-    let parameters = plan.parameters_at([0, 0, 0].into());
+    let parameters = plan.parameters_at(place);
     let solver = Solver::new(&sweep.solver_settings());
     let solved = solver.solve_chain(std::slice::from_ref(&parameters), &Interrupt::new());
     let mut case = solved.expect("no one asks this chain to stop").remove(0);
     let (path, unknowns) = (std::mem::take(&mut case.path), case.effort.unknowns);
     let mut entry = case_entry(&plan, &parameters, case);
-    entry.values = entry.values.at_slide_roll(arguments.slide_roll);
+    if let (Some(output), Some(file)) = (output, fields) {
+        case_fields::write(output, file, &sweep, entry.clone())?;
+    }
+    let sensitivities = [entry.sensitivities, entry.sensitivity_errors];
+    let point = published_point(&sweep, &plan, place);
+    entry.values = point.numbers_of(&entry.values, sensitivities, None, &sweep.output).values;
     let asked = Parameters { alpha, beta, f, ..parameters };
-    let slide_roll = arguments.slide_roll;
-    let problem = SolvedProblem { asked: &asked, slide_roll, settings, entry: &entry, path: &path, unknowns };
+    let problem =
+        SolvedProblem { asked: &asked, slide_roll, settings, entry: &entry, path: &path, unknowns, experiment };
     console::print(&if arguments.json { problem.json() } else { problem.table() })?;
     Ok(match entry.outcome {
         Status::Converged => Exit::Success,

@@ -1,18 +1,19 @@
 //! `stribeck status`: how far a running or a stopped sweep is.
 
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::run_report::note_line;
 use super::{CliError, Exit, console};
-use crate::format::{count, duration, utc_timestamp, whole_seconds};
+use crate::format::{count, duration, entry, filled, utc_timestamp, whole_seconds};
 use stribeck_input::shown;
-use stribeck_sweep::NoteCounts;
 use stribeck_sweep::campaign::{FailureRegion, PartActivity, PartState, PlannedStatus, StatusReport, status};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::{Ending, Inspection, Start};
+use stribeck_sweep::surface::Rounds;
+use stribeck_sweep::{NoteCounts, SurfaceSweep};
 
 const IN_MEMORY: &str = "writing to memory does not fail";
 
@@ -30,6 +31,7 @@ const LONGEST_REASON: usize = 160;
     before_help = "\
 Examples:
   stribeck status results/quick
+  stribeck status results/friction                      of a surface: rounds, error, cases
   stribeck status results/quick --quick                 fast enough for `watch -n 10`, to follow a run",
     after_help = "\
 The directory is only read, also while a run works there. Every stored byte is compared with its record, as a run
@@ -51,6 +53,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         console::tell(&format!("warning: {warning}"));
     }
     let mut text = String::new();
+    if let Some(rounds) = Rounds::read(&arguments.directory)? {
+        text += &describe_surface(&arguments.directory, &rounds, &report);
+        text += &describe_starts(&report);
+        console::print(&text)?;
+        return Ok(Exit::Success);
+    }
     match &report.cases {
         Ok(planned) => {
             text += &format!("{}: {}\n", shown(&arguments.directory), planned.sweep.title);
@@ -64,13 +72,47 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
         Err(unplanned) => {
             console::tell(&format!("warning: how many cases were planned is not known: {}", unplanned.error));
-            let (converged, failed) = (unplanned.stored.converged, unplanned.stored.failed);
+            let (converged, failed) = (report.stored.converged, report.stored.failed);
             text += &format!("cases      {converged} converged, {failed} failed\n");
             text += &describe_starts(&report);
         }
     }
     console::print(&text)?;
     Ok(Exit::Success)
+}
+
+/// How far a surface is: its rounds, the error that it has reached, and its cases.
+fn describe_surface(directory: &Path, rounds: &Rounds, report: &StatusReport) -> String {
+    let file = directory.join("surface.json");
+    let sweep = SurfaceSweep::read(directory.join("sweep.toml"));
+    let title = sweep.as_ref().map_or("a surface", |surface| &surface.sweep.title);
+    let state = match (report.workers.as_slice(), file.is_file()) {
+        ([worker, ..], _) => format!("running ({worker})"),
+        ([], true) => format!("finished: {}", shown(&file)),
+        ([], false) => "stopped; the same `stribeck surface` command goes on".to_owned(),
+    };
+    let mut text = format!("{}: {title}\n{state}\n\n", shown(directory));
+    let mut line = |name: &str, words: String| text += &entry(name, &words);
+    let nodes = rounds.rounds.iter().chain(&rounds.comparisons).map(|round| round.nodes).max().unwrap_or(0);
+    line("rounds", format!("{}, {nodes} nodes", rounds.rounds.len()));
+    let tolerance = sweep.as_ref().map(|surface| surface.settings.tolerance);
+    match (rounds.comparisons.last(), &tolerance) {
+        (Some(compared), Ok(tolerance)) => {
+            line(
+                "error",
+                format!(
+                    "at most {:.1e} at random points; the tolerance is {tolerance:e}",
+                    compared.largest * tolerance
+                ),
+            );
+        }
+        (Some(compared), Err(_)) => {
+            line("error", format!("at most {:.2} tolerances at random points", compared.largest))
+        }
+        (None, _) => line("error", "not compared with random points yet".to_owned()),
+    }
+    line("cases", format!("{} converged, {} failed", report.stored.converged, report.stored.failed));
+    text
 }
 
 /// Whether someone works here, and how many cases are done.
@@ -87,7 +129,7 @@ fn describe_cases(planned: &PlannedStatus, report: &StatusReport) -> String {
         ([], _) => "stopped; the same `stribeck run` command resumes it".to_owned(),
     };
     let mut text = format!("{state}\n\n");
-    let mut line = |name: &str, words: String| writeln!(text, "{name:<10} {words}").expect(IN_MEMORY);
+    let mut line = |name: &str, words: String| text += &entry(name, &words);
     let (problems, places) = (count(planned.problems as u64, "case"), planned.places);
     line("planned", format!("{problems}, at {places} places of the sweep"));
     line("converged", pending.converged.to_string());
@@ -181,7 +223,8 @@ fn describe_failures(regions: &[FailureRegion]) -> String {
         if reason.len() < example.len() {
             reason += " …";
         }
-        text += &format!("  {region}\n      {cases} of them like this: {reason}\n");
+        let like = filled(&format!("      {cases} of them like this: {reason}"), "      ");
+        text += &format!("{}\n{like}\n", filled(&format!("  {region}"), "    "));
     }
     let more = regions.len().saturating_sub(LISTED_REGIONS);
     if more > 0 {

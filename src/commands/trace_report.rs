@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::format::filled;
 use stribeck_solver::continuation::{Event, Seed, SolvedCase};
 use stribeck_solver::shortest;
 
@@ -48,7 +49,7 @@ pub fn describe_trace(case: &SolvedCase, residual_name: &str) -> String {
                 writeln!(text, "  {unknowns} unknowns: estimated error {error:.2} of the tolerance").expect(written);
             }
             Event::Solved => text += "  accepted\n",
-            Event::Failed(reason) => writeln!(text, "  not accepted: {reason}").expect(written),
+            Event::Failed(reason) => text += &(filled(&format!("  not accepted: {reason}"), "    ") + "\n"),
             Event::Residual { .. } => unreachable!("residuals are gathered above"),
         }
     }

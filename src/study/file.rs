@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::schema::{CASE_KEYS, KEYS, METHOD_KEYS, names};
 use super::{Measure, Setting, Start, Study, Variant};
 use stribeck_input::printable;
 use stribeck_input::{Entry, Fault, InputError, Section};
@@ -13,13 +14,6 @@ use stribeck_sweep::{Axes, Method, read_axes, read_error, read_points, read_subs
 /// What the file is called in messages.
 const KIND: stribeck_input::Kind = "study file";
 
-/// The keys of the top level.
-const KEYS: [&str; 8] = ["title", "measure", "repeats", "start", "axes", "case", "substrate", "method"];
-/// The keys of a case.
-const CASE_KEYS: [&str; 3] = ["alpha", "beta", "f"];
-/// The keys of a method.
-const METHOD_KEYS: [&str; 7] = ["method", "label", "tolerance", "panels", "degree", "points", "acceleration"];
-
 const CASES_EXAMPLE: &str = "add a box, for instance\n[axes]\nf = [100.0]\nalpha = [1.0, 10.0]\nbeta = [10.0, 100.0]\n\
      or single cases, each as\n[[case]]\nalpha = 1.0\nbeta = 100.0\nf = 10.0";
 const METHOD_EXAMPLE: &str =
@@ -27,9 +21,9 @@ const METHOD_EXAMPLE: &str =
 const CASE_EXAMPLE: &str = "a case is written as\n[[case]]\nalpha = 1.0\nbeta = 100.0\nf = 10.0";
 
 /// Most repeats.
-const MOST_REPEATS: usize = 1000;
+pub(super) const MOST_REPEATS: usize = 1000;
 /// Longest label of a method, in characters.
-const LONGEST_LABEL: usize = 40;
+pub(super) const LONGEST_LABEL: usize = 40;
 
 impl Study {
     /// Reads a study file.
@@ -51,12 +45,12 @@ impl Study {
 
 fn interpret(name: &str, text: &str) -> Result<Study, Fault> {
     let document = stribeck_input::document(text)?;
-    let root = Section::new("", 0..0, document.get_ref(), &KEYS, home)?;
+    let root = Section::new("", 0..0, document.get_ref(), &names(&KEYS), home)?;
     let read_substrate = root.get("substrate").map(|entry| read_substrate(&entry)).transpose()?;
     let (substrate, own_f) = read_substrate.map(|read| (read.substrate, read.material.f)).unwrap_or_default();
     let axes = root.get("axes").map(|entry| read_axes(&entry, own_f)).transpose()?;
     if axes.as_ref().is_some_and(|axes| axes.slide_roll.is_some()) {
-        let help = "remove it: no case changes with the slide-to-roll ratio";
+        let help = "remove it: no case changes with the slide-to-sum ratio";
         let section = root.require("axes", help)?;
         return Err(section.fault("a study has no axis `slide_roll`", "with `slide_roll`", help).unquoted());
     }
@@ -107,7 +101,7 @@ fn home(key: &str) -> Option<&'static str> {
     match key {
         "f" | "alpha" | "beta" => Some("axes"),
         "modes" => Some("substrate"),
-        key if METHOD_KEYS.contains(&key) => Some("[method]"),
+        key if names(&METHOD_KEYS).contains(&key) => Some("[method]"),
         _ => None,
     }
 }
@@ -126,7 +120,7 @@ fn product(axes: &Axes, substrate: &Substrate) -> Vec<Parameters> {
 
 fn read_cases(entry: &Entry<'_>, substrate: &Substrate) -> Result<Vec<Parameters>, Fault> {
     let read = |item: Entry<'_>| {
-        let case = item.section(&CASE_KEYS, |_| None)?;
+        let case = item.section(&names(&CASE_KEYS), |_| None)?;
         let number = |key: &str, admits: fn(f64) -> bool, allowed: &str| {
             let entry = case.require(key, CASE_EXAMPLE)?;
             let value = entry.number()?;
@@ -173,7 +167,7 @@ fn read_measure(entry: &Entry<'_>) -> Result<Measure, Fault> {
 fn read_methods(entry: &Entry<'_>) -> Result<Vec<Variant>, Fault> {
     let mut variants: Vec<Variant> = Vec::new();
     for item in entry.require_list(METHOD_EXAMPLE)? {
-        let section = item.section(&METHOD_KEYS, |_| None)?;
+        let section = item.section(&names(&METHOD_KEYS), |_| None)?;
         let (label, settings) = read_method(&section)?;
         let label_entry = section.get("label");
         if variants.iter().any(|variant| variant.method == label) {

@@ -7,6 +7,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `specification`, `file` | [`Study`], and reading one |
+//! | `schema` | the keys of study files, and their JSON schema |
 //! | `variant` | a method at a setting, as something that solves chains |
 //! | `reference` | what errors are measured against |
 //! | `timing` | seconds and memory |
@@ -21,6 +22,7 @@ mod pictures;
 mod reference;
 mod row;
 mod run;
+mod schema;
 mod specification;
 mod stability;
 mod tables;
@@ -32,6 +34,7 @@ pub use pictures::{Picture, is_picture_name, pictures};
 pub use reference::{Errors, Reference};
 pub use row::{Cost, Row, Stability, csv};
 pub use run::{Findings, run};
+pub use schema::schema;
 pub use specification::{Measure, Start, Study};
 pub use tables::markdown;
 pub use variant::{Setting, Variant};

@@ -1,7 +1,7 @@
 //! Axes: lists and ranges of numbers.
 
 use super::entry::{Entry, Section};
-use super::error::Fault;
+use super::error::{Fault, Readings, each};
 
 /// A kind of numbers that a key may have: how one is read, and how many an axis may hold.
 pub trait Values {
@@ -114,8 +114,8 @@ impl Values for Quantity {
 /// # Errors
 /// [`Fault`] if the entry is neither, its values do not ascend, or one of them is not allowed.
 pub fn read(entry: &Entry<'_>, quantity: impl Values) -> Result<Vec<f64>, Fault> {
-    if let Some(items) = entry.list() {
-        read_list(entry, items, &quantity)
+    if entry.list().is_some() {
+        read_list(entry, &quantity)
     } else if entry.is_section() {
         read_range(&entry.section(&RANGE_KEYS, |_| None)?, entry, &quantity)
     } else if entry.is_number() {
@@ -140,57 +140,60 @@ pub fn read_varying(entry: &Entry<'_>, quantity: impl Values) -> Result<Varying,
     }
 }
 
-fn read_list<'t>(
-    entry: &Entry<'t>,
-    items: impl ExactSizeIterator<Item = Entry<'t>>,
-    quantity: &impl Values,
-) -> Result<Vec<f64>, Fault> {
-    if items.len() == 0 {
+fn read_list(entry: &Entry<'_>, quantity: &impl Values) -> Result<Vec<f64>, Fault> {
+    let items = || entry.list().into_iter().flatten();
+    let number = items().count();
+    if number == 0 {
         let what = format!("`{}` must have at least one value", entry.path());
         return Err(entry.fault(what, "empty", "write at least one value, as in [100.0]"));
     }
-    if items.len() > quantity.limit() {
-        let what = format!("`{}` may have at most {} values, not {}", entry.path(), quantity.limit(), items.len());
+    if number > quantity.limit() {
+        let what = format!("`{}` may have at most {} values, not {number}", entry.path(), quantity.limit());
         return Err(entry.fault(what, "too many values", "split the sweep into several files").unquoted());
     }
-    let mut values: Vec<f64> = Vec::with_capacity(items.len());
-    for item in items {
-        let value = quantity.read(&item)?;
-        match values.last() {
-            Some(&last) if value == last => {
-                let what = format!("a value of `{}` may stand there only once", entry.path());
-                return Err(item.fault(what, "the same as the value before it", "remove one of the two"));
-            }
-            Some(&last) if value < last => {
-                let what = format!("the values of `{}` must ascend", entry.path());
-                return Err(item.fault(
-                    what,
-                    format!("below the value before it, {last:?}"),
-                    "sort the list, smallest value first",
-                ));
-            }
-            _ => values.push(value),
-        }
-    }
+    let values = each(items().map(|item| quantity.read(&item)))?;
+    let mut pairs = items().skip(1).zip(values.windows(2));
+    // The first one alone: in a list of the wrong order each value is below the one before it.
+    pairs.try_for_each(|(item, pair)| check_ascent(entry, &item, pair[0], pair[1]))?;
     Ok(values)
+}
+
+/// Refuses a value that is not above the one before it.
+fn check_ascent(entry: &Entry<'_>, item: &Entry<'_>, last: f64, value: f64) -> Result<(), Fault> {
+    if value > last {
+        return Ok(());
+    }
+    Err(match value == last {
+        true => {
+            let what = format!("a value of `{}` may stand there only once", entry.path());
+            item.fault(what, "the same as the value before it", "remove one of the two")
+        }
+        false => {
+            let label = format!("below the value before it, {last:?}");
+            let what = format!("the values of `{}` must ascend", entry.path());
+            item.fault(what, label, "sort the list, smallest value first")
+        }
+    })
 }
 
 fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: &impl Values) -> Result<Vec<f64>, Fault> {
     let help = "a range is { from = 10.0, to = 1000.0, points = 41, scale = \"log\" }";
-    let [from_entry, to_entry] = [range.require("from", help)?, range.require("to", help)?];
-    let points = range.require("points", help)?.whole(2..=quantity.limit())?;
     let [linear, log] = RANGE_SCALES;
     let choices = [(linear, Scale::Linear), (log, Scale::Log)];
-    let scale = range.get("scale").map(|scale| scale.choice(&choices)).transpose()?.unwrap_or_default();
-
-    let finite = |end: &Entry<'_>| match quantity.read(end)? {
-        value if value.is_finite() => Ok(value),
-        _ => {
-            let help = "take finite end points; inf may stand at the end of a list, as in [1.0, 10.0, inf]";
-            Err(end.fault(format!("`{}` must be finite", end.path()), "a range cannot reach it", help))
+    let end = |key| {
+        let end = range.require(key, help)?;
+        match quantity.read(&end)? {
+            value if value.is_finite() => Ok((end, value)),
+            _ => {
+                let help = "take finite end points; inf may stand at the end of a list, as in [1.0, 10.0, inf]";
+                Err(end.fault(format!("`{}` must be finite", end.path()), "a range cannot reach it", help))
+            }
         }
     };
-    let (from, to) = (finite(&from_entry)?, finite(&to_entry)?);
+    let points = range.require("points", help).and_then(|points| points.whole(2..=quantity.limit()));
+    let scale = range.optional("scale", |scale| scale.choice(&choices));
+    let ((from_entry, from), (to_entry, to), points, scale) = (end("from"), end("to"), points, scale).all()?;
+    let scale = scale.unwrap_or_default();
     if scale == Scale::Log && from <= 0.0 {
         let what = format!("`{}` must be above 0 on a log scale", from_entry.path());
         let help = "begin above 0, as in 1e-3, or take scale = \"linear\"; a list can hold 0 and any other values";
@@ -201,7 +204,7 @@ fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: &impl Values) ->
         let help = "swap the two; for a single value write a list, as in [100.0]";
         return Err(to_entry.fault(what, "not above the start", help));
     }
-    let values = range_values(from, to, points, scale);
+    let values = range_values(from, to, points, scale == Scale::Log);
     if values.is_sorted_by(|left, right| left < right) && values.iter().all(|value| value.is_finite()) {
         Ok(values)
     } else {
@@ -210,20 +213,20 @@ fn read_range(range: &Section<'_>, entry: &Entry<'_>, quantity: &impl Values) ->
     }
 }
 
-/// `points` ≥ 2 values with exact end points.
+/// `points` ≥ 2 values of a range with exact end points, on a scale of logarithms or a linear one.
 ///
 /// Point i of n stands at the fraction i/(n−1) in lowest terms. So the points that a refined range shares with the
 /// range before are the same numbers to the last bit, and their results are reused; logarithm and power are the
 /// program's own, not the system's, so that they are also the same on every machine.
-fn range_values(from: f64, to: f64, points: usize, scale: Scale) -> Vec<f64> {
+pub fn range_values(from: f64, to: f64, points: usize, is_logarithmic: bool) -> Vec<f64> {
     let intervals = points - 1;
     let between = |i: usize| {
         let divisor = greatest_common_divisor(i, intervals);
         let (part, whole) = ((i / divisor) as f64, (intervals / divisor) as f64);
         let interpolate = |a: f64, b: f64| (a * (whole - part) + b * part) / whole;
-        match scale {
-            Scale::Linear => interpolate(from, to),
-            Scale::Log => pxfm::f_exp10(interpolate(pxfm::f_log10(from), pxfm::f_log10(to))),
+        match is_logarithmic {
+            false => interpolate(from, to),
+            true => pxfm::f_exp10(interpolate(pxfm::f_log10(from), pxfm::f_log10(to))),
         }
     };
     let mut values: Vec<f64> = (0..points).map(between).collect();

@@ -33,18 +33,11 @@ impl<'t> Section<'t> {
         elsewhere: fn(&str) -> Option<&'static str>,
     ) -> Result<Self, Fault> {
         let unknown = table.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
-        if let Some(key) = unknown.min_by_key(|key| key.span().start) {
-            let place = if path.is_empty() { "the top level".to_owned() } else { format!("[{path}]") };
-            let (written, list) = (key.get_ref().escape_debug(), quoted_list(known));
-            let help = match (nearest(key.get_ref(), known), elsewhere(key.get_ref())) {
-                (Some(known), _) => format!("did you mean `{known}`?"),
-                (None, Some(home)) => format!("`{written}` is a key of [{home}]: move it there"),
-                (None, None) => format!("remove the key, or write one of {list}"),
-            };
-            let what = format!("`{written}` is not a key of {place}, which has {list}");
-            return Err(Fault::new(key.span(), what, "unknown key", help).unquoted());
+        let faults = unknown.map(|key| unknown_key(path, key.get_ref(), key.span(), known, elsewhere));
+        match Fault::of_all(faults) {
+            Some(fault) => Err(fault),
+            None => Ok(Self { path: path.into(), span, table }),
         }
-        Ok(Self { path: path.into(), span, table })
     }
 
     /// The value of a key, if it is there.
@@ -54,18 +47,35 @@ impl<'t> Section<'t> {
         Some(Entry { path, span: value.span(), value: value.get_ref() })
     }
 
+    /// What `read` makes of the value of a key, if it is there.
+    ///
+    /// # Errors
+    /// Those of `read`.
+    pub fn optional<T>(
+        &self,
+        key: &str,
+        read: impl FnOnce(&Entry<'t>) -> Result<T, Fault>,
+    ) -> Result<Option<T>, Fault> {
+        self.get(key).map(|entry| read(&entry)).transpose()
+    }
+
     /// The value of a key that must be there; `help` is the line to add.
     pub fn require(&self, key: &str, help: &str) -> Result<Entry<'t>, Fault> {
         self.get(key).ok_or_else(|| {
             let place = if self.path.is_empty() { "the file".to_owned() } else { format!("[{}]", self.path) };
             let what = format!("{place} needs `{key}`, which is missing");
-            Fault::new(self.span.clone(), what, format!("`{key}` is missing"), help).unquoted()
+            self.fault(what, format!("`{key}` is missing"), help)
         })
+    }
+
+    /// The end of the last value in it.
+    fn end(&self) -> usize {
+        self.table.values().map(|value| value.span().end).max().unwrap_or(self.span.end)
     }
 
     /// A fault of the section as a whole.
     pub fn fault(&self, what: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Fault {
-        Fault::new(self.span.clone(), what, label, help).unquoted()
+        Fault::new(self.span.clone(), what, label, help).unquoted().told_behind(self.end())
     }
 }
 
@@ -211,6 +221,25 @@ impl<'t> Entry<'t> {
     }
 }
 
+/// The fault of a key that no table at `path` has; `elsewhere` names the section it belongs to, for the remedy.
+pub fn unknown_key(
+    path: &str,
+    key: &str,
+    span: Range<usize>,
+    known: &[&str],
+    elsewhere: fn(&str) -> Option<&'static str>,
+) -> Fault {
+    let place = if path.is_empty() { "the top level".to_owned() } else { format!("[{path}]") };
+    let (written, list) = (key.escape_debug(), quoted_list(known));
+    let help = match (nearest(key, known), elsewhere(key)) {
+        (Some(known), _) => format!("did you mean `{known}`?"),
+        (None, Some(home)) => format!("`{written}` is a key of [{home}]: move it there"),
+        (None, None) => format!("remove the key, or write one of {list}"),
+    };
+    let what = format!("`{written}` is not a key of {place}, which has {list}");
+    Fault::new(span, what, "unknown key", help).unquoted()
+}
+
 /// What a value is, in words.
 fn kind(value: &DeValue<'_>) -> &'static str {
     match value {
@@ -237,7 +266,7 @@ fn one_of(words: &[&str]) -> String {
 }
 
 /// The known word that was begun, or the nearest one if it shares at least half of its letters with what was written.
-fn nearest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
+pub fn nearest<'k>(written: &str, known: &[&'k str]) -> Option<&'k str> {
     if written.len() > 100 {
         return None;
     }

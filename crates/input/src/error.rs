@@ -1,9 +1,11 @@
 //! Why a file was not taken.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 
@@ -15,7 +17,11 @@ const LONGEST_LINE: usize = 2000;
 /// Longest piece of the file quoted in a message, in characters.
 const LONGEST_QUOTE: usize = 60;
 
-/// Why a file was not taken. As a [`miette::Diagnostic`] it draws the line with a caret and the remedy below.
+/// Most mistakes of a file that are told at once.
+const MOST_TOLD: usize = 20;
+
+/// Why a file was not taken. As a [`miette::Diagnostic`] it draws the line with a caret and the remedy below, for each
+/// mistake of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum InputError {
     /// The operating system did not give the file.
@@ -58,21 +64,61 @@ pub enum InputError {
     Invalid(Box<Invalid>),
 }
 
-/// A place in a file that is not valid, what is allowed there and how to mend it.
+/// What is wrong in a file: one mistake, or several in the order of the file.
 #[derive(Debug)]
 pub struct Invalid {
-    file: String,
+    first: Mistake,
+    others: Vec<Mistake>,
+    untold: usize,
+}
+
+/// A place in a file that is not valid, what is allowed there and how to mend it.
+#[derive(Debug)]
+pub struct Mistake {
+    file: Arc<str>,
     line: usize,
     column: usize,
     message: String,
     label: String,
     help: String,
-    source: NamedSource<String>,
+    source: Arc<NamedSource<String>>,
     span: Range<usize>,
     drawable: bool,
 }
 
 impl Invalid {
+    /// Every mistake that is told, in the order of the file.
+    pub fn mistakes(&self) -> impl Iterator<Item = &Mistake> {
+        std::iter::once(&self.first).chain(&self.others)
+    }
+
+    /// Line of the first one, from 1.
+    pub fn line(&self) -> usize {
+        self.first.line
+    }
+
+    /// Column of the first one in characters, from 1.
+    pub fn column(&self) -> usize {
+        self.first.column
+    }
+}
+
+impl fmt::Display for Invalid {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (1 + self.others.len() + self.untold, self.untold) {
+            (1, _) => write!(formatter, "{}", self.first),
+            (all, 0) => write!(formatter, "{} (the first of {all} mistakes)", self.first),
+            (all, _) => {
+                let told = 1 + self.others.len();
+                write!(formatter, "{} (the first of {all} mistakes, {told} of which are told)", self.first)
+            }
+        }
+    }
+}
+
+impl std::error::Error for Invalid {}
+
+impl Mistake {
     /// Line of the offending text, from 1.
     pub fn line(&self) -> usize {
         self.line
@@ -84,13 +130,28 @@ impl Invalid {
     }
 }
 
-impl fmt::Display for Invalid {
+impl fmt::Display for Mistake {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{}:{}:{}: {}", self.file, self.line, self.column, self.message)
     }
 }
 
-impl std::error::Error for Invalid {}
+impl std::error::Error for Mistake {}
+
+impl Diagnostic for Mistake {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(&self.help))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.drawable.then_some(&*self.source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let label = self.drawable.then(|| LabeledSpan::at(self.span.clone(), self.label.as_str()));
+        label.map(|label| Box::new(std::iter::once(label)) as Box<dyn Iterator<Item = LabeledSpan>>)
+    }
+}
 
 /// True for an error of the disk or the system; false for one of the path that was given.
 pub fn is_of_disk(error: &io::Error) -> bool {
@@ -108,8 +169,8 @@ impl InputError {
     pub fn remedy(&self) -> &str {
         match self {
             InputError::Unreadable { kind, cause, .. } => match cause.kind() {
-                io::ErrorKind::NotFound if kind.ends_with("file") => {
-                    "check the path; the sweeps that come with the program are in `sweeps/`"
+                io::ErrorKind::NotFound if *kind == "sweep file" => {
+                    "check the path; `stribeck init -o sweep.toml` writes a sweep file to start from"
                 }
                 io::ErrorKind::NotFound => "check the path",
                 io::ErrorKind::PermissionDenied => "make the file readable for you, or copy it to a place of yours",
@@ -120,7 +181,7 @@ impl InputError {
                 "is it the right file? Long lists of values can be written as { from, to, points, scale }"
             }
             InputError::NotText { .. } => "is it the right file? If so, save it as UTF-8 in your editor",
-            InputError::Invalid(invalid) => &invalid.help,
+            InputError::Invalid(invalid) => &invalid.first.help,
         }
     }
 
@@ -139,26 +200,42 @@ impl Diagnostic for InputError {
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
         match self {
-            InputError::Invalid(invalid) if invalid.drawable => Some(&invalid.source),
+            InputError::Invalid(invalid) => invalid.first.source_code(),
             _ => None,
         }
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         match self {
-            InputError::Invalid(invalid) if invalid.drawable => {
-                let label = LabeledSpan::at(invalid.span.clone(), invalid.label.as_str());
-                Some(Box::new(std::iter::once(label)))
+            InputError::Invalid(invalid) => invalid.first.labels(),
+            _ => None,
+        }
+    }
+
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
+        match self {
+            InputError::Invalid(invalid) if !invalid.others.is_empty() => {
+                Some(Box::new(invalid.others.iter().map(|mistake| mistake as &dyn Diagnostic)))
             }
             _ => None,
         }
     }
 }
 
-/// What is wrong at one place of the text, before the file's name is put to it.
-#[derive(Debug)]
+/// What is wrong in a text, before the file's name is put to it: one mistake, or several that do not follow from each
+/// other.
+#[derive(Clone, Debug)]
 pub struct Fault {
+    first: Place,
+    others: Vec<Place>,
+}
+
+/// What is wrong at one place of the text.
+#[derive(Clone, Debug)]
+struct Place {
     span: Range<usize>,
+    /// Behind which byte of the text it is told.
+    order: usize,
     what: String,
     label: String,
     help: String,
@@ -168,17 +245,62 @@ pub struct Fault {
 impl Fault {
     /// The text at `span` is not allowed: `what` says what is, and the message goes on to quote what was found.
     pub fn new(span: Range<usize>, what: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { span, what: what.into(), label: label.into(), help: help.into(), quoted: true }
+        let order = span.start;
+        let first = Place { span, order, what: what.into(), label: label.into(), help: help.into(), quoted: true };
+        Self { first, others: Vec::new() }
     }
 
     /// The same for `what` that says it all, with nothing to quote.
     pub fn unquoted(mut self) -> Self {
-        self.quoted = false;
+        self.first.quoted = false;
         self
+    }
+
+    /// The same, told behind what is wrong before this byte of the text: as what is missing behind what is there.
+    pub fn told_behind(mut self, byte: usize) -> Self {
+        self.first.order = byte;
+        self
+    }
+
+    /// Both faults.
+    pub fn and(mut self, other: Fault) -> Self {
+        self.others.push(other.first);
+        self.others.extend(other.others);
+        self
+    }
+
+    /// All of these faults; `None` if there is none.
+    pub fn of_all(faults: impl IntoIterator<Item = Fault>) -> Option<Self> {
+        faults.into_iter().reduce(Fault::and)
+    }
+
+    /// What is wrong outside of these places; `None` if that is nothing.
+    pub fn outside(self, places: &[Range<usize>]) -> Option<Self> {
+        let is_inside =
+            |it: &Place| places.iter().any(|place| place.start <= it.span.start && it.span.end <= place.end);
+        let mut left = std::iter::once(self.first).chain(self.others).filter(|it| !is_inside(it));
+        let first = left.next()?;
+        Some(Self { first, others: left.collect() })
     }
 
     /// The error to show, with the name and the text of the file.
     pub fn located(self, file: &str, text: &str) -> InputError {
+        let mut places: Vec<Place> = std::iter::once(self.first).chain(self.others).collect();
+        places.sort_by_key(|place| place.order);
+        let mut told = HashSet::new();
+        places.retain(|place| told.insert((place.span.clone(), place.what.clone())));
+        let untold = places.len().saturating_sub(MOST_TOLD);
+        let file: Arc<str> = printable(file).into();
+        let source = Arc::new(NamedSource::new(&file, text.to_owned()).with_language("toml"));
+        let mut mistakes = places.into_iter().take(MOST_TOLD).map(|place| place.located(&file, &source));
+        let first = mistakes.next().expect("a fault has a place");
+        InputError::Invalid(Box::new(Invalid { first, others: mistakes.collect(), untold }))
+    }
+}
+
+impl Place {
+    fn located(self, file: &Arc<str>, source: &Arc<NamedSource<String>>) -> Mistake {
+        let text = source.inner();
         let (start, end) = visible(text, &self.span);
         let (line, column) = line_and_column(text, start);
         let quote = text[start..end].trim();
@@ -189,19 +311,73 @@ impl Fault {
         let drawable =
             drawn_lines(text, start).all(|line| line.len() <= LONGEST_LINE && is_printable(&line.replace('\t', "")));
         let end = text[start..end].find('\n').map_or(end, |newline| start + newline);
-        let file = printable(file);
-        InputError::Invalid(Box::new(Invalid {
-            file: file.to_string(),
+        Mistake {
+            file: Arc::clone(file),
             line,
             column,
             message,
             label: self.label,
             help: self.help,
-            source: NamedSource::new(&file, text.to_owned()).with_language("toml"),
+            source: Arc::clone(source),
             span: start..end,
             drawable,
-        }))
+        }
     }
+}
+
+/// Readings that do not need each other, as a tuple.
+pub trait Readings {
+    /// What they give.
+    type Values;
+
+    /// What all of them give.
+    ///
+    /// # Errors
+    /// [`Fault`] with the faults of all that have one.
+    fn all(self) -> Result<Self::Values, Fault>;
+}
+
+macro_rules! readings {
+    ($($reading:ident $value:ident),+) => {
+        impl<$($value),+> Readings for ($(Result<$value, Fault>,)+) {
+            type Values = ($($value,)+);
+
+            fn all(self) -> Result<Self::Values, Fault> {
+                match self {
+                    ($(Ok($reading),)+) => Ok(($($reading,)+)),
+                    ($($reading,)+) => {
+                        let faults = [$($reading.err()),+].into_iter().flatten();
+                        Err(Fault::of_all(faults).expect("one of them has a fault"))
+                    }
+                }
+            }
+        }
+    };
+}
+
+readings!(a A, b B);
+readings!(a A, b B, c C);
+readings!(a A, b B, c C, d D);
+readings!(a A, b B, c C, d D, e E);
+readings!(a A, b B, c C, d D, e E, f F);
+readings!(a A, b B, c C, d D, e E, f F, g G);
+
+/// What all readings of a list give.
+///
+/// # Errors
+/// [`Fault`] with the faults of the readings that have one; a long list is left behind many faults.
+pub fn each<T>(readings: impl IntoIterator<Item = Result<T, Fault>>) -> Result<Vec<T>, Fault> {
+    let (mut values, mut faults) = (Vec::new(), Vec::new());
+    for reading in readings {
+        match reading {
+            Ok(value) => values.push(value),
+            Err(fault) => faults.push(fault),
+        }
+        if faults.len() > MOST_TOLD {
+            break;
+        }
+    }
+    Fault::of_all(faults).map_or(Ok(values), Err)
 }
 
 /// Line and column (in characters) of a byte offset, both from 1.

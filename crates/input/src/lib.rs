@@ -1,7 +1,8 @@
 //! Files that users write (TOML): typed access to keys and values, axes, and errors that show the place and the remedy.
 //!
 //! A reader asks for keys by type. What it refuses is a [`Fault`]; with the file it becomes an [`InputError`], a
-//! [`miette::Diagnostic`] that draws the line and says how to mend it.
+//! [`miette::Diagnostic`] that draws the line and says how to mend it. Readings that do not need each other are read
+//! [all](Readings::all), so that a file's mistakes are told in one go.
 //!
 //! ```
 //! use stribeck_input::{Fault, Quantity, Section, document, parse, read_axis};
@@ -34,8 +35,8 @@ mod extent;
 mod file;
 mod sanitize;
 
-pub use axis::{Quantity, RANGE_KEYS, RANGE_SCALES, Values, Varying, read as read_axis, read_varying};
-pub use entry::{Entry, Section};
-pub use error::{Fault, InputError, Invalid, is_of_disk};
+pub use axis::{Quantity, RANGE_KEYS, RANGE_SCALES, Values, Varying, range_values, read as read_axis, read_varying};
+pub use entry::{Entry, Section, nearest, unknown_key};
+pub use error::{Fault, InputError, Invalid, Mistake, Readings, each, is_of_disk};
 pub use file::{Kind, document, parse, read};
 pub use sanitize::{is_printable, printable, shown};

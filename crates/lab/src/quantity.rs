@@ -1,6 +1,7 @@
 //! Quantities of the laboratory: what an experiment has in place of α and β.
 
 use crate::Dimension;
+use crate::units::Refusal;
 use stribeck_input::{Entry, Fault, Values};
 
 /// A quantity of an experiment, in SI units.
@@ -140,8 +141,8 @@ impl LaboratoryQuantity {
             Self::SlideRollRatio => {
                 "it is (flat_speed - roller_speed) / entrainment_speed: 0 is pure rolling, 2 a roller that does not \
                  turn; beyond, the surfaces would move against each other, and a film of that kind is not computed. \
-                 In per cent it is a hundredth of the number; some instruments divide by the sum of the speeds: twice \
-                 that number"
+                 In per cent write \"50 %\" for 0.5. Some instruments divide by the sum of the speeds: take twice their \
+                 number"
             }
             Self::RollerSpeed | Self::FlatSpeed if value < 0.0 => {
                 "both surfaces must move the same way: where they move against each other fluid enters from both sides, \
@@ -149,6 +150,34 @@ impl LaboratoryQuantity {
             }
             Self::Temperature => "a plain number is in kelvins; write \"20 degC\", say",
             _ => "write it in SI units as in 1e-3, or with its unit in quotes",
+        }
+    }
+
+    /// The value of a text with a unit, in SI units; a ratio may be in per cent.
+    fn with_unit(self, text: &str) -> Result<f64, Refusal> {
+        match self.dimension() {
+            Some(dimension) => dimension.parse(text),
+            None => {
+                let number = text.trim().strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
+                let refused =
+                    || Refusal::new("a number", "no number", "write a plain number, or one in per cent as \"50 %\"");
+                number.map(|number| number / 100.0).ok_or_else(refused)
+            }
+        }
+    }
+
+    /// The value of a text as on the command line: a number in SI units, or one with a unit.
+    ///
+    /// # Errors
+    /// What it must be, in words.
+    pub fn parse(self, text: &str) -> Result<f64, String> {
+        let value = match text.trim().parse::<f64>() {
+            Ok(value) => value,
+            Err(_) => self.with_unit(text).map_err(|refusal| refusal.sentence(self.name()))?,
+        };
+        match self.admits(value) {
+            true => Ok(value),
+            false => Err(format!("{} must be {}: {}", self.name(), self.allowed(), self.remedy(value))),
         }
     }
 
@@ -169,6 +198,7 @@ impl Values for LaboratoryQuantity {
     fn read(&self, entry: &Entry<'_>) -> Result<f64, Fault> {
         let value = match self.dimension() {
             Some(dimension) => dimension.read_number(entry)?,
+            None if entry.is_text() => self.with_unit(entry.text()?).map_err(|refusal| refusal.of(entry))?,
             None => entry.number()?,
         };
         if self.admits(value) { Ok(value) } else { Err(entry.not_allowed(self.allowed(), self.remedy(value))) }

@@ -98,7 +98,7 @@ impl Dimension {
     fn facts(self) -> [&'static str; 3] {
         match self {
             Dimension::Length => ["a length", "m", "\"2 mm\" or 2e-3 (in m)"],
-            Dimension::LineLoad => ["a load per length", "N/m", "\"119 N/m\" or 119.0 (in N/m)"],
+            Dimension::LineLoad => ["a load per length", "N/m", "\"400 N/m\" or 400.0 (in N/m)"],
             Dimension::Modulus => ["a modulus", "Pa", "\"100 kPa\" or 1e5 (in Pa)"],
             Dimension::Viscosity => ["a viscosity", "Pa s", "\"5.1 Pa s\" or 5.1 (in Pa s)"],
             Dimension::Time => ["a time", "s", "\"20 ms\" or 0.02 (in s)"],
@@ -203,23 +203,27 @@ impl Dimension {
         if !entry.is_text() {
             return entry.number();
         }
-        let text = entry.text()?;
+        self.parse(entry.text()?).map_err(|refusal| refusal.of(entry))
+    }
+
+    /// The value of a text with a unit, in SI units and whatever its sign.
+    pub(crate) fn parse(self, text: &str) -> Result<f64, Refusal> {
         let (number, unit) = parts(text);
         let help = format!("write {}", self.example());
-        let what = || format!("`{}` must be {}, a number with a unit", entry.path(), self.words());
+        let wanted = format!("{}, a number with a unit", self.words());
         let number = match with_point(number) {
             Comma::None(number) => number,
             Comma::Ambiguous => {
                 let label = "a comma that is a decimal mark or stands between thousands";
-                return Err(entry.fault(what(), label, format!("{help}; with a point as decimal mark")));
+                return Err(Refusal::new(wanted, label, format!("{help}; with a point as decimal mark")));
             }
         };
         let Ok(number) = number.parse::<f64>() else {
-            return Err(entry.fault(what(), "does not begin with a number", help));
+            return Err(Refusal::new(wanted, "does not begin with a number", help));
         };
         if unit.trim().is_empty() {
             let help = format!("{help}; a number without a unit stands without quotes");
-            return Err(entry.fault(what(), "has no unit", help));
+            return Err(Refusal::new(wanted, "has no unit", help));
         }
         if let Some(conversion) = self.conversion(unit) {
             return Ok(conversion.in_si(number));
@@ -228,8 +232,33 @@ impl Dimension {
             Some(other) => self.mismatch(other),
             None => "not a unit that is known here".to_owned(),
         };
-        let what = format!("`{}` must be {}, in {} or a unit of that kind", entry.path(), self.words(), self.unit());
-        Err(entry.fault(what, label, help))
+        Err(Refusal::new(format!("{}, in {} or a unit of that kind", self.words(), self.unit()), label, help))
+    }
+}
+
+/// Why a text is no value with a unit.
+pub(crate) struct Refusal {
+    /// What it must be.
+    wanted: String,
+    /// What it is.
+    label: String,
+    /// What to do.
+    help: String,
+}
+
+impl Refusal {
+    pub(crate) fn new(wanted: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { wanted: wanted.into(), label: label.into(), help: help.into() }
+    }
+
+    /// As the fault of an entry of a file.
+    pub(crate) fn of(self, entry: &Entry<'_>) -> Fault {
+        entry.fault(format!("`{}` must be {}", entry.path(), self.wanted), self.label, self.help)
+    }
+
+    /// In one line, of a value that has a name and no place.
+    pub(crate) fn sentence(&self, name: &str) -> String {
+        format!("{name} must be {}: {}; {}", self.wanted, self.label, self.help)
     }
 }
 

@@ -30,6 +30,29 @@ fn points_are_read_in_si_units() {
     assert_eq!(found.places, [(0, 3), (0, 5)]);
 }
 
+/// What a hint suggests is the column that may hold the quantity, by its unit and name, and not the first one.
+#[test]
+fn hints_name_the_column_that_may_be_meant() {
+    for (header, expected) in [
+        ("Time (s),V (mm/s),Traction (-)", "--columns \"mu=Traction (-)\""),
+        ("Time (s),Force ratio,V (mm/s)", "--columns \"mu=NAME\""),
+        ("Time (s),Load cell (N),V (mm/s),mu", "--columns \"speed=V (mm/s)\""),
+        ("Step,disc sliding rate (m/s),Temp (degC),V (mm/s),mu", "--columns \"speed=disc sliding rate (m/s)\""),
+    ] {
+        let row = vec!["1"; header.split(',').count()].join(",");
+        let said = read(&format!("{header}\n{row}\n")).expect_err(header);
+        assert!(said.contains(expected), "{header}: {said}");
+    }
+}
+
+/// Speeds whose unit nobody named are known as such.
+#[test]
+fn columns_without_a_unit_are_remembered() {
+    let of = |text: &str| read(text).expect("valid").without_unit;
+    assert_eq!(of("speed,load (N/m),mu\n1,2,0.5\n"), [("speed", "speed".to_owned())]);
+    assert_eq!(of("speed (mm/s),mu\n1,0.5\n"), []);
+}
+
 #[test]
 fn what_is_wrong_is_named_with_its_place() {
     for (text, expected) in [

@@ -34,7 +34,7 @@ impl Dimension {
 
     /// The dimension S of dimensionless results over several slide-to-roll ratios, the first then.
     pub fn slide_roll(values: &[f64]) -> Self {
-        Self::new(Self::SLIDE_ROLL, "1", "slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller", values)
+        Self::new(Self::SLIDE_ROLL, "1", "slide-to-sum ratio (u2 - u1)/(u1 + u2) of flat and roller", values)
     }
 
     /// The dimension f.

@@ -136,15 +136,17 @@ fn describe(columns: &Columns) -> Result<Description, String> {
 fn missing(columns: &Columns) -> String {
     let taken: Vec<&str> = columns.taken.iter().map(|column| column.field).collect();
     let has = if taken.is_empty() { String::new() } else { format!(". It has {}", taken.join(", ")) };
-    let Some(first) = columns.left_out.first() else {
+    if columns.left_out.is_empty() {
         return format!(
             "{WANTED}{has}. Name the columns, or say which they are: --columns \"omega=#1,storage=#2,loss=#3\""
         );
-    };
-    let all: Vec<String> =
-        columns.left_out.iter().map(|it| format!("`{}` ({})", printable(&it.heading), it.why)).collect();
-    let name = printable(&first.heading);
-    format!("{WANTED}{has}. Or say which of these it is, as in --columns \"storage={name}\": {}", all.join(", "))
+    }
+    let absent = FIELDS.iter().filter(|field| columns.find(field.name).is_none());
+    let likely = absent.filter_map(|field| Some((field.name, columns.likely(field)?)));
+    let (field, column) =
+        likely.map(|(field, column)| (field, printable(&column.heading))).next().unwrap_or(("storage", "NAME".into()));
+    let all = columns.describe_left_out();
+    format!("{WANTED}{has}. Or say which of these it is, as in --columns \"{field}={column}\": {all}")
 }
 
 /// Leaves the columns out that a form does not need.

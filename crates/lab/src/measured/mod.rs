@@ -40,6 +40,8 @@ pub struct Measured {
     pub is_averaged: bool,
     /// True if this program wrote the file: its quantities of the laboratory are those of a computation.
     pub is_computed: bool,
+    /// The coordinates whose columns name no unit, with the names of these columns.
+    pub without_unit: Vec<(&'static str, String)>,
 }
 
 impl Measured {

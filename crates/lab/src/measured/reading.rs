@@ -149,18 +149,12 @@ fn check(columns: &mut Columns, is_computed: bool) -> Result<(), String> {
 
 /// What else may be done about a column that is not there: to say which of the unknown ones it is.
 fn or_choose(columns: &Columns, field: &str) -> String {
-    match columns.left_out.first() {
-        None => String::new(),
-        Some(first) => {
-            let all: Vec<String> =
-                columns.left_out.iter().map(|it| format!("`{}` ({})", printable(&it.heading), it.why)).collect();
-            format!(
-                ", or say which of these it is, as in --columns \"{field}={}\": {}",
-                printable(&first.heading),
-                all.join(", ")
-            )
-        }
+    if columns.left_out.is_empty() {
+        return String::new();
     }
+    let of_field = fields().into_iter().find(|it| it.name == field).expect("it is a field");
+    let column = columns.likely(&of_field).map_or_else(|| "NAME".into(), |it| printable(&it.heading));
+    format!(", or say which of these it is, as in --columns \"{field}={column}\": {}", columns.describe_left_out())
 }
 
 /// The radius of the cylinder, by which turns are speeds.
@@ -218,6 +212,12 @@ impl Reader<'_> {
             coordinates: columns.taken.iter().filter(is_coordinate).map(|column| (name(column), Vec::new())).collect(),
             is_averaged: false,
             is_computed: is_computed(&table.headings),
+            without_unit: columns
+                .taken
+                .iter()
+                .filter(|it| !it.has_unit())
+                .map(|it| (it.field, it.heading.clone()))
+                .collect(),
         };
         for row in table.rows() {
             let Some(values) = self.values(&row, of_slide)? else { continue };

@@ -112,6 +112,19 @@ impl Columns {
         self.taken.iter().find(|column| column.field == field)
     }
 
+    /// The column left out that may well hold a field, by its unit and its name; or the only one.
+    pub fn likely(&self, field: &Field) -> Option<&LeftOutColumn> {
+        let alone = self.left_out.len() == 1;
+        let ranked = self.left_out.iter().rev().filter_map(|column| Some((field.likeness(&column.heading)?, column)));
+        ranked.max_by_key(|(likeness, _)| *likeness).filter(|(likeness, _)| alone || *likeness > 0).map(|(_, it)| it)
+    }
+
+    /// The columns left out, each with the reason.
+    pub fn describe_left_out(&self) -> String {
+        let described = self.left_out.iter().map(|it| format!("`{}` ({})", printable(&it.heading), it.why));
+        described.collect::<Vec<_>>().join(", ")
+    }
+
     /// Leaves the column of a field out, if there is one.
     pub fn leave_out(&mut self, field: &str, why: &str) {
         if let Some(place) = self.taken.iter().position(|column| column.field == field) {

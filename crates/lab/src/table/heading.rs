@@ -87,6 +87,21 @@ impl Field {
         }
     }
 
+    /// How much speaks for a column with this heading to hold the field; `None` if its unit speaks against it.
+    pub(super) fn likeness(&self, heading: &str) -> Option<u8> {
+        let (name, unit) = bracketed(heading).map_or((heading, None), |(name, unit)| (name, Some(unit)));
+        if unit.is_some_and(|unit| !self.has_unit(unit)) {
+            return None;
+        }
+        let name = squeezed(name);
+        let begins = |known: &str| {
+            let begin: String = known.chars().take(4).collect();
+            !begin.is_empty() && (name.contains(&begin) || name == known)
+        };
+        let is_named = self.synonyms.iter().copied().chain([&*squeezed(self.name)]).any(begins);
+        Some(2 * u8::from(is_named) + u8::from(unit.is_some()))
+    }
+
     /// True for a unit that this field may have.
     fn has_unit(&self, unit: &str) -> bool {
         self.unit(Some(unit)).is_ok()

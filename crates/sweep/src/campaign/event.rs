@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Pending;
+use super::{Pending, Refinement};
 use crate::store::{Joined, Warning};
 
 /// Something that happens while a sweep is run or merged, told when it happens, on the thread of the caller.
@@ -16,6 +16,8 @@ pub enum Event<'a> {
         directory: &'a Path,
         /// What is left of the present sweep.
         pending: &'a Pending,
+        /// Numbers of points that would keep what the other one has.
+        refinements: &'a [Refinement],
     },
     /// A run of the whole sweep took over what its parts have solved.
     TookOver(Joined),

@@ -4,8 +4,9 @@ use std::num::NonZeroUsize;
 use std::path::Path;
 
 use super::free_space::free_space;
-use super::sweep_directory::{check_directory, had_other_sweep};
-use super::{CampaignError, Cost, Pending, SweepDirectory, available_threads, check_available};
+use super::refinement::refinements;
+use super::sweep_directory::{check_directory, had_other_sweep, previous_sweep};
+use super::{CampaignError, Cost, Pending, Refinement, SweepDirectory, available_threads, check_available};
 use crate::store::{Inspection, Warning};
 use crate::{Plan, Sweep};
 
@@ -33,6 +34,8 @@ pub struct PlanReport {
     pub directory: DirectoryState,
     /// What is done, and what is left.
     pub pending: Pending,
+    /// Numbers of points that would keep what the sweep before has, if this one does not.
+    pub refinements: Vec<Refinement>,
     /// What a run is expected to take; `None` if nothing is left to be solved.
     pub cost: Option<Cost>,
     /// Bytes that are free on the disk of the results directory; `None` where the system does not tell.
@@ -69,11 +72,13 @@ pub fn plan(sweep: &Sweep, directory: &Path, options: &PlanOptions) -> Result<Pl
     let pending = Pending::survey(sweep, &plan, None, &stored);
     let cost = (pending.to_do() > 0).then(|| Cost::expected(sweep, &plan, &pending, &stored, options.threads));
     let free = free_space(directory);
-    let directory = match found.is_empty() {
+    let directory_state = match found.is_empty() {
         true => DirectoryState::Empty,
         false if had_other_sweep(directory, sweep) => DirectoryState::OtherSweep,
         false => DirectoryState::SameSweep,
     };
+    let before = if directory_state == DirectoryState::OtherSweep { previous_sweep(directory) } else { None };
+    let refinements = before.map_or_else(Vec::new, |before| refinements(&before, sweep, &stored));
     let warnings = stored.catalogs().iter().flat_map(|catalog| catalog.warnings()).cloned().collect();
-    Ok(PlanReport { plan, directory, pending, cost, free, warnings })
+    Ok(PlanReport { plan, directory: directory_state, pending, refinements, cost, free, warnings })
 }

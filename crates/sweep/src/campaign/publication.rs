@@ -6,7 +6,9 @@ use super::merge::join_all;
 use super::sweep_directory::part_directories;
 use super::{CampaignError, Observer, SweepDirectory, available_threads, open_store, read_sweep, sweep_file};
 use crate::engine::solver_threads;
-use crate::store::{Inspection, Point, Publication, Published, Store, StoreError};
+use crate::store::{
+    CaseEntry, Contents, Ending, Inspection, PackedCase, Point, Publication, Published, Store, StoreError,
+};
 use crate::{Grid, GridIndex, Plan, Sweep};
 
 /// A place of the grid of a sweep as it is published.
@@ -50,6 +52,20 @@ pub fn publish_stored(
     let threads = solver_threads(available_threads())?;
     let published = threads.install(|| publish_places(&sweep, &plan, &mut store, partial))?;
     Ok((sweep, published))
+}
+
+/// Stores cases that are solved already in a directory of their own, and publishes the sweep that has these alone.
+///
+/// # Errors
+/// [`CampaignError`] if the directory cannot be written, or the sweep has other cases too.
+pub fn publish_solved(sweep: &Sweep, directory: &Path, entries: &[CaseEntry]) -> Result<Published, CampaignError> {
+    let (plan, contents) = (Plan::new(sweep), Contents::of(&sweep.output));
+    let mut store = open_store(directory, sweep, &plan, &mut |_| {})?;
+    let cases: Vec<_> = entries.iter().map(|entry| PackedCase::new(entry.clone(), &contents)).collect();
+    store.begin(&sweep.name, cases.len() as u64, 1)?;
+    store.commit_packed(&cases)?;
+    store.end(Ending::Completed)?;
+    Ok(publish(sweep, &plan, &mut store)?)
 }
 
 /// Publishes a sweep whose cases are all stored.

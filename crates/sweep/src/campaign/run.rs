@@ -8,8 +8,9 @@ use super::failures::first_failures;
 use super::merge::join_all;
 use super::open_store::open_store;
 use super::publication::publish;
+use super::refinement::refinements;
 use super::solving::{Solving, group_wait, queue_length};
-use super::sweep_directory::{had_other_sweep, part_directories, part_directory};
+use super::sweep_directory::{had_other_sweep, part_directories, part_directory, previous_sweep};
 use super::{CampaignError, Event, FailedCase, MergedCatalog, Observer, Pending, SweepDirectory, check_available};
 use crate::engine::Engine;
 use crate::store::{Catalog, Ending, Inspection, Published, Store, StoreError};
@@ -94,13 +95,15 @@ pub fn run(
     check_available(directory)?;
     let home = part.map_or_else(|| directory.to_owned(), |part| part_directory(directory, part));
     let other_sweep = had_other_sweep(&home, sweep);
+    let before = if other_sweep { previous_sweep(&home) } else { None };
     let mut store = open_store(&home, sweep, &plan, observe)?;
     let elsewhere = stored_elsewhere(directory, sweep, part, &mut store, observe)?;
     let elsewhere = elsewhere.catalogs();
     let survey = |store: &Store| Pending::survey(sweep, &plan, part, &with(store, &elsewhere));
     let pending = survey(&store);
     if other_sweep {
-        observe(Event::OtherSweep { directory: &home, pending: &pending });
+        let found = before.map_or_else(Vec::new, |before| refinements(&before, sweep, &with(&store, &elsewhere)));
+        observe(Event::OtherSweep { directory: &home, pending: &pending, refinements: &found });
     }
     let (threads, interrupt) = (options.threads, &*options.interrupt);
     let solving = Solving { sweep, plan: &plan, pending: &pending, threads, interrupt };

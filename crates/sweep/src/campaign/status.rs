@@ -14,6 +14,8 @@ use stribeck_solver::{FieldSelection, Output};
 pub struct StatusReport {
     /// What is done and what is left; only what is stored, where the sweep file cannot be read.
     pub cases: Result<PlannedStatus, UnplannedStatus>,
+    /// The cases that are stored, be they of this sweep or not.
+    pub stored: Counts,
     /// The processes that work in the directory and its parts, as in `process 4711`.
     pub workers: Vec<String>,
     /// True if a process works in the directory itself.
@@ -53,8 +55,6 @@ pub struct PlannedStatus {
 pub struct UnplannedStatus {
     /// Why the sweep file cannot be read.
     pub error: CampaignError,
-    /// The cases that are stored.
-    pub stored: Counts,
 }
 
 /// Tells how far the sweep of a results directory is. The directory is only read, also while a run works there.
@@ -76,11 +76,12 @@ pub fn status(directory: &Path, inspection: Inspection) -> Result<StatusReport, 
             }
             Ok(planned)
         }
-        Err(error) => Err(UnplannedStatus { error, stored: stored(&found) }),
+        Err(error) => Err(UnplannedStatus { error }),
     };
     let starts = found.whole.iter().flat_map(|whole| whole.history().starts());
     Ok(StatusReport {
         cases,
+        stored: stored(&found),
         running: found.whole.is_some() && owners[0].is_some(),
         starts: starts.map(|(number, start)| (number, start.clone())).collect(),
         rate: rate(&found, &owners),

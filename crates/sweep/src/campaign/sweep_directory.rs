@@ -185,6 +185,11 @@ pub(super) fn check_directory(path: &Path) -> Result<(), CampaignError> {
     Ok(())
 }
 
+/// The sweep that a directory was last run with, if its copy can be read.
+pub(super) fn previous_sweep(directory: &Path) -> Option<Sweep> {
+    read_copy(&directory.join(COPY)).ok()
+}
+
 /// True if a directory was last run with another sweep file.
 pub(super) fn had_other_sweep(directory: &Path, sweep: &Sweep) -> bool {
     let previous = directory.join(COPY);

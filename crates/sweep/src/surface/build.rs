@@ -10,6 +10,7 @@ use super::domain::{Domain, Numbers};
 use super::leja::Leja;
 use super::lower_set::{LowerSet, MOST_ALONG};
 use super::nodes::Nodes;
+use super::rounds::Rounds;
 use crate::SurfaceSweep;
 use crate::campaign::{CampaignError, available_threads};
 use crate::engine::ThreadsError;
@@ -147,7 +148,12 @@ pub fn build(
 ) -> Result<SurfaceReport, SurfaceBuildError> {
     let nodes = Nodes::new(surface, Some(directory), options, tell)?;
     let mut work = Work { surface, domain: Domain::new(surface), nodes, leja: Leja::new(MOST_ALONG) };
-    let (made, holds) = work.refine(tell)?;
+    let (mut rounds, mut unwritten) = (Rounds::default(), None);
+    let (made, holds) = work.refine(&mut |progress| {
+        unwritten = unwritten.take().or(rounds.tell(directory, &progress).err());
+        tell(progress);
+    })?;
+    unwritten.map_or(Ok(()), Err)?;
     let file = directory.join("surface.json");
     let text = serde_json::to_string_pretty(made.file()).expect("a surface is made of texts and finite numbers");
     // A link to a file stays, and the file is replaced; one to a device gives way, as the device must not.

@@ -14,6 +14,7 @@
 //! | `compression` | from Chebyshev coefficients to a Tucker form |
 //! | `nodes` | solving cases and storing them |
 //! | `comparison` | random points, and the errors there |
+//! | `rounds` | how far a surface is, in its directory |
 
 mod build;
 mod comparison;
@@ -22,5 +23,7 @@ mod domain;
 mod leja;
 mod lower_set;
 mod nodes;
+mod rounds;
 
 pub use build::{Progress, SurfaceBuildError, SurfaceOptions, SurfaceReport, build, compare_surface};
+pub use rounds::{Round, Rounds};

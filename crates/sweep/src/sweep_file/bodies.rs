@@ -5,7 +5,7 @@ use super::named_series::NamedSeries;
 use super::sections::{keys, section};
 use super::substrate::{self, MaterialDefaults, ReadSubstrate};
 use super::temperature::read_shift;
-use stribeck_input::{Entry, Fault, Quantity, Section, Values};
+use stribeck_input::{Entry, Fault, Quantity, Readings, Section, Values};
 use stribeck_lab::{Dimension, LaboratoryQuantity, Modulus, Roller, ShiftLaw};
 use stribeck_solver::Substrate;
 
@@ -28,20 +28,37 @@ pub(super) struct ReadBodies {
     pub(super) shifts: [Option<ShiftLaw>; 2],
 }
 
+impl ReadBodies {
+    /// Bodies that lack nothing, in place of those with a fault: what depends on them is not told as missing.
+    pub(super) fn stand_in() -> Self {
+        let flat = MaterialDefaults {
+            relaxed_modulus: Some(1.0),
+            poisson_ratio: Some(0.5),
+            f: Some(1.0),
+            retardation_time: Some(1.0),
+            ..MaterialDefaults::default()
+        };
+        let shift = ShiftLaw::Arrhenius { activation_energy: 1.0, reference: 300.0 };
+        Self { flat, shifts: [Some(shift), None], ..Self::default() }
+    }
+}
+
 /// Reads the sections of both bodies, with the series of files that they name.
 pub(super) fn read(root: &Section<'_>, files: &NamedSeries) -> Result<ReadBodies, Fault> {
-    let flat = match (root.get("substrate"), root.get("flat")) {
+    let (substrate, flat) = (root.get("substrate"), root.get("flat"));
+    let one_name = match (&substrate, &flat) {
         (Some(_), Some(flat)) => {
             let what = "[substrate] and [flat] are two names of one section";
-            return Err(flat.fault(what, "beside [substrate]", "keep one of the two").unquoted());
+            Err(flat.fault(what, "beside [substrate]", "keep one of the two").unquoted())
         }
-        (substrate, flat) => substrate.or(flat),
+        _ => Ok(()),
     };
-    let roller = root.get("roller");
-    match root.get("laboratory") {
+    let (flat, roller) = (substrate.or(flat), root.get("roller"));
+    let bodies = match root.get("laboratory") {
         None => read_dimensionless(flat.as_ref(), roller.as_ref(), files),
         Some(_) => read_quantities(flat.as_ref(), roller.as_ref(), files),
-    }
+    };
+    (one_name, bodies).all().map(|(_, bodies)| bodies)
 }
 
 /// Both bodies of cases over α, β and f: their modes, whose shares add up to 1.
@@ -56,16 +73,20 @@ fn read_dimensionless(
     };
     let modes = |entry: &Entry<'_>| {
         let section = section(entry)?;
-        substrate::refuse_quantities(&section)?;
-        if let Some(relaxation) = section.get("relaxation") {
-            let what = format!("`{}` beside [roller] goes with [laboratory], which is not there", relaxation.path());
-            let help = "give the `modes` of both bodies: their shares are parts of one f, and add up to 1";
-            return Err(relaxation.fault(what, "without [laboratory]", help).unquoted());
-        }
-        section.get("modes").map_or(Ok(Vec::new()), |modes| substrate::read_modes(&modes))
+        let foreign = match section.get("relaxation") {
+            None => Ok(()),
+            Some(relaxation) => {
+                let what =
+                    format!("`{}` beside [roller] goes with [laboratory], which is not there", relaxation.path());
+                let help = "give the `modes` of both bodies: their shares are parts of one f, and add up to 1";
+                Err(relaxation.fault(what, "without [laboratory]", help).unquoted())
+            }
+        };
+        let modes = section.optional("modes", substrate::read_modes);
+        (substrate::refuse_quantities(&section), foreign, modes).all().map(|(.., modes)| modes.unwrap_or_default())
     };
-    let flat_modes = flat.map_or(Ok(Vec::new()), modes)?;
-    let substrate = substrate::substrate_of(roller, flat_modes, modes(roller)?)?;
+    let (flat_modes, roller_modes) = (flat.map_or(Ok(Vec::new()), modes), modes(roller)).all()?;
+    let substrate = substrate::substrate_of(roller, flat_modes, roller_modes)?;
     Ok(ReadBodies { substrate, ..ReadBodies::default() })
 }
 
@@ -75,41 +96,42 @@ fn read_quantities(
     roller: Option<&Entry<'_>>,
     files: &NamedSeries,
 ) -> Result<ReadBodies, Fault> {
-    let mut bodies = ReadBodies::default();
-    if let Some(entry) = flat {
-        if is_rigid(entry)? {
-            bodies.flat_is_rigid = true;
-            bodies.flat = MaterialDefaults {
-                relaxed_modulus: Some(f64::INFINITY),
-                poisson_ratio: Some(0.0),
-                f: Some(0.0),
-                retardation_time: Some(0.0),
-                ..MaterialDefaults::default()
-            };
-        } else {
-            let read = read_body(entry, files)?;
-            let MaterialDefaults { relaxed_modulus, instantaneous_modulus, f, retardation_time, .. } = read.material;
-            let has_modulus = relaxed_modulus.or(instantaneous_modulus).is_some();
-            bodies.flat_is_elastic = has_modulus && !read.has_spectrum && f.or(retardation_time).is_none();
-            (bodies.substrate, bodies.flat) = (read.substrate, read.material);
-        }
-    }
+    let shift = |body: Option<&Entry<'_>>| match body.map(section).transpose()? {
+        Some(body) => body.optional("shift", read_shift),
+        None => Ok(None),
+    };
+    let flat_body = flat.map_or(Ok(ReadBodies::default()), |entry| read_flat(entry, files));
+    let roller = (roller.map_or(Ok(None), |entry| read_roller(entry, files)), shift(roller)).all();
+    let (mut bodies, flat_shift, (roller, roller_shift)) = (flat_body, shift(flat), roller).all()?;
     match roller {
-        Some(entry) if !is_rigid(entry)? => {
-            (bodies.roller, bodies.roller_spectrum) = soft_roller(entry, files)?;
-        }
-        _ if bodies.flat_is_rigid => {
+        Some(soft) => (bodies.roller, bodies.roller_spectrum) = soft,
+        None if bodies.flat_is_rigid => {
             let help =
                 "give [roller] a modulus, or remove `rigid` from the flat: elastohydrodynamic films need a soft body";
             return Err(flat.expect("it is rigid").fault("both bodies are rigid", "rigid", help).unquoted());
         }
-        _ => {}
+        None => {}
     }
-    for (shift, entry) in bodies.shifts.iter_mut().zip([flat, roller]) {
-        let body = entry.map(section).transpose()?;
-        *shift = body.and_then(|body| body.get("shift")).map(|entry| read_shift(&entry)).transpose()?;
-    }
+    bodies.shifts = [flat_shift, roller_shift];
     Ok(bodies)
+}
+
+/// The flat of an experiment.
+fn read_flat(entry: &Entry<'_>, files: &NamedSeries) -> Result<ReadBodies, Fault> {
+    if is_rigid(entry)? {
+        let flat = MaterialDefaults {
+            relaxed_modulus: Some(f64::INFINITY),
+            poisson_ratio: Some(0.0),
+            f: Some(0.0),
+            retardation_time: Some(0.0),
+            ..MaterialDefaults::default()
+        };
+        return Ok(ReadBodies { flat, flat_is_rigid: true, ..ReadBodies::default() });
+    }
+    let ReadSubstrate { substrate, material, has_spectrum } = read_body(entry, files)?;
+    let has_modulus = material.relaxed_modulus.or(material.instantaneous_modulus).is_some();
+    let flat_is_elastic = has_modulus && !has_spectrum && material.f.or(material.retardation_time).is_none();
+    Ok(ReadBodies { substrate, flat: material, flat_is_elastic, ..ReadBodies::default() })
 }
 
 /// True for a section that says `rigid = true`, which then has no other key.
@@ -118,55 +140,82 @@ fn is_rigid(entry: &Entry<'_>) -> Result<bool, Fault> {
     if !body.get("rigid").map_or(Ok(false), |rigid| rigid.boolean())? {
         return Ok(false);
     }
-    let others = keys(entry.path()).into_iter().filter(|key| *key != "rigid");
-    match others.into_iter().find_map(|key| body.get(key)) {
-        None => Ok(true),
-        Some(other) => {
-            let what = format!("`{}` says nothing of a rigid body", other.path());
-            Err(other.fault(what, "beside `rigid`", "remove it, or `rigid`"))
-        }
-    }
+    let others = keys(entry.path()).into_iter().filter(|key| *key != "rigid").filter_map(|key| body.get(key));
+    let faults = others.map(|other| {
+        let what = format!("`{}` says nothing of a rigid body", other.path());
+        other.fault(what, "beside `rigid`", "remove it, or `rigid`")
+    });
+    Fault::of_all(faults).map_or(Ok(true), Err)
 }
 
 /// Spectrum, moduli, Poisson's ratio, f and time of a body, as far as they are given.
 fn read_body(entry: &Entry<'_>, files: &NamedSeries) -> Result<ReadSubstrate, Fault> {
     let (body, name) = (section(entry)?, entry.path());
-    let mut read = substrate::read_spectrum(&body, name, files)?;
-    let material = &mut read.material;
-    let number = |key: &str, quantity: &dyn Values| body.get(key).map(|entry| quantity.read(&entry)).transpose();
-    material.poisson_ratio = number("poisson_ratio", &LaboratoryQuantity::PoissonRatio)?;
-    if let (Some(_), Some(other)) = (body.get("relaxation"), body.get("f").or(body.get("retardation_time"))) {
-        let what = format!("`{}` follows from the terms of `relaxation`", other.path());
-        return Err(other.fault(what, "beside `relaxation`", "remove it, or the terms"));
+    let spectrum = substrate::read_spectrum(&body, name, files);
+    let poisson_ratio = body.optional("poisson_ratio", |entry| LaboratoryQuantity::PoissonRatio.read(entry));
+    if body.get("relaxation").is_some() {
+        let others = ["f", "retardation_time"].into_iter().filter_map(|key| body.get(key));
+        let faults = others.map(|other| {
+            let what = format!("`{}` follows from the terms of `relaxation`", other.path());
+            other.fault(what, "beside `relaxation`", "remove it, or the terms")
+        });
+        let alone = Fault::of_all(faults).map_or(Ok(()), Err);
+        let (mut read, poisson_ratio, ()) = (spectrum, poisson_ratio, alone).all()?;
+        read.material.poisson_ratio = poisson_ratio;
+        return Ok(read);
     }
-    if body.get("relaxation").is_none() {
-        material.f = number("f", &Quantity::Strength)?;
-        material.retardation_time = body.get("retardation_time").map(|time| Dimension::Time.read(&time)).transpose()?;
-        if let Some(given) = modulus::find(&body, name)? {
-            let value = Some(Dimension::Modulus.read(&given.entry)?);
-            material.kind = given.kind;
-            match given.quantity {
-                LaboratoryQuantity::RelaxedModulus => material.relaxed_modulus = value,
-                _ => material.instantaneous_modulus = value,
-            }
+    let f = body.optional("f", |entry| Quantity::Strength.read(entry));
+    let retardation_time = body.optional("retardation_time", |entry| Dimension::Time.read(entry));
+    let modulus = modulus::find(&body, name)
+        .and_then(|given| given.map(|given| Ok((Dimension::Modulus.read(&given.entry)?, given))).transpose());
+    let (mut read, poisson_ratio, f, retardation_time, modulus) =
+        (spectrum, poisson_ratio, f, retardation_time, modulus).all()?;
+    read.material = MaterialDefaults { poisson_ratio, f, retardation_time, ..read.material };
+    if let Some((value, given)) = modulus {
+        read.material.kind = given.kind;
+        match given.quantity {
+            LaboratoryQuantity::RelaxedModulus => read.material.relaxed_modulus = Some(value),
+            _ => read.material.instantaneous_modulus = Some(value),
         }
     }
     Ok(read)
 }
 
+/// The roller of an experiment; `None` if it is rigid.
+fn read_roller(entry: &Entry<'_>, files: &NamedSeries) -> Result<Option<(Roller, Substrate)>, Fault> {
+    if is_rigid(entry)? { Ok(None) } else { soft_roller(entry, files).map(Some) }
+}
+
+/// Refuses a soft roller that lacks a key, whatever its other keys say.
+fn check_roller(body: &Section<'_>) -> Result<(), Fault> {
+    let has = |key| body.get(key).is_some();
+    let ratio = body.require("poisson_ratio", "add poisson_ratio = 0.5").map(|_| ());
+    let strength = match has("modes") && !has("f") {
+        false => Ok(()),
+        true => {
+            let help = "add f = 10.0, say: f = E0/Einf - 1 of the roller; or describe it by `relaxation`";
+            Err(body.fault("[roller] needs `f` beside `modes`", "`f` is missing", help))
+        }
+    };
+    let modulus = match has("relaxation") || modulus::KEYS.iter().any(|(key, ..)| has(key)) {
+        true => Ok(()),
+        false => Err(without_modulus(body)),
+    };
+    (ratio, strength, modulus).all().map(|_| ())
+}
+
+fn without_modulus(roller: &Section<'_>) -> Fault {
+    let help = "add relaxed_modulus = \"1 MPa\" (or instantaneous_modulus); for a rigid roller leave the section out";
+    roller.fault("[roller] needs a modulus, which is missing", "no modulus", help)
+}
+
 /// A roller that is not rigid: elastic, or with a spectrum.
 fn soft_roller(entry: &Entry<'_>, files: &NamedSeries) -> Result<(Roller, Substrate), Fault> {
     let body = section(entry)?;
-    let ReadSubstrate { substrate, material, has_spectrum } = read_body(entry, files)?;
-    let poisson_ratio = match material.poisson_ratio {
-        Some(ratio) => ratio,
-        None => LaboratoryQuantity::PoissonRatio.read(&body.require("poisson_ratio", "add poisson_ratio = 0.5")?)?,
-    };
+    let (read, ()) = (read_body(entry, files), check_roller(&body)).all()?;
+    let (substrate, material) = (read.substrate, read.material);
+    let poisson_ratio = material.poisson_ratio.expect("it was looked for");
     let f = material.f.unwrap_or(0.0);
-    if has_spectrum && material.f.is_none() {
-        let help = "add f = 10.0, say: f = E0/Einf - 1 of the roller; or describe it by `relaxation`";
-        return Err(body.fault("[roller] needs `f` beside `modes`", "`f` is missing", help));
-    }
     let retardation_time = match material.retardation_time {
         Some(time) => time,
         None if f == 0.0 => 0.0,
@@ -175,11 +224,7 @@ fn soft_roller(entry: &Entry<'_>, files: &NamedSeries) -> Result<(Roller, Substr
     let modulus = match (material.relaxed_modulus, material.instantaneous_modulus) {
         (Some(modulus), _) => Modulus::Relaxed(modulus),
         (None, Some(modulus)) => Modulus::Instantaneous(modulus),
-        (None, None) => {
-            let help =
-                "add relaxed_modulus = \"1 MPa\" (or instantaneous_modulus); for a rigid roller leave the section out";
-            return Err(body.fault("[roller] needs a modulus, which is missing", "no modulus", help));
-        }
+        (None, None) => return Err(without_modulus(&body)),
     };
     let modulus = modulus.times(material.kind.young_factor(poisson_ratio));
     Ok((Roller { modulus, poisson_ratio, f, retardation_time }, substrate))

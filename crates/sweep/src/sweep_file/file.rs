@@ -7,10 +7,11 @@ use toml::de::DeTable;
 use super::bodies::{self, ReadBodies};
 use super::named_series::NamedSeries;
 use super::sections::{home, keys, section};
-use super::specification::Sweep;
+use super::specification::{Method, Sweep};
+use super::spelling::Spelt;
 use super::{laboratory, output, solver, surface};
 use crate::{Axes, Grid};
-use stribeck_input::{Entry, Fault, InputError, Quantity, Section, read_axis};
+use stribeck_input::{Entry, Fault, InputError, Quantity, Readings, Section, read_axis};
 use stribeck_input::{is_printable, printable};
 use stribeck_solver::Output;
 
@@ -43,10 +44,14 @@ impl Sweep {
 }
 
 fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<Sweep, Fault> {
-    interpret_document(name, text, stribeck_input::document(text)?.get_ref(), folder)
+    let spelt = Spelt::of(stribeck_input::document(text)?.into_inner());
+    let read = interpret_document(name, text, &spelt.document, folder);
+    spelt.judge(read)
 }
 
 /// Takes the document of a sweep file, whose text it is, but for axes that stand for others.
+///
+/// What does not depend on a section with a fault is read and judged all the same, so that all faults are told.
 pub(super) fn interpret_document(
     name: &str,
     text: &str,
@@ -54,17 +59,21 @@ pub(super) fn interpret_document(
     folder: Option<&Path>,
 ) -> Result<Sweep, Fault> {
     let root = Section::new("", 0..0, document, &keys(""), home)?;
-    if let Some(surface) = root.get("surface") {
-        surface::read_settings(&surface)?;
-    }
-    let files = NamedSeries::read(&root, folder)?;
-    let bodies = bodies::read(&root, &files)?;
-    let grid = read_grid(&root, &bodies)?;
-    let title = root.get("title").map(|title| read_title(&title)).transpose()?;
-    let solver = root.get("solver").map(|entry| solver::read(&entry)).transpose()?.unwrap_or_default();
+    let files = NamedSeries::read(&root, folder);
+    let (bodies, stand_in) = (bodies::read(&root, &files), ReadBodies::stand_in());
+    let grid = read_grid(&root, bodies.as_ref().unwrap_or(&stand_in));
+    let title = root.optional("title", read_title);
+    let surface = root.optional("surface", surface::read_settings);
+    let solver = root.optional("solver", solver::read).map(Option::unwrap_or_default);
     // what can be asked for depends on the method
-    let output = root.get("output").map(|entry| output::read(&entry, solver.method)).transpose()?.unwrap_or_default();
-    check_fields(&root, &grid, &output)?;
+    let method = solver.as_ref().map_or(Method::Collocation, |solver| solver.method);
+    let output = root.optional("output", |entry| output::read(entry, method)).map(Option::unwrap_or_default);
+    let fields = match (&grid, &output) {
+        (Ok(grid), Ok(output)) => check_fields(&root, grid, output),
+        _ => Ok(()),
+    };
+    let checks = (fields, surface).all();
+    let (bodies, grid, title, solver, output, _) = (bodies, grid, title, solver, output, checks).all()?;
     Ok(Sweep {
         title: title.unwrap_or_else(|| printable(name).into_owned()),
         grid,
@@ -113,18 +122,17 @@ fn read_grid(root: &Section<'_>, bodies: &ReadBodies) -> Result<Grid, Fault> {
         check_ratios(&entry, &axes, bodies.substrate.of_roller() > 0)?;
         return Ok(Grid::Dimensionless(axes));
     };
-    let axis_of_f = match root.get("axes") {
-        None => None,
-        Some(entry) => {
-            let axes = section(&entry)?;
-            if let Some(other) = ["slide_roll", "alpha", "beta"].into_iter().find_map(|key| axes.get(key)) {
-                let what = format!("`{}` may not stand beside [laboratory], which it follows from", other.path());
-                let help = "remove it; an axis of [laboratory], the speed for instance, takes its place";
-                return Err(other.fault(what, "follows from [laboratory]", help));
-            }
-            axes.get("f").map(|entry| read_axis(&entry, Quantity::Strength)).transpose()?
-        }
-    };
+    let axes = root.optional("axes", section);
+    let axis_of_f = axes.and_then(|axes| {
+        let Some(axes) = axes else { return Ok(None) };
+        let others = ["slide_roll", "alpha", "beta"].into_iter().filter_map(|key| axes.get(key)).map(|other| {
+            let what = format!("`{}` may not stand beside [laboratory], which it follows from", other.path());
+            let help = "remove it; an axis of [laboratory], the speed for instance, takes its place";
+            other.fault(what, "follows from [laboratory]", help)
+        });
+        let alone = Fault::of_all(others).map_or(Ok(()), Err);
+        (alone, axes.optional("f", |entry| read_axis(entry, Quantity::Strength))).all().map(|(_, f)| f)
+    });
     laboratory::read(&laboratory, axis_of_f, bodies).map(Grid::Laboratory)
 }
 
@@ -137,7 +145,7 @@ fn check_ratios(entry: &Entry<'_>, axes: &Axes, roller_retards: bool) -> Result<
     if relaxed && !roller_retards {
         return Ok(());
     }
-    let what = "at a slide-to-roll ratio of -1 the flat is at rest in the contact, where alpha is infinite: \
+    let what = "where slide_roll is -1 the flat is at rest in the contact, where alpha is infinite: \
                 `axes.alpha` must be [inf] then";
     let help = "begin above -1, or write alpha = [inf]; a soft roller over a flat at rest is a sweep of [laboratory]";
     Err(ratios.fault(what, "-1 beside a finite alpha", help).unquoted())
@@ -152,15 +160,14 @@ pub fn read_axes(entry: &Entry<'_>, own_f: Option<f64>) -> Result<Axes, Fault> {
         );
         read_axis(&section.require(key, &help)?, quantity)
     };
-    let axes = Axes {
-        slide_roll: section.get("slide_roll").map(|entry| read_axis(&entry, Quantity::SlideRoll)).transpose()?,
-        f: match own_f.filter(|_| section.get("f").is_none()) {
-            Some(f) => vec![f],
-            None => axis("f", Quantity::Strength)?,
-        },
-        alpha: axis("alpha", Quantity::SlideTime)?,
-        beta: axis("beta", Quantity::InverseHersey)?,
+    let slide_roll = section.optional("slide_roll", |entry| read_axis(entry, Quantity::SlideRoll));
+    let f = match own_f.filter(|_| section.get("f").is_none()) {
+        Some(f) => Ok(vec![f]),
+        None => axis("f", Quantity::Strength),
     };
+    let (slide_roll, f, alpha, beta) =
+        (slide_roll, f, axis("alpha", Quantity::SlideTime), axis("beta", Quantity::InverseHersey)).all()?;
+    let axes = Axes { slide_roll, f, alpha, beta };
     let [f, alpha, beta] = [axes.f.len(), axes.alpha.len(), axes.beta.len()];
     let ratios = axes.slide_roll.as_ref().map_or(1, Vec::len);
     let cases = ratios as u128 * f as u128 * alpha as u128 * beta as u128;

@@ -6,8 +6,8 @@ use super::sections::section;
 use super::substrate::MaterialDefaults;
 use super::temperature::read_viscosity;
 use crate::{Given, LaboratoryAxes, ModelLimits};
-use stribeck_input::{Entry, Fault, Quantity, Section, Values, Varying, read_varying};
-use stribeck_lab::{Dimension, LaboratoryQuantity, TemperatureLaws};
+use stribeck_input::{Entry, Fault, Quantity, Readings, Section, Values, Varying, read_varying};
+use stribeck_lab::{Dimension, LaboratoryQuantity, TemperatureLaws, ViscosityLaw};
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
 const MOST_PLACES: u128 = 10_000_000;
@@ -15,44 +15,31 @@ const MOST_PLACES: u128 = 10_000_000;
 /// Reads `[laboratory]`; `axis_of_f` is f of `[axes]`, if it stands there.
 pub(super) fn read(
     entry: &Entry<'_>,
-    axis_of_f: Option<Vec<f64>>,
+    axis_of_f: Result<Option<Vec<f64>>, Fault>,
     bodies: &ReadBodies,
 ) -> Result<LaboratoryAxes, Fault> {
     let section = section(entry)?;
-    let material = &bodies.flat;
-    if bodies.flat_is_rigid {
-        refuse_softness(&section, axis_of_f.is_some())?;
-    }
-    let f = read_strengths(&section, axis_of_f, bodies)?;
-    let speeds = form_of_motion(&section)?;
-    let entry_of_viscosity = section.get(LaboratoryQuantity::Viscosity.name());
-    let viscosity = entry_of_viscosity.map(|entry| read_viscosity(&entry)).transpose()?.flatten();
-    let mut given = Vec::new();
-    for quantity in LaboratoryQuantity::ALL {
-        let is_speed = LaboratoryQuantity::SPEEDS.contains(&quantity);
-        if is_speed && !speeds.contains(&quantity) {
-            continue;
-        }
-        let read = match viscosity.filter(|_| quantity == LaboratoryQuantity::Viscosity) {
-            Some((value, _)) => Some(Varying::Fixed(value)),
-            None => read_quantity(&section, quantity, material, &f)?,
-        };
-        let Some(varying) = read else { continue };
-        // Results run along the last speed, be it one number.
-        let last = speeds.last() == Some(&quantity);
-        given.push(match varying {
-            Varying::Fixed(value) => Given { quantity, values: vec![value], is_axis: last },
-            Varying::Axis(values) => Given { quantity, values, is_axis: true },
-        });
-    }
-    check_that_something_moves(&section, &given)?;
-    let swap = read_swap(&section, &mut given)?;
-    let length = |key: &str| section.get(key).map(|entry| Dimension::Length.read(&entry)).transpose();
-    let limits = ModelLimits { roughness: length("roughness")?, thickness: length("thickness")? };
+    let softness = match bodies.flat_is_rigid {
+        true => refuse_softness(&section, matches!(axis_of_f, Ok(Some(_)))),
+        false => Ok(()),
+    };
+    let f = axis_of_f.and_then(|axis| read_strengths(&section, axis, bodies));
+    let viscosity = section.optional(LaboratoryQuantity::Viscosity.name(), read_viscosity).map(Option::flatten);
+    let (mut given, faults) = read_given(&section, bodies, f.as_deref().unwrap_or(&[0.0]), &viscosity);
+    let laws = viscosity.map(|law| TemperatureLaws {
+        flat: bodies.shifts[0],
+        roller: bodies.shifts[1],
+        viscosity: law.map(|(_, law)| law),
+    });
+    let temperatures = laws.as_ref().map_or(Ok(()), |laws| check_temperatures(&section, &given, laws));
+    let moves = check_that_something_moves(&section, &given);
+    let swap = read_swap(&section, &mut given);
+    let length = |key: &str| section.optional(key, |entry| Dimension::Length.read(entry));
+    let limits = (length("roughness"), length("thickness")).all();
+    let checks = (softness, temperatures, moves, faults.map_or(Ok(()), Err)).all();
+    let (f, laws, swap, (roughness, thickness), _) = (f, laws, swap, limits, checks).all()?;
     let (roller, roller_spectrum) = (bodies.roller, bodies.roller_spectrum.clone());
-    let [flat, roller_shift] = bodies.shifts;
-    let laws = TemperatureLaws { flat, roller: roller_shift, viscosity: viscosity.map(|(_, law)| law) };
-    check_temperatures(&section, &given, &laws)?;
+    let limits = ModelLimits { roughness, thickness };
     let axes = LaboratoryAxes { f, given, roller, roller_spectrum, swap, limits, laws };
     let lengths = axes.dimensions().into_iter().map(|dimension| dimension.values.len() as u128);
     let places = lengths.fold(1, u128::saturating_mul);
@@ -62,6 +49,42 @@ pub(super) fn read(
         return Err(section.fault(what, format!("{:.1e} cases", places as f64), help));
     }
     Ok(axes)
+}
+
+/// A viscosity that changes, as it was read.
+type ReadViscosity = Result<Option<(f64, ViscosityLaw)>, Fault>;
+
+/// The quantities that can be read, and what is wrong with the others.
+fn read_given(
+    section: &Section<'_>,
+    bodies: &ReadBodies,
+    f: &[f64],
+    viscosity: &ReadViscosity,
+) -> (Vec<Given>, Option<Fault>) {
+    use LaboratoryQuantity as Q;
+    let is_there = |quantity: &Q| section.get(quantity.name()).is_some();
+    let (speeds, two_forms) = match form_of_motion(section) {
+        Ok(form) => (form.to_vec(), None),
+        // Their values can be wrong all the same.
+        Err(fault) => (Q::SPEEDS.into_iter().filter(is_there).collect(), Some(fault)),
+    };
+    let (mut given, mut faults) = (Vec::new(), Vec::from_iter(two_forms));
+    for quantity in Q::ALL.into_iter().filter(|it| !Q::SPEEDS.contains(it) || speeds.contains(it)) {
+        let read = match viscosity {
+            Ok(Some((value, _))) if quantity == Q::Viscosity => Ok(Some(Varying::Fixed(*value))),
+            Err(fault) if quantity == Q::Viscosity => Err(fault.clone()),
+            _ => read_quantity(section, quantity, &bodies.flat, f),
+        };
+        // Results run along the last speed, be it one number.
+        let last = speeds.last() == Some(&quantity);
+        match read {
+            Ok(Some(Varying::Fixed(value))) => given.push(Given { quantity, values: vec![value], is_axis: last }),
+            Ok(Some(Varying::Axis(values))) => given.push(Given { quantity, values, is_axis: true }),
+            Ok(None) => {}
+            Err(fault) => faults.push(fault),
+        }
+    }
+    (given, Fault::of_all(faults))
 }
 
 /// The speeds of the form of motion that the section gives.
@@ -87,8 +110,7 @@ fn check_temperatures(section: &Section<'_>, given: &[Given], laws: &Temperature
     let Some(entry) = section.get(LaboratoryQuantity::Temperature.name()) else { return Ok(()) };
     if *laws == TemperatureLaws::default() {
         let what = "nothing changes with `laboratory.temperature`";
-        let help =
-            "give [flat] a `shift`, or the viscosity a law (docs/reference/sweep-file.md), or remove the temperature";
+        let help = "give [flat] a `shift`, or the viscosity a law, or remove the temperature";
         return Err(entry.fault(what, "without a law", help).unquoted());
     }
     let temperatures = given.iter().filter(|given| given.quantity == LaboratoryQuantity::Temperature);
@@ -103,14 +125,13 @@ fn check_temperatures(section: &Section<'_>, given: &[Given], laws: &Temperature
 /// Refuses moduli and times of a flat that is rigid.
 fn refuse_softness(section: &Section<'_>, has_axis_of_f: bool) -> Result<(), Fault> {
     let others = ["poisson_ratio", "retardation_time", "f"];
-    let mut keys = modulus::KEYS.map(|(key, ..)| key).into_iter().chain(others);
+    let keys = modulus::KEYS.map(|(key, ..)| key).into_iter().chain(others);
     let what = "says nothing of a rigid flat";
     let help = "remove it, or `rigid` from the flat";
-    match keys.find_map(|key| section.get(key)) {
-        Some(entry) => Err(entry.fault(format!("`{}` {what}", entry.path()), "beside a rigid flat", help)),
-        None if has_axis_of_f => Err(section.fault(format!("`axes.f` {what}"), "beside a rigid flat", help)),
-        None => Ok(()),
-    }
+    let entries = keys.filter_map(|key| section.get(key));
+    let faults = entries.map(|it| it.fault(format!("`{}` {what}", it.path()), "beside a rigid flat", help));
+    let axis = has_axis_of_f.then(|| section.fault(format!("`axes.f` {what}"), "beside a rigid flat", help));
+    Fault::of_all(faults.chain(axis)).map_or(Ok(()), Err)
 }
 
 /// Reads `swap`: each slide-to-roll ratio gets the opposite one beside it.
@@ -119,13 +140,15 @@ fn read_swap(section: &Section<'_>, given: &mut [Given]) -> Result<bool, Fault> 
     if !entry.boolean()? {
         return Ok(false);
     }
-    let ratio = given.iter_mut().find(|given| given.quantity == LaboratoryQuantity::SlideRollRatio);
-    let Some(ratio) = ratio else {
+    if section.get(LaboratoryQuantity::SlideRollRatio.name()).is_none() {
         let what = "`swap` runs each case with the faster and the slower body swapped, for which it needs \
                     `slide_roll_ratio`";
         let help = "give `entrainment_speed` and `slide_roll_ratio` in place of the other speeds, or remove `swap`";
         return Err(entry.fault(what, "without a slide-to-roll ratio", help));
-    };
+    }
+    let ratio = given.iter_mut().find(|given| given.quantity == LaboratoryQuantity::SlideRollRatio);
+    // It has a fault of its own.
+    let Some(ratio) = ratio else { return Ok(true) };
     if ratio.values[0] < 0.0 {
         let what = "with `swap` ratios are given from 0 on: the opposite ones are added";
         let help = "leave out the ratios below 0";
@@ -205,7 +228,7 @@ fn read_quantity(
         None => {
             let example = match quantity {
                 Q::Radius => "radius = \"2 mm\"",
-                Q::Load => "load = \"119 N/m\"",
+                Q::Load => "load = \"400 N/m\"",
                 Q::RelaxedModulus | Q::InstantaneousModulus => {
                     "relaxed_modulus = \"100 kPa\" (or instantaneous_modulus)"
                 }

@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | `specification` | [`Sweep`] and its parts |
 //! | `sections` | the sections of a sweep file and their keys |
+//! | `spelling` | keys that no section has |
 //! | `laboratory`, `solver`, `output` | a reader for each section of these names |
 //! | `bodies`, `substrate` | the readers of `[flat]` and `[roller]`, and of their spectra |
 //! | `modulus` | a modulus of a section: relaxed or instantaneous, Young's or shear |
@@ -27,12 +28,13 @@ mod schema;
 mod sections;
 mod solver;
 mod specification;
+mod spelling;
 mod substrate;
 mod surface;
 mod temperature;
 
 pub use file::{read_axes, read_title};
-pub use schema::schema;
+pub use schema::{schema, section_schema};
 pub use solver::{read_error, read_points};
 pub use specification::{Method, SolverSettings, Sweep};
 pub use substrate::read as read_substrate;

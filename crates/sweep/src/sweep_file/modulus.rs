@@ -1,5 +1,7 @@
 //! The modulus of a section: one of four keys, relaxed or instantaneous, Young's or shear.
 
+use std::ops::Range;
+
 use super::substrate::MaterialDefaults;
 use stribeck_input::{Entry, Fault, Section, Varying, read_varying};
 use stribeck_lab::{LaboratoryQuantity, ModulusKind};
@@ -39,13 +41,40 @@ pub(super) fn find<'t>(section: &Section<'t>, name: &str) -> Result<Option<Given
     }
 }
 
-/// Refuses a shear modulus of which nobody knows which it is: a near key would be Young's.
-pub(super) fn check_shear_modulus(entry: &Entry<'_>) -> Result<(), Fault> {
-    let Some(modulus) = entry.member("shear_modulus") else { return Ok(()) };
-    let what = format!("`{}` does not say which modulus it is: the one at once, or after a long time", modulus.path());
-    let help = "write relaxed_shear_modulus or instantaneous_shear_modulus; relaxed_modulus and instantaneous_modulus are \
-                Young's modulus, 2 (1 + poisson_ratio) times as large: three times where Poisson's ratio is 0.5";
-    Err(modulus.fault(what, "which of the two?", help))
+/// A key that says a modulus, and not which one.
+pub(super) struct Ambiguous {
+    /// The key that it may stand for.
+    pub(super) meant: &'static str,
+    help: &'static str,
+}
+
+impl Ambiguous {
+    /// What a key of a section may mean, if it is one of these.
+    pub(super) fn of(section: &str, key: &str) -> Option<Self> {
+        if !matches!(section, "laboratory" | "substrate" | "flat" | "roller") {
+            return None;
+        }
+        match key.to_lowercase().as_str() {
+            "shear_modulus" | "g" => Some(Self {
+                meant: "relaxed_shear_modulus",
+                help: "write relaxed_shear_modulus or instantaneous_shear_modulus; relaxed_modulus and \
+                       instantaneous_modulus are Young's modulus, 2 (1 + poisson_ratio) times as large: three times \
+                       where Poisson's ratio is 0.5",
+            }),
+            "modulus" | "young_modulus" | "youngs_modulus" | "elastic_modulus" | "e" => Some(Self {
+                meant: "relaxed_modulus",
+                help: "write relaxed_modulus or instantaneous_modulus for Young's modulus, relaxed_shear_modulus or \
+                       instantaneous_shear_modulus for the shear modulus; of an elastic body give the relaxed one",
+            }),
+            _ => None,
+        }
+    }
+
+    /// The fault of such a key, whose value stands at `span`.
+    pub(super) fn fault(&self, section: &str, key: &str, span: Range<usize>) -> Fault {
+        let what = format!("`{section}.{key}` does not say which modulus it is: the one at once, or after a long time");
+        Fault::new(span, what, "which of the two?", self.help)
+    }
 }
 
 /// Young's modulus over the modulus of a kind, by Poisson's ratio of `[laboratory]`, or else that of the flat.

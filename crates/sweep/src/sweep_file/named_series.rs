@@ -7,7 +7,6 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::modulus;
-use super::sections::section;
 use stribeck_input::{Entry, Fault, Section, printable};
 use stribeck_lab::{Dimension, MaterialData, MaterialFile, MaterialFileError, MaterialOptions, PronySeries};
 
@@ -17,50 +16,51 @@ const HELP: &str =
 /// The keys of a table that names a file.
 pub(super) const FILE_KEYS: [&str; 2] = ["file", "modulus_unit"];
 
-/// The series that a sweep file names files for.
+/// The series that a sweep file names files for: where each is named, and what was read.
 #[derive(Default)]
-pub(super) struct NamedSeries(Vec<One>);
+pub(super) struct NamedSeries(Vec<(Range<usize>, Result<One, Fault>)>);
 
-/// A series that was read from a file, and where the sweep file names that.
+/// A series that was read from a file.
 struct One {
     series: PronySeries,
     file: String,
-    place: Range<usize>,
     /// Where the section stands, if it needs the modulus of the file.
     in_want: Option<usize>,
 }
 
 impl NamedSeries {
     /// Reads the files that the sections of bodies name, relative to a folder; without one there are none.
-    pub(super) fn read(root: &Section<'_>, folder: Option<&Path>) -> Result<Self, Fault> {
-        let Some(folder) = folder else { return Ok(Self::default()) };
-        let mut all = Vec::new();
-        for body in ["substrate", "flat", "roller"].into_iter().filter_map(|name| root.get(name)) {
-            let keys = section(&body)?;
-            if let Some(entry) = keys.get("relaxation").filter(Entry::is_section) {
-                let needs_modulus = modulus::find(&keys, body.path())?.is_none();
-                all.push(One::read(&entry, folder, needs_modulus.then(|| body.span().start))?);
-            }
-        }
-        Ok(Self(all))
+    pub(super) fn read(root: &Section<'_>, folder: Option<&Path>) -> Self {
+        let Some(folder) = folder else { return Self::default() };
+        let bodies = ["substrate", "flat", "roller"].into_iter().filter_map(|name| root.get(name));
+        let named = bodies.filter_map(|body| {
+            let relaxation = body.member("relaxation").filter(Entry::is_section)?;
+            let has_modulus = modulus::KEYS.iter().any(|(key, ..)| body.member(key).is_some());
+            let in_want = (!has_modulus).then(|| body.span().start);
+            Some((relaxation.span(), One::read(&relaxation, folder, in_want)))
+        });
+        Self(named.collect())
     }
 
     /// The series of an entry that names a file.
-    pub(super) fn series(&self, entry: &Entry<'_>) -> Result<&PronySeries, Fault> {
-        let found = self.0.iter().find(|one| one.place == entry.span());
-        found.map(|one| &one.series).ok_or_else(|| {
-            let help = "write the terms themselves; `stribeck material FILE` prints them";
-            entry.fault("a file can be named in a sweep file only, which has a folder", "no folder", help).unquoted()
-        })
+    pub(super) fn series(&self, entry: &Entry<'_>) -> Result<PronySeries, Fault> {
+        match self.0.iter().find(|(place, _)| *place == entry.span()) {
+            Some((_, read)) => read.as_ref().map(|one| one.series.clone()).map_err(Clone::clone),
+            None => {
+                let help = "write the terms themselves; `stribeck material FILE` prints them";
+                let what = "a file can be named in a sweep file only, which has a folder";
+                Err(entry.fault(what, "no folder", help).unquoted())
+            }
+        }
     }
 
     /// The text with the terms in place of the names, and behind them the moduli of files whose sections have none.
     pub(super) fn written_into(&self, text: &str) -> Result<String, Fault> {
-        let mut places: Vec<&One> = self.0.iter().collect();
-        places.sort_by_key(|one| one.place.start);
+        let mut named: Vec<_> = self.0.iter().collect();
+        named.sort_by_key(|(place, _)| place.start);
         let mut written = text.to_owned();
-        for one in places.into_iter().rev() {
-            written.replace_range(one.place.clone(), &one.terms(text)?);
+        for (place, one) in named.into_iter().rev() {
+            written.replace_range(place.clone(), &one.as_ref().map_err(Clone::clone)?.terms(place, text)?);
         }
         Ok(written)
     }
@@ -87,11 +87,11 @@ impl One {
             let help = "fit a series to them with `stribeck material FILE`, and paste what it prints";
             return Err(name.fault(what, "measured moduli", help));
         };
-        Ok(Self { series, file: printable(file).into_owned(), place: entry.span(), in_want })
+        Ok(Self { series, file: printable(file).into_owned(), in_want })
     }
 
     /// What stands in place of the name.
-    fn terms(&self, text: &str) -> Result<String, Fault> {
+    fn terms(&self, place: &Range<usize>, text: &str) -> Result<String, Fault> {
         let terms = self.series.toml_terms(Some(&self.file));
         let Some((start, modulus)) = self.in_want.and_then(|start| Some((start, self.series.toml_modulus()?))) else {
             return Ok(terms);
@@ -99,7 +99,7 @@ impl One {
         if !text[start..].starts_with('[') {
             let what = "the modulus of this file has no place in a section that is written in one line";
             let help = "begin the section with a line [substrate], or give the modulus there";
-            return Err(Fault::new(self.place.clone(), what, "has a modulus", help).unquoted());
+            return Err(Fault::new(place.clone(), what, "has a modulus", help).unquoted());
         }
         Ok(format!("{terms}\n{modulus}"))
     }

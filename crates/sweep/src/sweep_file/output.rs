@@ -3,7 +3,7 @@
 use super::sections::section;
 use super::specification::Method;
 use crate::Field;
-use stribeck_input::{Entry, Fault, Quantity, read_axis};
+use stribeck_input::{Entry, Fault, Quantity, Readings, each, read_axis};
 use stribeck_solver::{CavityShear, FieldSelection, Output};
 
 /// What may fill the gap behind the film by name, the default first.
@@ -14,21 +14,20 @@ pub(super) const CAVITY_SHEARS: [(&str, CavityShear); 3] =
 pub(super) fn read(entry: &Entry<'_>, method: Method) -> Result<Output, Fault> {
     let section = section(entry)?;
     let defaults = Output::default();
+    let (fields, x, limits, cavity_shear, sensitivities) = (
+        section.optional("fields", read_fields),
+        section.optional("x", |entry| read_axis(entry, Quantity::Position)),
+        section.optional("limits", Entry::boolean),
+        section.optional("cavity_shear", |entry| entry.choice(&CAVITY_SHEARS)),
+        section.optional("sensitivities", |entry| read_sensitivities(entry, method)),
+    )
+        .all()?;
     Ok(Output {
-        fields: section.get("fields").map(|entry| read_fields(&entry)).transpose()?.unwrap_or(defaults.fields),
-        x: match section.get("x") {
-            Some(entry) => read_axis(&entry, Quantity::Position)?.into(),
-            None => defaults.x,
-        },
-        limits: section.get("limits").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.limits),
-        cavity_shear: match section.get("cavity_shear") {
-            Some(entry) => entry.choice(&CAVITY_SHEARS)?,
-            None => defaults.cavity_shear,
-        },
-        sensitivities: match section.get("sensitivities") {
-            Some(entry) => read_sensitivities(&entry, method)?,
-            None => defaults.sensitivities,
-        },
+        fields: fields.unwrap_or(defaults.fields),
+        x: x.map_or(defaults.x, Into::into),
+        limits: limits.unwrap_or(defaults.limits),
+        cavity_shear: cavity_shear.unwrap_or(defaults.cavity_shear),
+        sensitivities: sensitivities.unwrap_or(defaults.sensitivities),
     })
 }
 
@@ -45,15 +44,16 @@ fn read_sensitivities(entry: &Entry<'_>, method: Method) -> Result<bool, Fault> 
 
 fn read_fields(entry: &Entry<'_>) -> Result<FieldSelection, Fault> {
     let choices = Field::ALL.map(|field| (field.name(), field));
-    let mut fields = Vec::new();
     let help = "write fields = [\"pressure\", \"film_thickness\", \"displacement\"], some of them, or [] for none";
-    for item in entry.require_list(help)? {
-        let field = item.choice(&choices)?;
-        if fields.contains(&field) {
+    let items = entry.require_list(help)?;
+    let fields = each(items.map(|item| item.choice(&choices)))?;
+    let places = entry.list().into_iter().flatten().zip(&fields).enumerate();
+    each(places.map(|(place, (item, field))| match fields[..place].contains(field) {
+        false => Ok(()),
+        true => {
             let what = "a field may stand in `output.fields` only once";
-            return Err(item.fault(what, "stands there before", "remove one of the two"));
+            Err(item.fault(what, "stands there before", "remove one of the two"))
         }
-        fields.push(field);
-    }
+    }))?;
     Ok(Field::selection(fields))
 }

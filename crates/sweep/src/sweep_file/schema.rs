@@ -47,6 +47,11 @@ pub fn schema() -> Value {
     schema
 }
 
+/// The JSON schema of a section, for files that have it too.
+pub fn section_schema(name: &str) -> Value {
+    section(name)
+}
+
 impl Shape {
     fn schema(&self) -> Value {
         match self {
@@ -130,7 +135,7 @@ fn measured(quantity: LaboratoryQuantity) -> Value {
             _ => json!({ "type": "number", "minimum": 0, "maximum": 0.5 }),
         },
     };
-    if quantity.units() != "1" {
+    if quantity != LaboratoryQuantity::PoissonRatio {
         schema = either([schema, text_with_unit()]);
     }
     schema

@@ -1,6 +1,5 @@
 //! The sections of a sweep file, and the keys of each: what the reader knows, and what the JSON schema says of them.
 
-use super::modulus::check_shear_modulus;
 use super::schema::{self, Shape};
 use stribeck_input::{Entry, Fault, Quantity, Section};
 use stribeck_lab::LaboratoryQuantity;
@@ -49,8 +48,8 @@ static SECTIONS: [(&str, &[Key]); 10] = [
             key(
                 "slide_roll",
                 Shape::Axis(Quantity::SlideRoll),
-                "Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that does not \
-                 turn, 0 pure rolling.",
+                "Slide-to-sum ratio S = (u2 - u1)/(u1 + u2) of flat and roller, -1 to 1: 1 is a roller that does not \
+                 turn, 0 pure rolling. An instrument's slide-to-roll ratio is twice that.",
             ),
             key("f", Shape::Axis(Quantity::Strength), "Strength of retardation E0/Einf - 1; 0 is elastic."),
             key(
@@ -99,7 +98,7 @@ static SECTIONS: [(&str, &[Key]); 10] = [
             quantity(
                 "slide_roll_ratio",
                 LaboratoryQuantity::SlideRollRatio,
-                "(flat_speed - roller_speed)/entrainment_speed, -2 to 2.",
+                "Slide-to-roll ratio (flat_speed - roller_speed)/entrainment_speed, -2 to 2, or in per cent as \"50 %\".",
             ),
             quantity(
                 "roller_speed",
@@ -247,6 +246,5 @@ pub(super) fn home(key: &str) -> Option<&'static str> {
 
 /// The table behind an entry, with the keys its path says.
 pub(super) fn section<'t>(entry: &Entry<'t>) -> Result<Section<'t>, Fault> {
-    check_shear_modulus(entry)?;
     entry.section(&keys(entry.path()), home)
 }

@@ -2,7 +2,7 @@
 
 use super::sections::section;
 use super::specification::{Method, SolverSettings};
-use stribeck_input::{Entry, Fault};
+use stribeck_input::{Entry, Fault, Readings};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
 
@@ -18,19 +18,18 @@ pub(super) const ACCELERATIONS: [(&str, Acceleration); 2] =
 pub(super) fn read(entry: &Entry<'_>) -> Result<SolverSettings, Fault> {
     let section = section(entry)?;
     let defaults = SolverSettings::default();
+    let (method, tolerance, relaxation, time_limit) = (
+        section.optional("method", |entry| entry.choice(&METHODS)),
+        section.optional("tolerance", read_error),
+        section.optional("relaxation", read_relaxation),
+        section.optional("time_limit", read_time_limit),
+    )
+        .all()?;
     Ok(SolverSettings {
-        method: section.get("method").map(|entry| entry.choice(&METHODS)).transpose()?.unwrap_or_default(),
-        tolerance: section.get("tolerance").map(|entry| read_error(&entry)).transpose()?.unwrap_or(defaults.tolerance),
-        relaxation: section
-            .get("relaxation")
-            .map(|entry| read_relaxation(&entry))
-            .transpose()?
-            .unwrap_or(defaults.relaxation),
-        time_limit: section
-            .get("time_limit")
-            .map(|entry| read_time_limit(&entry))
-            .transpose()?
-            .unwrap_or(defaults.time_limit),
+        method: method.unwrap_or_default(),
+        tolerance: tolerance.unwrap_or(defaults.tolerance),
+        relaxation: relaxation.unwrap_or(defaults.relaxation),
+        time_limit: time_limit.unwrap_or(defaults.time_limit),
     })
 }
 
@@ -60,26 +59,20 @@ const ESTIMATE_POINTS: usize = Settings::ESTIMATE_POINTS;
 fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
     let section = section(entry)?;
     let defaults = Settings::default();
+    let (domain, points, tolerance, acceleration, estimate) = (
+        section.optional("domain", read_domain),
+        section.optional("points", read_points),
+        section.optional("tolerance", read_residual),
+        section.optional("acceleration", |entry| entry.choice(&ACCELERATIONS)),
+        section.optional("estimate", Entry::boolean),
+    )
+        .all()?;
     let settings = Settings {
-        domain: section.get("domain").map(|entry| read_domain(&entry)).transpose()?.unwrap_or(defaults.domain),
-        points: section.get("points").map(|entry| read_points(&entry)).transpose()?.unwrap_or(defaults.points),
-        tolerance: match section.get("tolerance") {
-            Some(entry) => {
-                let tolerance = entry.number()?;
-                if !Settings::TOLERANCE.contains(&tolerance) {
-                    let what = "`solver.relaxation.tolerance` must be from 1e-12 to 1e-2";
-                    let help = "it is the residual at which a case counts as converged; 1e-8 is a good value";
-                    return Err(entry.fault(what, "out of range", help));
-                }
-                tolerance
-            }
-            None => defaults.tolerance,
-        },
-        acceleration: match section.get("acceleration") {
-            Some(entry) => entry.choice(&ACCELERATIONS)?,
-            None => defaults.acceleration,
-        },
-        estimate: section.get("estimate").map(|entry| entry.boolean()).transpose()?.unwrap_or(defaults.estimate),
+        domain: domain.unwrap_or(defaults.domain),
+        points: points.unwrap_or(defaults.points),
+        tolerance: tolerance.unwrap_or(defaults.tolerance),
+        acceleration: acceleration.unwrap_or(defaults.acceleration),
+        estimate: estimate.unwrap_or(defaults.estimate),
     };
     match section.get("estimate") {
         Some(entry) if settings.estimate && settings.points < ESTIMATE_POINTS => {
@@ -91,6 +84,16 @@ fn read_relaxation(entry: &Entry<'_>) -> Result<Settings, Fault> {
         }
         _ => Ok(settings),
     }
+}
+
+fn read_residual(entry: &Entry<'_>) -> Result<f64, Fault> {
+    let tolerance = entry.number()?;
+    if Settings::TOLERANCE.contains(&tolerance) {
+        return Ok(tolerance);
+    }
+    let what = "`solver.relaxation.tolerance` must be from 1e-12 to 1e-2";
+    let help = "it is the residual at which a case counts as converged; 1e-8 is a good value";
+    Err(entry.fault(what, "out of range", help))
 }
 
 /// Reads the number of points of a grid.
@@ -118,17 +121,17 @@ fn read_domain(entry: &Entry<'_>) -> Result<Domain, Fault> {
     };
     let ends: Vec<Entry<'_>> = ends.take(3).collect();
     let [left, right] = ends.as_slice() else { return Err(entry.fault(what, "not two numbers", help)) };
-    let (x_min, x_max) = (left.number()?, right.number()?);
+    let (x_min, x_max) = (left.number(), right.number()).all()?;
     let help = "the contact lies within -1 and 1 (in units of a0; narrower at small alpha), and the film needs room on \
                 both sides of it, as in [-3.0, 4.0]";
     let (leftmost, rightmost) = Domain::ENDS.into_inner();
-    if !(leftmost..0.0).contains(&x_min) {
+    let is_left = (leftmost..0.0).contains(&x_min).then_some(()).ok_or_else(|| {
         let what = format!("x_min of the domain must be below 0 and at least {leftmost:?}");
-        return Err(left.fault(what, "not left of the contact", help));
-    }
-    if !(x_max > 0.0 && x_max <= rightmost) {
+        left.fault(what, "not left of the contact", help)
+    });
+    let is_right = (x_max > 0.0 && x_max <= rightmost).then_some(()).ok_or_else(|| {
         let what = format!("x_max of the domain must be above 0 and at most {rightmost:?}");
-        return Err(right.fault(what, "not right of the contact", help));
-    }
-    Ok(Domain::Fixed { x_min, x_max })
+        right.fault(what, "not right of the contact", help)
+    });
+    (is_left, is_right).all().map(|_| Domain::Fixed { x_min, x_max })
 }

@@ -3,7 +3,7 @@
 use super::modulus;
 use super::named_series::NamedSeries;
 use super::sections::section;
-use stribeck_input::{Entry, Fault, Section, Values};
+use stribeck_input::{Entry, Fault, Readings, Section, Values, each};
 use stribeck_lab::{
     Dimension, LaboratoryQuantity, Material, Modulus, ModulusKind, PronyError, PronyParts, PronySeries,
 };
@@ -56,28 +56,25 @@ pub fn read(entry: &Entry<'_>) -> Result<ReadSubstrate, Fault> {
 /// The same with the series of files that are named.
 pub(super) fn read_with(entry: &Entry<'_>, files: &NamedSeries) -> Result<ReadSubstrate, Fault> {
     let section = section(entry)?;
-    refuse_quantities(&section)?;
-    read_spectrum(&section, entry.path(), files)
+    let (_, read) = (refuse_quantities(&section), read_spectrum(&section, entry.path(), files)).all()?;
+    Ok(read)
 }
 
 /// Refuses what says nothing of dimensionless cases: moduli without relaxation, and other quantities.
 pub(super) fn refuse_quantities(section: &Section<'_>) -> Result<(), Fault> {
-    if let Some(other) =
-        ["rigid", "poisson_ratio", "f", "retardation_time", "shift"].into_iter().find_map(|key| section.get(key))
-    {
+    let others = ["rigid", "poisson_ratio", "f", "retardation_time", "shift"];
+    let others = others.into_iter().filter_map(|key| section.get(key)).map(|other| {
         let what = format!("`{}` goes with [laboratory], which is not there", other.path());
         let help = "sweeps over alpha, beta and f need the `modes` of their bodies alone: remove it";
-        return Err(other.fault(what, "without [laboratory]", help));
-    }
-    let modulus = modulus::KEYS.into_iter().find_map(|(key, ..)| section.get(key));
-    match modulus.filter(|_| section.get("relaxation").is_none()) {
-        None => Ok(()),
-        Some(modulus) => {
-            let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
-            let help = "beside `modes` the modulus stands in [laboratory]: move it there";
-            Err(modulus.fault(what, "without `relaxation`", help))
-        }
-    }
+        other.fault(what, "without [laboratory]", help)
+    });
+    let moduli = modulus::KEYS.into_iter().filter_map(|(key, ..)| section.get(key));
+    let moduli = moduli.filter(|_| section.get("relaxation").is_none()).map(|modulus| {
+        let what = format!("`{}` goes with `relaxation`, which is not there", modulus.path());
+        let help = "beside `modes` the modulus stands in [laboratory]: move it there";
+        modulus.fault(what, "without `relaxation`", help)
+    });
+    Fault::of_all(others.chain(moduli)).map_or(Ok(()), Err)
 }
 
 /// Reads `modes` or `relaxation` of the section of a body.
@@ -115,19 +112,24 @@ pub(super) fn substrate_of(
 pub(super) fn read_modes(modes_entry: &Entry<'_>) -> Result<Vec<RetardationMode>, Fault> {
     let read_mode = |mode: Entry<'_>| {
         let mode = mode.section(&MODE_KEYS, |_| None)?;
-        let [share_entry, time_entry] = [mode.require("share", MODES)?, mode.require("time", MODES)?];
-        let (share, time) = (share_entry.number()?, time_entry.number()?);
-        if !(share > 0.0 && share <= 1.0) {
-            let help = "a share is the mode's part of f; leave out modes that have none";
-            return Err(share_entry.fault("a `share` must be above 0 and at most 1", "not a share", help));
-        }
-        if !(time > 0.0 && time.is_finite()) {
-            let help = "the time is the mode's retardation time over the one in alpha, as in 100.0";
-            return Err(time_entry.fault("a `time` must be finite and above 0", "not a time", help));
-        }
+        let share = mode.require("share", MODES).and_then(|entry| match entry.number()? {
+            share if share > 0.0 && share <= 1.0 => Ok(share),
+            _ => {
+                let help = "a share is the mode's part of f; leave out modes that have none";
+                Err(entry.fault("a `share` must be above 0 and at most 1", "not a share", help))
+            }
+        });
+        let time = mode.require("time", MODES).and_then(|entry| match entry.number()? {
+            time if time > 0.0 && time.is_finite() => Ok(time),
+            _ => {
+                let help = "the time is the mode's retardation time over the one in alpha, as in 100.0";
+                Err(entry.fault("a `time` must be finite and above 0", "not a time", help))
+            }
+        });
+        let (share, time) = (share, time).all()?;
         Ok(RetardationMode { share, time })
     };
-    modes_entry.require_list(MODES)?.map(read_mode).collect()
+    each(modes_entry.require_list(MODES)?.map(read_mode))
 }
 
 /// A material by its relaxation: its terms, or a file with them.
@@ -137,9 +139,11 @@ fn read_relaxation(
     entry: &Entry<'_>,
     files: &NamedSeries,
 ) -> Result<ReadSubstrate, Fault> {
-    let mut series = if entry.is_section() { files.series(entry)?.clone() } else { read_terms(entry)? };
-    if let Some(given) = modulus::find(section, name)? {
-        let value = Dimension::Modulus.read(&given.entry)?;
+    let series = if entry.is_section() { files.series(entry) } else { read_terms(entry) };
+    let modulus = modulus::find(section, name)
+        .and_then(|given| given.map(|given| Ok((Dimension::Modulus.read(&given.entry)?, given))).transpose());
+    let (mut series, modulus) = (series, modulus).all()?;
+    if let Some((value, given)) = modulus {
         let is_relaxed = given.quantity == LaboratoryQuantity::RelaxedModulus;
         series.modulus = Some(if is_relaxed { Modulus::Relaxed(value) } else { Modulus::Instantaneous(value) });
         series.kind = given.kind;
@@ -160,16 +164,16 @@ fn read_relaxation(
 fn read_terms(entry: &Entry<'_>) -> Result<PronySeries, Fault> {
     let read_term = |term: Entry<'_>| {
         let keys = term.section(&TERM_KEYS, |_| None)?;
-        let time = Dimension::Time.read(&keys.require("time", TERMS)?)?;
+        let time = keys.require("time", TERMS).and_then(|time| Dimension::Time.read(&time));
         let part = match (keys.get("modulus"), keys.get("fraction")) {
-            (Some(modulus), None) => (PronyParts::Moduli, Dimension::Modulus.read(&modulus)?),
-            (None, Some(fraction)) => (PronyParts::Fractions, read_fraction(&fraction)?),
-            (None, None) => return Err(keys.fault("a term has `modulus` or `fraction`", "has neither", TERMS)),
-            (Some(_), Some(_)) => return Err(keys.fault("a term has `modulus` or `fraction`", "has both", TERMS)),
+            (Some(modulus), None) => Dimension::Modulus.read(&modulus).map(|value| (PronyParts::Moduli, value)),
+            (None, Some(fraction)) => read_fraction(&fraction).map(|value| (PronyParts::Fractions, value)),
+            (None, None) => Err(keys.fault("a term has `modulus` or `fraction`", "has neither", TERMS)),
+            (Some(_), Some(_)) => Err(keys.fault("a term has `modulus` or `fraction`", "has both", TERMS)),
         };
-        Ok((part, time))
+        (part, time).all()
     };
-    let terms = entry.require_list(TERMS)?.map(read_term).collect::<Result<Vec<_>, _>>()?;
+    let terms = each(entry.require_list(TERMS)?.map(read_term))?;
     let parts = terms.first().map_or(PronyParts::Moduli, |((parts, _), _)| *parts);
     if terms.iter().any(|((other, _), _)| *other != parts) {
         let what = "terms have `modulus` or `fraction`, all of them the same";

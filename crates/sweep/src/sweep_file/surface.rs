@@ -12,8 +12,9 @@ use toml::de::{DeArray, DeValue};
 use super::file::{KIND, interpret_document};
 use super::sections::section;
 use super::specification::{Method, Sweep};
+use super::spelling::Spelt;
 use crate::{Column, Grid};
-use stribeck_input::{Entry, Fault, InputError, RANGE_KEYS, Section};
+use stribeck_input::{Entry, Fault, InputError, RANGE_KEYS, Readings, Section, each};
 use stribeck_surface::Spread;
 
 /// The tolerances that a surface may have.
@@ -93,24 +94,26 @@ impl SurfaceSweep {
 }
 
 fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<SurfaceSweep, Fault> {
-    let document = stribeck_input::document(text)?;
-    let mut ends = document.get_ref().clone();
+    let mut spelt = Spelt::of(stribeck_input::document(text)?.into_inner());
     let mut ranges = Vec::new();
-    for (section, table) in ends.iter_mut() {
+    let mut faults = Vec::new();
+    for (section, table) in spelt.document.iter_mut() {
         if let (true, DeValue::Table(table)) = (is_home(section.get_ref()), table.get_mut()) {
             for (key, value) in table.iter_mut() {
-                ranges.extend(take_range(key.get_ref(), value)?);
+                match take_range(key.get_ref(), value) {
+                    Ok(range) => ranges.extend(range),
+                    Err(fault) => faults.push((fault, value.span())),
+                }
             }
         }
     }
-    let mut sweep = interpret_document(name, text, &ends, folder)?;
-    let settings = match document.get_ref().get("surface").map(Spanned::get_ref) {
-        Some(DeValue::Table(_)) => {
-            let root = Section::new("", 0..0, document.get_ref(), &super::sections::keys(""), |_| None)?;
-            root.get("surface").map(|entry| read_settings(&entry)).transpose()?.unwrap_or_default()
-        }
-        _ => SurfaceSettings::default(),
-    };
+    for (fault, place) in faults {
+        spelt.told(fault, place);
+    }
+    let root = Section::new("", 0..0, &spelt.document, &super::sections::keys(""), |_| None)?;
+    let settings = root.optional("surface", read_settings).map(Option::unwrap_or_default);
+    let read = (interpret_document(name, text, &spelt.document, folder), settings).all();
+    let (mut sweep, settings) = spelt.judge(read)?;
     let whole = |what: &str, label: &str, help: &str| Fault::new(0..text.len().min(1), what, label, help).unquoted();
     if sweep.solver.method == Method::Relaxation {
         let help = "leave `method` out: the collocation method gives the errors that a surface needs";
@@ -161,7 +164,7 @@ fn take_range(key: &str, value: &mut Spanned<DeValue<'_>>) -> Result<Option<Rang
                 return Err(Fault::new(span, format!("the range `{key}` needs `to`"), "no `to`", help).unquoted());
             };
             let range = Section::new(key, span.clone(), table, &RANGE_KEYS, |_| None)?;
-            range.get("points").map(|points| points.whole(2..=1_000_000)).transpose()?;
+            range.optional("points", |points| points.whole(2..=1_000_000))?;
             let logarithmic = match table.get("scale").map(|scale| (scale.span(), scale.get_ref())) {
                 None => false,
                 Some((_, DeValue::String(scale))) if scale == "log" => true,
@@ -228,40 +231,52 @@ fn axes_of(grid: &Grid, ranges: &[Range], whole: &impl Fn(&str, &str, &str) -> F
 /// Reads `[surface]`.
 pub(super) fn read_settings(entry: &Entry<'_>) -> Result<SurfaceSettings, Fault> {
     let section = section(entry)?;
-    let mut settings = SurfaceSettings::default();
-    if let Some(entry) = section.get("tolerance") {
-        settings.tolerance = entry.number()?;
-        if !TOLERANCE.contains(&settings.tolerance) {
+    let defaults = SurfaceSettings::default();
+    let (tolerance, quantities, points, seed) = (
+        section.optional("tolerance", read_tolerance),
+        section.optional("quantities", read_quantities),
+        section.optional("points", |entry| entry.whole(POINTS)),
+        section.optional("seed", |entry| entry.whole(SEED)),
+    )
+        .all()?;
+    Ok(SurfaceSettings {
+        tolerance: tolerance.unwrap_or(defaults.tolerance),
+        quantities: quantities.unwrap_or(defaults.quantities),
+        points: points.unwrap_or(defaults.points),
+        seed: seed.map_or(defaults.seed, |seed| seed as u64),
+    })
+}
+
+fn read_tolerance(entry: &Entry<'_>) -> Result<f64, Fault> {
+    let tolerance = entry.number()?;
+    match TOLERANCE.contains(&tolerance) {
+        true => Ok(tolerance),
+        false => {
             let remedy = "it is the largest relative error of each quantity, as in 1e-4";
-            return Err(entry.not_allowed("from 1e-7 to 1e-2", remedy));
+            Err(entry.not_allowed("from 1e-7 to 1e-2", remedy))
         }
     }
-    if let Some(entry) = section.get("quantities") {
-        let mut quantities = Vec::new();
-        for item in entry.require_list("write names of columns, as in [\"mu_drag\", \"c\"]")? {
-            let name = item.text()?;
-            let column = Column::named(name).filter(|column| is_function(*column));
-            let Some(column) = column else {
-                let known: Vec<_> = Column::ALL.into_iter().filter(|it| is_function(*it)).map(Column::name).collect();
-                let help = format!("write one of {}", known.join(", "));
-                return Err(item.fault(format!("a surface has no quantity `{name}`"), "not a quantity", help));
-            };
-            if !quantities.contains(&column) {
-                quantities.push(column);
-            }
+}
+
+fn read_quantities(entry: &Entry<'_>) -> Result<Vec<Column>, Fault> {
+    let read = |item: Entry<'_>| {
+        let name = item.text()?;
+        Column::named(name).filter(|column| is_function(*column)).ok_or_else(|| {
+            let known: Vec<_> = Column::ALL.into_iter().filter(|it| is_function(*it)).map(Column::name).collect();
+            let help = format!("write one of {}", known.join(", "));
+            item.fault(format!("a surface has no quantity `{name}`"), "not a quantity", help)
+        })
+    };
+    let mut quantities: Vec<Column> = Vec::new();
+    for column in each(entry.require_list("write names of columns, as in [\"mu_drag\", \"c\"]")?.map(read))? {
+        if !quantities.contains(&column) {
+            quantities.push(column);
         }
-        if quantities.is_empty() {
-            return Err(entry.fault("`surface.quantities` is empty", "empty", "name a column, as in [\"mu_drag\"]"));
-        }
-        settings.quantities = quantities;
     }
-    if let Some(entry) = section.get("points") {
-        settings.points = entry.whole(POINTS)?;
+    match quantities.is_empty() {
+        true => Err(entry.fault("`surface.quantities` is empty", "empty", "name a column, as in [\"mu_drag\"]")),
+        false => Ok(quantities),
     }
-    if let Some(entry) = section.get("seed") {
-        settings.seed = entry.whole(SEED)? as u64;
-    }
-    Ok(settings)
 }
 
 /// True for columns that are functions of the place: estimated errors and residuals are none, and the approximation of

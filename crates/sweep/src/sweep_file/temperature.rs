@@ -1,6 +1,6 @@
 //! Laws of temperature in a sweep file: `shift` of a body, and a viscosity that changes.
 
-use stribeck_input::{Entry, Fault, RANGE_KEYS, Section, Values};
+use stribeck_input::{Entry, Fault, RANGE_KEYS, Readings, Section, Values, each};
 use stribeck_lab::{Dimension, LaboratoryQuantity, ShiftLaw, ViscosityLaw, ViscosityTable};
 
 const SHIFT: &str = "write shift = { law = \"wlf\", c1 = 17.4, c2 = \"51.6 K\", reference = \"20 degC\" }, or \
@@ -19,16 +19,19 @@ pub(super) const VISCOSITY_LAWS: [(&str, &[&str]); 2] = [("vogel", &["b", "c"]),
 pub(super) fn read_shift(entry: &Entry<'_>) -> Result<ShiftLaw, Fault> {
     let law = entry.section(&["law", "c1", "c2", "activation_energy", "reference"], |_| None)?;
     let [(wlf, of_wlf), (arrhenius, of_arrhenius)] = SHIFT_LAWS;
-    let is_wlf = law.require("law", SHIFT)?.choice(&[(wlf, true), (arrhenius, false)])?;
-    let reference = temperature(&law, "reference", SHIFT)?;
+    let is_wlf = law.require("law", SHIFT).and_then(|entry| entry.choice(&[(wlf, true), (arrhenius, false)]));
+    let (is_wlf, reference) = (is_wlf, temperature(&law, "reference", SHIFT)).all()?;
+    // With keys of another law it may be that one that was meant.
     refuse(&law, if is_wlf { of_arrhenius } else { of_wlf }, SHIFT)?;
-    Ok(match is_wlf {
+    match is_wlf {
         true => {
-            let (c1, c2) = (positive(&law, "c1", SHIFT)?, difference(&law, "c2", SHIFT)?);
-            ShiftLaw::Wlf { c1, c2, reference }
+            let own = (positive(&law, "c1", SHIFT), difference(&law, "c2", SHIFT)).all();
+            own.map(|(c1, c2)| ShiftLaw::Wlf { c1, c2, reference })
         }
-        false => ShiftLaw::Arrhenius { activation_energy: activation_energy(&law, SHIFT)?, reference },
-    })
+        false => {
+            activation_energy(&law, SHIFT).map(|activation_energy| ShiftLaw::Arrhenius { activation_energy, reference })
+        }
+    }
 }
 
 /// Reads a viscosity that changes with temperature: its value at the law's reference, and the law; `None` if the entry
@@ -45,18 +48,17 @@ pub(super) fn read_viscosity(entry: &Entry<'_>) -> Result<Option<(f64, Viscosity
     }
     let law = entry.section(&OF_LAW, |_| None)?;
     if let Some(table) = law.get("table") {
-        refuse(&law, &OF_LAW[..OF_LAW.len() - 1], VISCOSITY)?;
-        let table = read_table(&table)?;
+        let (_, table) = (refuse(&law, &OF_LAW[..OF_LAW.len() - 1], VISCOSITY), read_table(&table)).all()?;
         return Ok(Some((table.first(), ViscosityLaw::Table(table))));
     }
     let [(vogel, of_vogel), (arrhenius, of_arrhenius)] = VISCOSITY_LAWS;
-    let is_vogel = law.require("law", VISCOSITY)?.choice(&[(vogel, true), (arrhenius, false)])?;
-    let value = Dimension::Viscosity.read(&law.require("value", VISCOSITY)?)?;
-    let reference = temperature(&law, "reference", VISCOSITY)?;
+    let is_vogel = law.require("law", VISCOSITY).and_then(|it| it.choice(&[(vogel, true), (arrhenius, false)]));
+    let value = law.require("value", VISCOSITY).and_then(|entry| Dimension::Viscosity.read(&entry));
+    let (is_vogel, value, reference) = (is_vogel, value, temperature(&law, "reference", VISCOSITY)).all()?;
     refuse(&law, if is_vogel { of_arrhenius } else { of_vogel }, VISCOSITY)?;
     let found = match is_vogel {
         true => {
-            let (b, c) = (difference(&law, "b", VISCOSITY)?, difference(&law, "c", VISCOSITY)?);
+            let (b, c) = (difference(&law, "b", VISCOSITY), difference(&law, "c", VISCOSITY)).all()?;
             if c >= reference {
                 let what = "`c` of Vogel's law must be below the reference: the fluid is solid there";
                 return Err(law.require("c", VISCOSITY)?.fault(what, "not below the reference", VISCOSITY));
@@ -71,10 +73,10 @@ pub(super) fn read_viscosity(entry: &Entry<'_>) -> Result<Option<(f64, Viscosity
 fn read_table(entry: &Entry<'_>) -> Result<ViscosityTable, Fault> {
     let point = |entry: Entry<'_>| {
         let point = entry.section(&["temperature", "value"], |_| None)?;
-        let viscosity = Dimension::Viscosity.read(&point.require("value", VISCOSITY)?)?;
-        Ok((temperature(&point, "temperature", VISCOSITY)?, viscosity))
+        let viscosity = point.require("value", VISCOSITY).and_then(|entry| Dimension::Viscosity.read(&entry));
+        (temperature(&point, "temperature", VISCOSITY), viscosity).all()
     };
-    let points = entry.require_list(VISCOSITY)?.map(point).collect::<Result<Vec<_>, Fault>>()?;
+    let points = each(entry.require_list(VISCOSITY)?.map(point))?;
     ViscosityTable::new(&points).ok_or_else(|| {
         let what = format!("a table of viscosities has 2 to {} temperatures, which ascend", ViscosityTable::MOST);
         entry.fault(what, "no such table", VISCOSITY).unquoted()
@@ -83,10 +85,9 @@ fn read_table(entry: &Entry<'_>) -> Result<ViscosityTable, Fault> {
 
 /// Refuses keys of another law.
 fn refuse(law: &Section<'_>, keys: &[&str], help: &str) -> Result<(), Fault> {
-    match keys.iter().find_map(|key| law.get(key)) {
-        None => Ok(()),
-        Some(other) => Err(other.fault(format!("`{}` belongs to another law", other.path()), "of another law", help)),
-    }
+    let others = keys.iter().filter_map(|key| law.get(key));
+    let faults = others.map(|it| it.fault(format!("`{}` belongs to another law", it.path()), "of another law", help));
+    Fault::of_all(faults).map_or(Ok(()), Err)
 }
 
 fn temperature(section: &Section<'_>, key: &str, help: &str) -> Result<f64, Fault> {

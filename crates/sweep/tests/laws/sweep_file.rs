@@ -38,7 +38,8 @@ fn refused(error: &InputError, text: &str) {
     assert!(!error.remedy().is_empty());
     let drawing = drawn(error);
     assert!(!drawing.chars().any(|c| c.is_control() && c != '\n'), "{drawing:?}");
-    assert!(drawing.len() <= 20_000, "an error of {} bytes", drawing.len());
+    let told = invalid.mistakes().count();
+    assert!(drawing.len() <= 20_000 * told, "{told} mistakes of {} bytes", drawing.len());
 }
 
 fn taken(sweep: &Sweep, text: &str) {

@@ -5,6 +5,7 @@ mod moduli;
 mod named_series;
 mod refused;
 mod round_trip;
+mod together;
 
 use std::fs;
 use std::path::Path;
