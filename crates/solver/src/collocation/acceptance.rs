@@ -1,20 +1,24 @@
 //! Whether a solution is accepted: its estimated errors, how well its mesh resolves it, and whether the film is under
 //! tension.
 
-use super::adaptation::indicators;
+use super::adaptation::{indicators, panel_at_inlet};
 use super::estimate::{Estimate, estimate};
 use super::fields::fields;
 use super::reference::{ReferencePanel, dot};
+use super::scaling::layer;
 use super::state::State;
 use super::system::unknowns;
 use super::workspace::Workspace;
 use crate::continuation::{ErrorMeasure, FailureKind, Solution, SolveContext, SolveError};
-use crate::model::Output;
+use crate::model::{Output, Parameters};
 
 /// The largest estimated error over the tolerance that is accepted.
 pub(super) const ACCEPTED: f64 = 0.9;
 /// Largest indicator over the root of the tolerance.
 const RESOLVED: f64 = 0.3;
+/// Longest panel where the film enters the contact, over the length of the layer there. A longer one hides from richer
+/// panels what it makes of the flow.
+const LONGEST_AT_INLET: f64 = 12.0;
 /// Least pressure over the largest; below it the film would carry tension.
 pub(super) const TENSION: f64 = -1e-6;
 /// The same limit for a solution that is only good enough to go on from.
@@ -85,18 +89,20 @@ pub(super) struct Acceptance {
     pub(super) tension: f64,
     /// The panel where the pressure is smallest.
     pub(super) place: usize,
+    /// The length of the panel at the inlet over the longest that is accepted.
+    pub(super) at_inlet: f64,
 }
 
 impl Acceptance {
-    /// Estimates the errors of a solution and looks for tension.
+    /// Estimates the errors of a solution, looks for tension, and at the panel at the inlet.
     pub(super) fn of(
         workspace: &mut Workspace,
-        case: (f64, &State),
+        (parameters, state): (&Parameters, &State),
         output: &Output,
         tolerance: f64,
         context: &mut SolveContext,
     ) -> (Self, Estimate) {
-        let state = case.1;
+        let case = (parameters.beta, state);
         let estimate = estimate(workspace, case, output.cavity_shear, tolerance, &mut context.effort);
         let reference = &workspace.coarse.displacement().discretisation.reference;
         let measures = [
@@ -107,24 +113,28 @@ impl Acceptance {
         let larger = |a: (f64, ErrorMeasure), b: (f64, ErrorMeasure)| if b.0 > a.0 { b } else { a };
         let (error, measure) = measures.into_iter().fold((0.0, ErrorMeasure::Estimate), larger);
         let (tension, place) = tension(reference, state);
-        (Self { error, cut: estimate.cut / tolerance, measure, tension, place }, estimate)
+        let at_inlet = panel_at_inlet(reference, state) / (LONGEST_AT_INLET * layer(parameters, state.c));
+        (Self { error, cut: estimate.cut / tolerance, measure, tension, place, at_inlet }, estimate)
     }
 
     pub(super) fn is_accepted(&self) -> bool {
-        self.error <= ACCEPTED && self.tension >= TENSION
+        self.error <= ACCEPTED && self.tension >= TENSION && self.at_inlet <= 1.0
     }
 
     /// How far the solution is from acceptance; at most 1 if it is accepted.
     pub(super) fn excess(&self) -> f64 {
-        f64::max(self.error / ACCEPTED, self.tension / TENSION)
+        f64::max(self.error / ACCEPTED, self.tension / TENSION).max(self.at_inlet)
     }
 
     /// Why the solution is not accepted, on the last mesh.
     pub(super) fn failure(&self, tolerance: f64, panels: usize) -> FailureKind {
-        if self.error <= ACCEPTED {
+        if self.error > ACCEPTED {
+            return FailureKind::ErrorTooLarge { measure: self.measure, times: self.error, tolerance, panels };
+        }
+        if self.tension < TENSION {
             return FailureKind::Tension { ratio: self.tension };
         }
-        FailureKind::ErrorTooLarge { measure: self.measure, times: self.error, tolerance, panels }
+        FailureKind::ErrorTooLarge { measure: ErrorMeasure::Coarseness, times: self.at_inlet, tolerance, panels }
     }
 }
 

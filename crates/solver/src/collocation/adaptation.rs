@@ -6,7 +6,9 @@ use super::discretisation::film_points;
 use super::log_moments::MOST_MOMENTS;
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
+use super::scaling::layer;
 use super::state::State;
+use crate::model::Parameters;
 
 /// How fast the size of panels may change along y: neighbours differ by a factor of e^GRADING at most.
 const GRADING: f64 = 1.7;
@@ -17,7 +19,9 @@ const CONVERGENCE: f64 = 1.7;
 /// pressure dipped below zero there.
 pub const OUTLET_PANEL: f64 = 8.0;
 /// The largest length of panels at the inlet over the length of the layer.
-pub const INLET_PANEL: f64 = 8.0;
+const INLET_PANEL: f64 = 8.0;
+/// The shortest layer that a mesh is made for; films of shorter ones are too thin to be told from rounding.
+const SHORTEST_LAYER: f64 = 1e-12;
 /// The smallest indicator that counts; below it is rounding.
 const LEAST: f64 = 1e-15;
 
@@ -28,6 +32,14 @@ pub struct Longest {
     pub at_outlet: f64,
     /// Longest panel at the inlet.
     pub at_inlet: f64,
+}
+
+impl Longest {
+    /// As the layers of a state allow.
+    pub fn of(parameters: &Parameters, state: &State) -> Self {
+        let layer = layer(parameters, state.c);
+        Self { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer.max(SHORTEST_LAYER) }
+    }
 }
 
 /// How many panels a new mesh has.
@@ -78,6 +90,13 @@ fn inlet(reference: &ReferencePanel, state: &State) -> f64 {
     film_points(reference, &state.mesh).nth(last).unwrap_or(0.0)
 }
 
+/// The length of the panel where the film enters the contact.
+pub fn panel_at_inlet(reference: &ReferencePanel, state: &State) -> f64 {
+    let inlet = inlet(reference, state);
+    let ends = state.mesh.film.windows(2).find(|ends| inlet <= ends[1]);
+    ends.map_or(0.0, |ends| ends[1] - ends[0])
+}
+
 /// A mesh from 0 to `reach` on which each panel of the state would have the same indicator; sizes change gradually
 /// along y.
 ///
@@ -100,11 +119,17 @@ pub fn equidistributed(
         wanted[panel + 1] = wanted[panel + 1].min(size);
     }
     let kept = old.iter().take_while(|&&end| end < reach).count();
-    let ends: Vec<f64> = old[..kept].iter().copied().chain([reach]).collect();
+    let mut ends: Vec<f64> = old[..kept].iter().copied().chain([reach]).collect();
     wanted.resize(kept, 0.0);
     wanted.push(f64::INFINITY);
 
+    // sizes are linear between these places: what is short at the inlet alone needs a place there
     let inlet = inlet(reference, state);
+    let after = ends.partition_point(|&end| end < inlet);
+    if (1..ends.len()).contains(&after) && inlet < ends[after] {
+        wanted.insert(after, wanted[after - 1].min(wanted[after]));
+        ends.insert(after, inlet);
+    }
     let longest_at = |y: &f64| {
         let (from_outlet, from_inlet) = (GRADING * y, GRADING * (y - inlet).abs());
         f64::min(longest.at_outlet + from_outlet, longest.at_inlet + from_inlet)

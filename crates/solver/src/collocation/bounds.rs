@@ -10,10 +10,13 @@ pub const ROUNDING: f64 = 5e-17;
 /// What counts of the differences panel by panel, beside that of the whole. Errors of panels may cancel on both
 /// degrees, and on the richer one in another way than in the truth.
 const OF_SPREAD: f64 = 0.5;
-/// The same for the largest pressure, which lies on one panel, and what counts of its own change: it is published as
-/// the richer panels have it.
-const OF_LOAD: f64 = 0.22;
-const OF_LARGEST: f64 = 0.7;
+/// The same for the largest pressure, which lies on one panel, of the largest change of the pressure there, and of the
+/// remainder, which is that of thin films; and what counts of its own change: it is published as the richer panels have
+/// it.
+const OF_LOAD: f64 = 0.3;
+const OF_BESIDE_LARGEST: f64 = 0.01;
+const OF_REMAINDER: f64 = 0.05;
+const OF_LARGEST: f64 = 0.9;
 
 /// What counts of the largest change of the film beside its minimum: the minimum itself may change little by accident.
 const OF_BESIDE: f64 = 0.2;
@@ -26,6 +29,8 @@ pub struct Sources {
     pub cut: Truncation,
     /// The largest relative change of the film on the panel where it is thinnest.
     pub beside_thinnest: f64,
+    /// The largest change of the pressure on the panel where it is largest, over the largest.
+    pub beside_largest: f64,
     /// What Newton's method leaves on the richer panels, relative to film and pressure.
     pub remainder: f64,
 }
@@ -34,7 +39,7 @@ impl Sources {
     /// The estimated errors of a solution from its numbers and those on richer panels: for each number the magnitudes
     /// of all sources are added, so that it is a bound for that number as far as the sources are known.
     pub fn errors(&self, solution: &Quantities, richer: &Quantities) -> RelativeErrors {
-        let Self { spread, cut, beside_thinnest, remainder } = self;
+        let Self { spread, cut, beside_thinnest, beside_largest, remainder } = self;
         let (before, after) = (&solution.friction, &richer.friction);
         let shear_scale = before.shear();
         let rounding = ROUNDING / solution.c;
@@ -59,7 +64,11 @@ impl Sources {
                 + 2.0 * of_shear / shear_scale
                 + OF_BESIDE * beside_thinnest
                 + remainder,
-            p_max: OF_LARGEST * change(|numbers| numbers.p_max) + OF_LOAD * spread.load + remainder + 3.0 * rounding,
+            p_max: OF_LARGEST * change(|numbers| numbers.p_max)
+                + OF_LOAD * spread.load
+                + OF_BESIDE_LARGEST * beside_largest
+                + OF_REMAINDER * remainder
+                + 3.0 * rounding,
         }
     }
 

@@ -112,13 +112,14 @@ pub fn estimate(
     };
     let (solution, parts) = numbers(coarse, state);
     let mut richer = enriched(coarse, fine, state);
-    let before = richer.film.clone();
+    let before = richer.clone();
     let remainder = corrector.refine(fine, beta, &mut richer, REMAINDER * tolerance, effort);
     let (corrected, richer_parts) = numbers(fine, &richer);
     let sources = Sources {
         spread: parts.spread(&richer_parts),
         cut: Truncation::new(coarse, beta, &inlet(coarse, beta, state), cavity_shear),
-        beside_thinnest: beside_thinnest(fine.discretisation.reference.degree, &before, &richer.film),
+        beside_thinnest: beside_thinnest(fine.discretisation.reference.degree, &before.film, &richer.film),
+        beside_largest: beside_largest(fine.discretisation.reference.degree, &before.pressure, &richer.pressure),
         remainder,
     };
     let pressure_change = (solution.p_max / corrected.p_max - 1.0).abs() / PRESSURE_SLACK;
@@ -142,6 +143,13 @@ fn beside_thinnest(degree: usize, before: &[f64], after: &[f64]) -> f64 {
     let thinnest = (0..after.len()).fold(0, |best, i| if after[i] < after[best] { i } else { best });
     let panel = thinnest - thinnest % degree..thinnest - thinnest % degree + degree;
     panel.map(|i| (after[i] / before[i] - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// The largest change of the pressure from one to the other on the panel where it is largest, over the largest.
+fn beside_largest(degree: usize, before: &[f64], after: &[f64]) -> f64 {
+    let largest = (0..after.len()).fold(0, |best, i| if after[i] > after[best] { i } else { best });
+    let first = (largest - largest % degree).min(after.len() - 1 - degree);
+    (first..=first + degree).map(|i| (after[i] - before[i]).abs()).fold(0.0, f64::max) / after[largest]
 }
 
 /// The relative change of what lies at the outlet and behind it, without what rounding of a thin film makes of it.

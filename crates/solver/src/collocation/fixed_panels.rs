@@ -48,7 +48,8 @@ impl CollocationSolver {
             }
             self.correct(workspace, beta, state, context)?;
         }
-        let (acceptance, solution) = Acceptance::of(workspace, (beta, state), output, self.settings.tolerance, context);
+        let (acceptance, solution) =
+            Acceptance::of(workspace, (parameters, &*state), output, self.settings.tolerance, context);
         check_tension(acceptance.tension)?;
         Ok(complete(workspace, (beta, state), solution, output, context))
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use faer::Mat;
 
 use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, tension};
-use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed, indicators};
+use super::adaptation::{Longest, Panels, equidistributed, indicators};
 use super::bounds::ROUNDING;
 use super::estimate::ENRICHMENT;
 use super::mesh::growth_behind;
@@ -151,8 +151,7 @@ impl CollocationSolver {
     }
 
     pub(super) fn remeshed(&self, parameters: &Parameters, state: &State, panels: Panels, reach: f64) -> State {
-        let layer = layer(parameters, state.c);
-        let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
+        let longest = Longest::of(parameters, state);
         let mesh = equidistributed(&self.coarse, state, panels, reach, longest);
         state.on(&self.coarse, &mesh)
     }
@@ -292,7 +291,7 @@ impl CaseSolver for CollocationSolver {
         let (mut least, mut stalled) = (f64::INFINITY, 0);
         loop {
             let (acceptance, solution) =
-                Acceptance::of(workspace, (beta, state), output, self.settings.tolerance, context);
+                Acceptance::of(workspace, (parameters, state), output, self.settings.tolerance, context);
             state.error = Some(acceptance.error);
             context.note_error(unknowns(workspace.coarse.displacement()), acceptance.error);
             check_tension(acceptance.tension)?;
@@ -341,6 +340,11 @@ impl CollocationSolver {
             panels = self.panels(state.mesh.panels(), acceptance.error).max(panels);
         }
         let longer = (acceptance.cut / SHORT_INLET).cbrt().max(1.0);
-        self.remeshed(parameters, &state, Panels::Number(panels), longer * reach)
+        let mut longest = Longest::of(parameters, &state);
+        if acceptance.at_inlet > 1.0 {
+            longest.at_inlet *= 0.5;
+        }
+        let mesh = equidistributed(&self.coarse, &state, Panels::Number(panels), longer * reach, longest);
+        state.on(&self.coarse, &mesh)
     }
 }

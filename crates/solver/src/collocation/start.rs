@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::adaptation::{INLET_PANEL, Longest, Panels, equidistributed};
+use super::adaptation::{Longest, Panels, equidistributed};
 use super::mesh::{Mesh, growth_behind};
 use super::reference::ReferencePanel;
-use super::scaling::{Scaling, layer};
+use super::scaling::Scaling;
 use super::settings::Settings;
 use super::solver::{BEHIND, CollocationSolver};
 use super::starting_solutions::{SOLVED_WITH, around, node};
@@ -103,8 +103,7 @@ impl CollocationSolver {
         // as many panels of this degree have this error, about; fewer are too rough for any tolerance
         let alike = SOLVED_WITH.tolerance.powf(degree as f64 / SOLVED_WITH.degree as f64);
         let panels = panels * (alike / (AIM * tolerance.min(alike))).powf(1.0 / (1.5 * degree as f64));
-        let layer = layer(parameters, state.c);
-        let longest = Longest { at_outlet: state.outlet_panel * layer, at_inlet: INLET_PANEL * layer };
+        let longest = Longest::of(parameters, &state);
         let mesh = equidistributed(&self.of_table, &state, Panels::Number(panels.round() as usize), reach, longest);
         let mesh = if degree == mesh.degree { mesh } else { Arc::new(Mesh { degree, ..(*mesh).clone() }) };
         state.with_degree(&self.of_table, &self.coarse, &mesh)

@@ -222,7 +222,7 @@ impl CollocationSolver {
         let reach = self.reach(Scaling::new(workspace.half_width(), case.beta));
         let mut state = self.remeshed(case, state, Panels::Number(panels), reach);
         self.correct(workspace, case.beta, &mut state, context)?;
-        let solved = (case.beta, &state);
+        let solved = (case, &state);
         let (acceptance, _) = Acceptance::of(workspace, solved, &Output::numbers(), SOLVED_WITH.tolerance, context);
         Ok(acceptance.is_accepted().then_some(State { error: Some(acceptance.error), ..state }))
     }
