@@ -92,10 +92,9 @@ export function drawCurves(selection) {
   show("curves", there.length > 0);
   say("no-curves", scale.empty ? "No case has this number." : "");
   const drawn = [];
-  for (const picture of pictures) {
-    const possible = picture.isThere && !scale.empty;
-    showPicture(picture.id, possible);
-    if (!possible) continue;
+  // A picture takes the room that those beside it leave, so these are hidden first.
+  for (const { id, isThere } of pictures) showPicture(id, isThere && !scale.empty);
+  for (const picture of scale.empty ? [] : there) {
     const curves = curvesOf(picture, place);
     const { traces, ...chosen } = tracesOf(picture, curves, selection, scale);
     drawn.push(chosen);

@@ -1,7 +1,7 @@
 // The friction along the axis of the sweep: the drag, with the parts that it is the sum of (T54).
 
 import { axisPlaces, gridAxis } from "./axes.js";
-import { column, quantityValues } from "./columns.js";
+import { column, hysteresis, quantityValues } from "./columns.js";
 import { contents } from "./contents.js";
 import { say, show, showPicture } from "./elements.js";
 import { errorAt, errorBars, errorWords } from "./errors.js";
@@ -13,7 +13,7 @@ import { draw, selectedMarker } from "./picture.js";
 import { pinMarks } from "./pins.js";
 import { scaleOf } from "./scale.js";
 import { colour, lineColours } from "./theme.js";
-import { hoverWords, unitsOf, wordsAt, wordsOf } from "./words.js";
+import { hoverWords, symbols, unitsOf, wordsAt, wordsOf } from "./words.js";
 
 const name = "mu_drag";
 
@@ -34,35 +34,37 @@ function slideRoll(place) {
 
 // The parts: their column, and the factor that they are in the sum with.
 const parts = [
-  { part: "mu_v", factor: () => 1 },
+  { part: hysteresis, factor: () => 1 },
   { part: "mu_shear", factor: slideRoll },
   { part: "mu_pressure", factor: () => -1 },
 ];
+
+const ratioWords = (ratio) => (ratio === 1 ? "" : `${digits(ratio)} `);
 
 // The sum in symbols, S as a number where it is the same at all these places.
 function sumWords(places) {
   const ratios = new Set(places.map(slideRoll));
   const [ratio] = ratios;
-  if (ratios.size > 1) return "drag = μᵥ + S C − P";
-  return `drag = μᵥ + ${ratio === 1 ? "" : `${digits(ratio)} `}C − P`;
+  const shear = ratios.size > 1 ? "+ S C" : `${ratio < 0 ? "−" : "+"} ${ratioWords(Math.abs(ratio))}C`;
+  return `drag = ${symbols[hysteresis]} ${shear} − P`;
 }
 
 function partName({ part }, places) {
-  if (part === "mu_v") return wordsOf(part);
+  if (part === hysteresis) return wordsOf(part);
   if (part === "mu_pressure") return `−P: ${wordsOf(part)}`;
   const ratios = new Set(places.map(slideRoll));
   const [ratio] = ratios;
   if (ratio === 1 && ratios.size === 1) return wordsOf(part);
-  return `${ratios.size > 1 ? "S" : digits(ratio)} C: ${wordsOf(part)}`;
+  return `${ratios.size > 1 ? "S " : ratioWords(ratio)}C: ${wordsOf(part)}`;
 }
 
-// Parts that are all positive lie one upon the other, so that the uppermost line is the drag.
+// Parts that are known everywhere and positive lie one upon the other, so that the uppermost line is the drag.
 function partTraces(places, scale) {
   const x = places.map((place) => axisPlaces[along][indicesOf(place)[along]]);
   const sizes = parts.map(({ part, factor }) => places.map((place) => factor(place) * column(part)[place]));
   const isPile = !scale.logarithmic && sizes.every((size) => size.every((value) => value >= 0));
-  const [first, , third] = lineColours();
-  const colours = [first, third, lineColours()[1]];
+  const [blue, orange, green] = lineColours();
+  const colours = [blue, green, orange];
   let below = places.map(() => 0);
   return parts.map((one, i) => {
     const top = sizes[i].map((value, at) => value + (isPile ? below[at] : 0));
@@ -88,8 +90,8 @@ function otherDrags(place, scale) {
       const places = placesAlong(along, other);
       const y = places.map((one) => (failedAt[one] ? NaN : scale.to(column(name)[one])));
       const look = { mode: "lines", line: { color: colour("--quiet"), width: 1 }, opacity: 0.6, showlegend: false };
-      const text = places.map(hoverWords);
-      return { type: "scatter", x: axisPlaces[along], y, customdata: places, text, ...look, hovertemplate: "%{text}" };
+      const hover = { text: places.map(hoverWords), hovertemplate: "%{text}<extra></extra>" };
+      return { type: "scatter", x: axisPlaces[along], y, customdata: places, ...hover, ...look };
     });
 }
 
@@ -143,7 +145,7 @@ export function drawFriction(selection) {
   const y = (one) => scale.to(column(name)[one]);
   const marked = { type: "scatter", mode: "markers", x: [x(place)], y: [y(place)], marker: selectedMarker };
   const traces = [
-    ...partTraces(solved, scale),
+    ...partTraces(places, scale),
     ...otherDrags(place, scale),
     dragTrace(places, scale),
     ...measuredPoints({ quantity: name, place }, along, scale),

@@ -9,6 +9,7 @@ import { titled, unitFor, withUnit } from "./units.js";
 // Short names, for the heads of tables and what the pointer rests on.
 export const symbols = {
   mu_v: "μᵥ",
+  mu_v_flat: "μᵥ of the flat",
   mu_h: "μₕ",
   mu_tot: "μₜₒₜ",
   mu_drag: "drag",

@@ -32,10 +32,10 @@ pub(super) struct CostPart {
 }
 
 /// Columns of `summary.csv` that a page has no room for: each follows from others here, or is for those who check.
-const LEFT_OUT: [Column; 4] = [Column::MuVFlat, Column::MuVRoller, Column::MuTorque, Column::EnergyResidual];
+const LEFT_OUT: [Column; 3] = [Column::MuVRoller, Column::MuTorque, Column::EnergyResidual];
 
 /// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), the other estimated errors behind
-/// them, and for a laboratory α and β.
+/// them, and for a laboratory α and β. The friction of the flat is there if the roller has some too.
 pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart>, StoreError> {
     let part = |name, words, units: &'static str, error: Option<Column>| {
         let values = data.variable(name)?;
@@ -43,9 +43,11 @@ pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart
         let values = floats(places.iter().map(|place| values[*place]));
         Ok(ColumnPart { name, words, units, error: error.map(Column::name), values })
     };
+    let (all, flat) = (data.column(Column::MuV)?, data.column(Column::MuVFlat)?);
+    let is_roller_soft = all.iter().zip(&flat).any(|(all, flat)| (all - flat).abs() > 1e-9 * all.abs());
     let further_errors = Column::ALL.into_iter().filter(|column| column.is_error() && !column.in_summary());
     let mut columns = Column::summary()
-        .filter(|column| !LEFT_OUT.contains(column))
+        .filter(|column| !LEFT_OUT.contains(column) && (is_roller_soft || *column != Column::MuVFlat))
         .chain(further_errors)
         .map(|column| part(column.name(), Quantity::from(column).words, column.units(), column.error()))
         .collect::<Result<Vec<_>, StoreError>>()?;

@@ -38,9 +38,9 @@ def see_sum(page, data):
     traces = page.evaluate("document.getElementById('friction').data")
     tops = [np.array(trace["y"], dtype=float) for trace in traces[:3]]
     drag = next(trace for trace in traces if trace.get("name") == "drag")
-    places = [data[name].values.ravel() for name in ("mu_drag", "mu_v", "mu_shear", "mu_pressure")]
-    mu_drag, mu_v, mu_shear, mu_pressure = places
-    sum_of_parts = [mu_v, slide_roll(data) * mu_shear, -mu_pressure]
+    places = [data[name].values.ravel() for name in ("mu_drag", "mu_v_flat", "mu_shear", "mu_pressure")]
+    mu_drag, mu_v_flat, mu_shear, mu_pressure = places
+    sum_of_parts = [mu_v_flat, slide_roll(data) * mu_shear, -mu_pressure]
     assert np.allclose(drag["y"], mu_drag, rtol=1e-5)
     assert np.allclose(tops, np.cumsum(sum_of_parts, axis=0), rtol=1e-4, atol=1e-6 * mu_drag.max())
     assert np.allclose(tops[-1], mu_drag, rtol=1e-4), "the parts do not add up to the drag"
