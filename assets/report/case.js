@@ -16,11 +16,12 @@ export const reasonOf = (place) => contents.failures.reasons[reasonIndices[place
 
 const withError = (name, place) => valueOf(name, column(name)[place], { count: 5, error: errorAt(name, place) });
 
-// The rows of the list: name and number. An estimated error stands beside its number.
+// The rows of the list: what a number is, the number, and its name in the terminal and in files. An estimated error
+// stands beside its number.
 function rowsOf(place) {
   const errors = new Set([...columns.values()].map(({ error }) => error));
   const names = [...columns.keys()].filter((name) => !errors.has(name));
-  const rows = names.map((name) => [wordsOf(name), withError(name, place)]);
+  const rows = names.map((name) => [wordsOf(name), withError(name, place), name]);
   if (costs) {
     rows.push(["solved in", withUnit(costs.seconds[place], "s", { count: 3 })]);
     rows.push(["iterations", digits(costs.iterations[place])]);
@@ -34,9 +35,10 @@ export function showNumbers({ place }) {
   const outcome = failedAt[place] ? `failed, ${reasonOf(place)}` : `converged, ${friction}`;
   element("selected").textContent = `${pointWords(place)}: ${outcome}`;
   element("numbers").replaceChildren(
-    ...rowsOf(place).map(([name, value]) => {
+    ...rowsOf(place).map(([words, value, name = ""]) => {
       const row = document.createElement("div");
-      row.append(withText("dt", name), withText("dd", value));
+      row.title = name;
+      row.append(withText("dt", words), withText("dd", value));
       return row;
     }),
   );

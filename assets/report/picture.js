@@ -50,7 +50,7 @@ function layout(more) {
   const base = {
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
-    font: { ...text, family: "system-ui, sans-serif", size: 13 },
+    font: { ...text, family: "system-ui, sans-serif", size: isOnPaper() ? 11 : 13 },
     margin: { l: 60, r: 15, t: 10, b: 50 },
     hoverlabel: { align: "left", bgcolor: colour("--raised"), bordercolor: colour("--quiet"), font: text },
     modebar: { bgcolor: "rgba(0,0,0,0)", color: colour("--quiet"), activecolor: colour("--accent") },

@@ -61,6 +61,7 @@ function surfaceLook() {
 
 export function drawSurface(selection) {
   if (!nameQuantity(selection).surface) return;
+  if (!element("surface").on) Plotly.startSpace();
   const { z, range, colours } = planeOf(selection);
   const [, alphaPlaces, betaPlaces] = axisPlaces;
   const marker = { size: 6, color: "#D55E00", line: { color: "#fff", width: 2 } };

@@ -32,6 +32,7 @@ export function drawTableHead() {
     const head = document.createElement("th");
     head.scope = "col";
     head.dataset.column = name;
+    head.title = name;
     head.append(button(title, () => sortBy(name)));
     row.append(head);
   }

@@ -2,11 +2,9 @@
 
 const Plotly = require("plotly.js/lib/core");
 
-Plotly.register([
-  require("plotly.js/lib/heatmap"),
-  require("plotly.js/lib/contour"),
-  require("plotly.js/lib/surface"),
-  require("plotly.js/lib/scatter3d"),
-]);
+Plotly.register([require("plotly.js/lib/heatmap"), require("plotly.js/lib/contour")]);
+
+// Pictures in space need as much code again, which runs when the first of them is drawn.
+Plotly.startSpace = () => Plotly.register([require("plotly.js/lib/surface"), require("plotly.js/lib/scatter3d")]);
 
 module.exports = Plotly;
