@@ -11,9 +11,16 @@ const scales = ["auto", "linear", "log"];
 const written = (value) => (value === Infinity ? "inf" : String(value));
 const read = (text) => (text === "inf" ? Infinity : text.trim() === "" ? NaN : Number(text));
 
+const near = (one, other) => one === other || Math.abs(one - other) <= 1e-6 * Math.abs(other);
+
+// True if some index of an axis has this value of the quantity of this name.
+const isOnAxis = (name, wanted) =>
+  axes.some((values, axis) =>
+    values.some((_, i) => coordinatesAt(axis, i).some(([other, value]) => other === name && near(wanted, value))),
+  );
+
 // The place with these values by their names; null if there is none.
 function placeOf(wanted) {
-  const near = (one, other) => one === other || Math.abs(one - other) <= 1e-6 * Math.abs(other);
   const indices = axes.map((values, axis) =>
     values.findIndex((_, i) => coordinatesAt(axis, i).every(([name, value]) => near(wanted[name], value))),
   );
@@ -39,7 +46,8 @@ function understood(address) {
   const own = Object.fromEntries(coordinatesOf(beginning.place));
   const given = Object.keys(own).filter((name) => asked.has(name));
   const place = placeOf({ ...own, ...Object.fromEntries(given.map((name) => [name, read(asked.get(name))])) });
-  if (place === null) missing.push(given.map((name) => `${name} = ${asked.get(name)}`).join(", "));
+  const absent = given.filter((name) => !isOnAxis(name, read(asked.get(name))));
+  missing.push(...absent.map((name) => `${name} = ${asked.get(name)}`));
   const pins = [];
   for (const text of asked.getAll("pin")) {
     const pin = pinOf(text);

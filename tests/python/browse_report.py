@@ -353,12 +353,13 @@ def open_link(visit, chromium):
         other.go(address)
         assert other.page.evaluate(here) == page.evaluate(here), address
         assert not other.page.is_visible("#address")
-        other.go(f"{address.split('#')[0]}#quantity=speed&beta=12345&pin=1&colour=red")
+        other.go(f"{address.split('#')[0]}#quantity=speed&alpha=1&beta=12345&pin=1&colour=red")
         # Another address of the same page loads nothing anew.
         other.page.wait_for_function("document.getElementById('address').checkVisibility()")
         said = other.page.inner_text("#address")
         for part in ("quantity = speed", "beta = 12345", "pin = 1", "colour = ", "the default"):
             assert part in said, said
+        assert "alpha" not in said, "what the page has is not complained of"
         assert other.page.input_value("#quantity") == "mu_tot"
         other.expect_peace()
     page.locator("#pins button").first.click()
