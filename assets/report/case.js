@@ -1,39 +1,44 @@
-// The numbers of the selected case.
+// The numbers of the selected case, with their estimated errors.
 
 import { column, columns, costs, headline } from "./columns.js";
 import { contents, integers } from "./contents.js";
 import { element, withText } from "./elements.js";
+import { errorAt } from "./errors.js";
 import { caseOf, failedAt } from "./grid.js";
 import { digits } from "./numbers.js";
-import { longName, pointWords, symbols, unitOf } from "./words.js";
+import { withUnit } from "./units.js";
+import { pointWords, symbols, valueOf, wordsOf } from "./words.js";
 
 const reasonIndices = integers(contents.failures.reason_of);
 
 // Why a case failed. With very many different reasons not all are in the page.
 export const reasonOf = (place) => contents.failures.reasons[reasonIndices[place]] ?? "the reason is in summary.csv";
 
-const withUnit = (value, name) => (Number.isNaN(value) ? digits(value) : `${digits(value, 5)} ${unitOf(name)}`.trim());
+const withError = (name, place) => valueOf(name, column(name)[place], { count: 5, error: errorAt(name, place) });
 
-// The rows of the list: symbol, number, and what is said when the pointer rests on them.
+// The rows of the list: what a number is, the number, and its name in the terminal and in files. An estimated error
+// stands beside its number.
 function rowsOf(place) {
-  const rows = [...columns.keys()].map((name) => [symbols[name], withUnit(column(name)[place], name), longName(name)]);
+  const errors = new Set([...columns.values()].map(({ error }) => error));
+  const names = [...columns.keys()].filter((name) => !errors.has(name));
+  const rows = names.map((name) => [wordsOf(name), withError(name, place), name]);
   if (costs) {
-    rows.push(["solved in", `${digits(costs.seconds[place], 3)} s`, "seconds on its thread"]);
-    rows.push(["iterations", digits(costs.iterations[place]), "iterations"]);
-    rows.push(["seed", contents.costs.seeds[costs.seedOf[place]], "where the first guess came from"]);
+    rows.push(["solved in", withUnit(costs.seconds[place], "s", { count: 3 })]);
+    rows.push(["iterations", digits(costs.iterations[place])]);
+    rows.push(["first guess from", contents.costs.seeds[costs.seedOf[place]]]);
   }
-  return [...rows, ["id", contents.cases[caseOf[place]], "id of the case, for `stribeck explain`"]];
+  return [...rows, ["id, for `stribeck explain`", contents.cases[caseOf[place]]]];
 }
 
 export function showNumbers({ place }) {
-  const friction = `${symbols[headline]} = ${digits(column(headline)[place])} ${unitOf(headline)}`.trim();
+  const friction = `${symbols[headline]} = ${valueOf(headline, column(headline)[place])}`;
   const outcome = failedAt[place] ? `failed, ${reasonOf(place)}` : `converged, ${friction}`;
   element("selected").textContent = `${pointWords(place)}: ${outcome}`;
   element("numbers").replaceChildren(
-    ...rowsOf(place).map(([name, value, title]) => {
+    ...rowsOf(place).map(([words, value, name = ""]) => {
       const row = document.createElement("div");
-      row.title = title;
-      row.append(withText("dt", name), withText("dd", value));
+      row.title = name;
+      row.append(withText("dt", words), withText("dd", value));
       return row;
     }),
   );

@@ -6,11 +6,16 @@ import { failedAt, placeCount } from "./grid.js";
 // The friction that is shown first: of an experiment the drag, which an instrument reads, else the total of the paper.
 export const headline = contents.laboratory ? "mu_drag" : "mu_tot";
 
-// Its parts.
-export const frictionParts = contents.laboratory ? ["mu_v", "mu_shear", "mu_pressure"] : ["mu_v", "mu_h", "mu_drag"];
-
 // Each column is decoded when it is first asked for.
 export const columns = new Map(contents.columns.map((part) => [part.name, { ...part, decoded: null }]));
+
+// The hysteresis that is a part of the drag: that of the flat, which is all of it where the roller has none (T54).
+export const hysteresis = columns.has("mu_v_flat") ? "mu_v_flat" : "mu_v";
+
+// The parts of the headline.
+export const frictionParts = contents.laboratory
+  ? [hysteresis, "mu_shear", "mu_pressure"]
+  : ["mu_v", "mu_h", "mu_drag"];
 
 export function column(name) {
   const found = columns.get(name);
@@ -40,6 +45,7 @@ export const quantities = [
   headline,
   ...frictionParts,
   ...(contents.laboratory ? ["mu_tot", "mu_h"] : ["mu_shear", "mu_pressure"]),
+  ...(contents.laboratory && hysteresis !== "mu_v" ? ["mu_v"] : []),
   ...["mu_h_cavity", "c", "film_min", "p_max", "x_outlet", "largest_error", "load_residual"],
   ...["dry_mu_v", "approx_mu_h"],
   ...(contents.laboratory ? ["alpha", "beta"] : []),

@@ -1,28 +1,27 @@
 // The controls above the pictures, which choose quantity, scale, f and colours, and the keys of map and surface.
 
-import { columns, quantities } from "./columns.js";
+import { quantities } from "./columns.js";
 import { element, show } from "./elements.js";
 import { axes, indicesOf, placeAt } from "./grid.js";
-import { select, selection, selectNeighbour } from "./selection.js";
+import { choose, selection, selectNeighbour } from "./selection.js";
 import { turnSurface } from "./surface.js";
 import { changeTheme } from "./theme.js";
-import { longName, symbols, wordsAt } from "./words.js";
+import { wordsAt, wordsOf } from "./words.js";
 
 const [fs] = axes;
 
 export function fillControls() {
-  for (const name of quantities) {
-    const words = columns.has(name) ? `${symbols[name]}, ${longName(name)}` : longName(name);
-    element("quantity").add(new Option(words, name));
-  }
+  for (const name of quantities) element("quantity").add(new Option(wordsOf(name), name));
   element("f-slider").max = fs.length - 1;
   show("f-control", fs.length > 1);
-  showStrength();
+  showChoice();
 }
 
-// Shows the f of the selected place, and its slide-to-roll ratio where that is an axis.
-export function showStrength() {
+// Shows what is chosen; beside the slider stands f, and the slide-to-roll ratio where that is an axis.
+export function showChoice() {
   const { iF } = selection;
+  element("quantity").value = selection.quantity;
+  element("scale").value = selection.scale;
   element("f-slider").value = iF;
   const words = wordsAt(0, iF);
   element("f-value").textContent = words;
@@ -38,20 +37,14 @@ function moveInMap(event) {
   selectNeighbour(...step);
 }
 
-// Listens to the controls; pictures are drawn again by `redraw`.
+// Listens to the controls; another theme has all pictures drawn again by `redraw`.
 export function listenToControls(redraw) {
   const on = (id, event, act) => element(id).addEventListener(event, act);
-  on("quantity", "change", (event) => {
-    selection.quantity = event.target.value;
-    redraw();
-  });
-  on("scale", "change", (event) => {
-    selection.scale = event.target.value;
-    redraw();
-  });
+  on("quantity", "change", (event) => choose({ quantity: event.target.value }));
+  on("scale", "change", (event) => choose({ scale: event.target.value }));
   on("f-slider", "input", (event) => {
     const [, iAlpha, iBeta] = indicesOf(selection.place);
-    select(placeAt(Number(event.target.value), iAlpha, iBeta));
+    choose({ place: placeAt(Number(event.target.value), iAlpha, iBeta) });
   });
   on("theme", "click", () => {
     changeTheme();

@@ -1,65 +1,71 @@
-// The quantity along α and along β through the selected place; curves at other values of the other axis are faint.
+// The quantity along each axis through the selected place; curves at other values of the other axis are faint.
 
 import { axisPlaces, gridAxis } from "./axes.js";
 import { quantityValues } from "./columns.js";
-import { say, show } from "./elements.js";
-import { axes, axisWords, failedAt, indicesOf, placeAt } from "./grid.js";
+import { say, show, showPicture } from "./elements.js";
+import { errorAt, errorBars, errorWords, hasErrors } from "./errors.js";
+import { placesTable } from "./files.js";
+import { axes, axisWords, failedAt, indicesOf, placesAlong } from "./grid.js";
 import { measuredPoints } from "./measured.js";
 import { draw, selectedMarker } from "./picture.js";
+import { pinMarks } from "./pins.js";
 import { scaleOf } from "./scale.js";
 import { colour, lineColours } from "./theme.js";
-import { axisName, hoverWords, wordsAt } from "./words.js";
+import { hoverWords, unitsOf, wordsAt, wordsOf } from "./words.js";
 
-// For each picture its id, the axis that its curves run along, and the axis that tells one curve from another.
+// For each picture its id, the axis that its curves run along, and the axis that tells one curve from another. Along f
+// there is one where nothing else varies.
+const isLong = (axis) => axes[axis].length > 1;
 const pictures = [
-  { id: "curve-alpha", along: 1, across: 2 },
-  { id: "curve-beta", along: 2, across: 1 },
+  { id: "curve-alpha", along: 1, across: 2, isThere: isLong(1) },
+  { id: "curve-beta", along: 2, across: 1, isThere: isLong(2) },
+  { id: "curve-f", along: 0, across: 1, isThere: isLong(0) && !isLong(1) && !isLong(2) },
 ];
 
-export function drawCurves(selection) {
-  const values = quantityValues(selection.quantity);
-  const scale = scaleOf(values, selection.scale);
-  const single = [1, 2].filter((axis) => axisWords[axis].symbol && axes[axis].length < 2);
-  const lacks = single.map((axis) => {
-    const { symbol } = axisWords[axis];
-    return `${symbol} has one value in this sweep, so there is no curve along it.`;
-  });
-  say("no-curves", scale.empty ? "No case has this number." : lacks.join(" "));
-  for (const picture of pictures) {
-    const possible = axes[picture.along].length > 1 && !scale.empty;
-    show(picture.id, possible);
-    if (possible) draw(picture.id, tracesOf(picture, selection, scale), lookOf(picture, selection, scale));
-  }
+// The places of the curve through the selected place, and of about seven others, enough to see where the case stands.
+function curvesOf({ along, across }, place) {
+  const others = placesAlong(across, place);
+  const step = Math.max(1, Math.ceil(others.length / 7));
+  const faint = others.filter((other, i) => other !== place && i % step === 0);
+  return { chosen: placesAlong(along, place), faint: faint.map((other) => placesAlong(along, other)) };
 }
 
-function tracesOf({ along, across }, selection, scale) {
-  const values = quantityValues(selection.quantity);
-  const chosen = indicesOf(selection.place);
-  const places = axisPlaces[along];
-  const curve = (other) => {
-    const shown = places.map((_, i) => {
-      const indices = [...chosen];
-      [indices[along], indices[across]] = [i, other];
-      return placeAt(...indices);
-    });
-    const y = shown.map((place) => (failedAt[place] ? NaN : scale.to(values[place])));
-    const text = shown.map(hoverWords);
-    return { type: "scatter", x: places, y, customdata: shown, text, hovertemplate: "%{text}<extra></extra>" };
+function trace(places, values, along, scale) {
+  return {
+    ...{ type: "scatter", x: axisPlaces[along], customdata: places, text: places.map(hoverWords) },
+    y: places.map((place) => (failedAt[place] ? NaN : scale.to(values[place]))),
+    hovertemplate: "%{text}<extra></extra>",
   };
-  // About seven others are enough to see where the case stands.
-  const others = axes[across].map((_, i) => i);
-  const step = Math.max(1, Math.ceil(others.length / 7));
-  const faint = others.filter((i) => i !== chosen[across] && i % step === 0);
+}
+
+// What all these curves span on the scale.
+function spanOf(curves, values, scale) {
+  const shown = curves.flat().filter((place) => !failedAt[place]);
+  const heights = shown.map((place) => scale.to(values[place])).filter(Number.isFinite);
+  return Math.max(...heights) - Math.min(...heights);
+}
+
+// The traces of a picture, and the error bars of the chosen curve with its values and errors.
+function tracesOf(picture, curves, selection, scale) {
+  const { along } = picture;
+  const { quantity, place } = selection;
+  const values = quantityValues(quantity);
+  const { chosen, faint } = curves;
   const faintLook = { mode: "lines", line: { color: colour("--quiet"), width: 1 }, opacity: 0.45 };
   const chosenLook = { mode: "lines+markers", line: { color: lineColours()[0], width: 2.5 }, marker: { size: 5 } };
-  const chosenCurve = curve(chosen[across]);
-  const point = { x: [places[chosen[along]]], y: [chosenCurve.y[chosen[along]]] };
-  return [
-    ...faint.map((other) => ({ ...curve(other), ...faintLook })),
-    { ...chosenCurve, ...chosenLook },
+  const own = chosen.map((one) => (failedAt[one] ? NaN : values[one]));
+  const errors = chosen.map((one) => errorAt(quantity, one));
+  const bars = errorBars(own, errors, scale, spanOf([chosen, ...faint], values, scale));
+  const x = (one) => axisPlaces[along][indicesOf(one)[along]];
+  const y = (one) => (failedAt[one] ? NaN : scale.to(values[one]));
+  const traces = [
+    ...faint.map((places) => ({ ...trace(places, values, along, scale), ...faintLook })),
+    { ...trace(chosen, values, along, scale), ...chosenLook, ...(hasErrors(quantity) ? { error_y: bars } : {}) },
     ...measuredPoints(selection, along, scale),
-    { type: "scatter", mode: "markers", ...point, marker: selectedMarker, hoverinfo: "skip" },
+    ...pinMarks(selection, x, y),
+    { type: "scatter", mode: "markers", x: [x(place)], y: [y(place)], marker: selectedMarker, hoverinfo: "skip" },
   ];
+  return { traces, bars, own, errors };
 }
 
 function lookOf({ along, across }, { quantity, scale: choice, place }, scale) {
@@ -73,8 +79,28 @@ function lookOf({ along, across }, { quantity, scale: choice, place }, scale) {
   return {
     xaxis: gridAxis(along),
     // What was zoomed is left as it is until another quantity is shown.
-    yaxis: { title: { text: axisName(quantity) }, uirevision: `${quantity} ${choice}`, ...scale.ticks() },
+    yaxis: { title: { text: scale.title(wordsOf(quantity)) }, uirevision: `${quantity} ${choice}`, ...scale.ticks() },
     annotations: [note],
     margin: { l: 60, r: 15, t: 26, b: 50 },
   };
+}
+
+export function drawCurves(selection) {
+  const { quantity, place } = selection;
+  const scale = scaleOf(quantityValues(quantity), selection.scale, unitsOf(quantity));
+  const there = pictures.filter(({ isThere }) => isThere);
+  show("curves", there.length > 0);
+  say("no-curves", scale.empty ? "No case has this number." : "");
+  const drawn = [];
+  // A picture takes the room that those beside it leave, so these are hidden first.
+  for (const { id, isThere } of pictures) showPicture(id, isThere && !scale.empty);
+  for (const picture of scale.empty ? [] : there) {
+    const curves = curvesOf(picture, place);
+    const { traces, ...chosen } = tracesOf(picture, curves, selection, scale);
+    drawn.push(chosen);
+    const table = () => placesTable([curves.chosen, ...curves.faint].flat(), [quantity]);
+    draw(picture.id, traces, lookOf(picture, selection, scale), table);
+  }
+  const all = (name) => drawn.flatMap((chosen) => chosen[name]);
+  say("curve-errors", drawn.length ? errorWords(all("bars"), all("own"), all("errors")) : "");
 }

@@ -6,6 +6,11 @@ export const show = (id, shown) => {
   element(id).hidden = !shown;
 };
 
+// Shows or hides a picture with what belongs to it.
+export const showPicture = (id, shown) => {
+  element(id).closest("figure").hidden = !shown;
+};
+
 // Shows these words; an element without words is hidden.
 export function say(id, words) {
   element(id).textContent = words;

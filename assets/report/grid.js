@@ -21,6 +21,24 @@ export function indicesOf(place) {
 export const overPlane = (iF, cell) =>
   Array.from(betas.keys(), (iBeta) => Array.from(alphas.keys(), (iAlpha) => cell(placeAt(iF, iAlpha, iBeta))));
 
+// The places that share all indices with this one but that on one axis, in the order of this axis.
+export function placesAlong(axis, place) {
+  const indices = indicesOf(place);
+  return axes[axis].map((_, i) => placeAt(...indices.map((index, other) => (other === axis ? i : index))));
+}
+
+// Names and values at an index of an axis: several where quantities are taken together, none where there is no name.
+export function coordinatesAt(axis, index) {
+  const { name, members } = axisWords[axis];
+  if (members.length) return members[index];
+  return name ? [[name, axes[axis][index]]] : [];
+}
+
+export const coordinatesOf = (place) => indicesOf(place).flatMap((index, axis) => coordinatesAt(axis, index));
+
+// True if a quantity is a surface over the last two axes.
+export const isSurface = alphas.length > 1 && betas.length > 1;
+
 // For each place the index of its case, and 1 if the case failed, else 0.
 export const caseOf = integers(contents.case_of);
 export const failedAt = integers(contents.status);

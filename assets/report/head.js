@@ -5,7 +5,7 @@ import { element, show, withText } from "./elements.js";
 import { axes, axisWords, placeCount } from "./grid.js";
 import { plural } from "./numbers.js";
 
-const inSI = "Numbers are in SI units; x of the fields is over a₀.";
+const inSI = "Numbers bear their units; copies and downloads are in SI units. x of the fields is over a₀.";
 const dimensionless =
   "Friction is over a₀/R, film and displacement over a₀²/R, x over a₀, pressure over 2N/(πa₀), tractions over N/R.";
 

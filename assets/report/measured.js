@@ -1,20 +1,14 @@
 // Measured points of the quantity, as diamonds with their standard errors.
 
+import { positionOn } from "./axes.js";
 import { contents } from "./contents.js";
-import { axes, axisWords, indicesOf } from "./grid.js";
+import { errorBars } from "./errors.js";
+import { axisWords, coordinatesOf } from "./grid.js";
 import { digits } from "./numbers.js";
 import { colour } from "./theme.js";
 
 // What is known of the experiment at a place: quantities that are one number, and quantities of the axes by name.
-function quantitiesAt(place) {
-  const known = { ...contents.fixed };
-  indicesOf(place).forEach((index, axis) => {
-    const { name, members } = axisWords[axis];
-    if (members.length) Object.assign(known, Object.fromEntries(members[index]));
-    else if (name) known[name] = axes[axis][index];
-  });
-  return known;
-}
+export const quantitiesAt = (place) => ({ ...contents.fixed, ...Object.fromEntries(coordinatesOf(place)) });
 
 // Measured points that belong to the curve along this axis through the place: where the file says so, points that were
 // measured elsewhere belong to other curves.
@@ -39,19 +33,10 @@ export function measuredPoints({ quantity, place }, axis, scale) {
   const text = friction.map((value, i) => `measured ${digits(value)}${errors ? ` ± ${digits(errors[i], 2)}` : ""}`);
   return [
     {
-      ...{ type: "scatter", mode: "markers", x: rows.map((i) => Math.log10(along[i])), y, text },
+      ...{ type: "scatter", mode: "markers", x: rows.map((i) => positionOn(axis, along[i])), y, text },
       hovertemplate: "%{text}<extra></extra>",
       marker: { symbol: "diamond-open", size: 8, color: colour("--text"), line: { width: 1.5 } },
       ...(errors ? { error_y: errorBars(friction, errors, scale) } : {}),
     },
   ];
-}
-
-// Bars of one standard error. On a logarithmic scale a bar that would reach zero ends at a thousandth of its value.
-function errorBars(friction, errors, scale) {
-  const lowest = (i) => (scale.logarithmic ? friction[i] / 1e3 : -Infinity);
-  const above = errors.map((error, i) => scale.to(friction[i] + error) - scale.to(friction[i]));
-  const below = errors.map((error, i) => scale.to(friction[i]) - scale.to(Math.max(friction[i] - error, lowest(i))));
-  const look = { color: colour("--text"), thickness: 1, width: 3 };
-  return { type: "data", symmetric: false, array: above, arrayminus: below, ...look };
 }

@@ -2,16 +2,15 @@
 
 import { element } from "./elements.js";
 import { selectPoint } from "./selection.js";
-import { colour } from "./theme.js";
+import { colour, isOnPaper } from "./theme.js";
 
-// Starts the drawing library, which the page holds as a text.
+// Starts the drawing library, which the page holds as a text, if it has not started.
 export function startPlotly() {
+  if ("Plotly" in window) return;
   const library = document.createElement("script");
   library.textContent = element("plotly").textContent;
   document.head.append(library);
 }
-
-export const canDraw = () => "Plotly" in window;
 
 // The wheel scrolls the page, and on a touch screen a finger does: pictures leave both alone.
 const touch = matchMedia("(pointer: coarse)").matches;
@@ -20,7 +19,7 @@ const config = {
   responsive: true,
   scrollZoom: false,
   displayModeBar: touch ? false : "hover",
-  modeBarButtonsToRemove: ["lasso2d", "select2d"],
+  modeBarButtonsToRemove: ["lasso2d", "select2d", "toImage"],
 };
 
 // What goes round the selected case.
@@ -34,7 +33,16 @@ function axisLook(axis) {
     automargin: true,
     exponentformat: "power",
     ...axis,
+    title: { standoff: 14, ...axis.title },
   };
+}
+
+// The size of a picture on paper, with the heights of page.css: two of them, or a wide one, fit on A4 and on Letter. On
+// the screen it is that of its element.
+function sizeOf(id) {
+  if (!isOnPaper()) return {};
+  const is = (name) => element(id).classList.contains(name);
+  return { width: is("wide") ? 690 : 340, height: is("tall") ? 300 : 260 };
 }
 
 function layout(more) {
@@ -42,7 +50,7 @@ function layout(more) {
   const base = {
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
-    font: { ...text, family: "system-ui, sans-serif", size: 13 },
+    font: { ...text, family: "system-ui, sans-serif", size: isOnPaper() ? 11 : 13 },
     margin: { l: 60, r: 15, t: 10, b: 50 },
     hoverlabel: { align: "left", bgcolor: colour("--raised"), bordercolor: colour("--quiet"), font: text },
     modebar: { bgcolor: "rgba(0,0,0,0)", color: colour("--quiet"), activecolor: colour("--accent") },
@@ -55,11 +63,17 @@ function layout(more) {
   return made;
 }
 
-// Draws traces into the picture of this id, with what its layout has beside the common one. True if it is new.
-export function draw(id, traces, more) {
+// For each picture drawn a function that makes the rows of the table behind it.
+const tables = new Map();
+export const tableOf = (id) => tables.get(id)();
+
+// Draws traces into the picture of this id, with what its layout has beside the common one, and keeps the function that
+// makes its table. True if it is new.
+export function draw(id, traces, more, table) {
   const picture = element(id);
   const isNew = !picture.on;
-  Plotly.react(picture, traces, layout(more), config);
+  tables.set(id, table);
+  Plotly.react(picture, traces, layout({ ...more, ...sizeOf(id) }), config);
   // Later, for a picture in space tells of a click while it is being drawn.
   if (isNew) picture.on("plotly_click", (event) => setTimeout(selectPoint, 0, id, event.points[0]));
   return isNew;

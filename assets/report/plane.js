@@ -2,11 +2,12 @@
 
 import { axisPlaces } from "./axes.js";
 import { quantityValues } from "./columns.js";
-import { element, say, show } from "./elements.js";
-import { axes, axisWords, failedAt, indicesOf, overPlane } from "./grid.js";
+import { element, say, show, showPicture } from "./elements.js";
+import { placesTable } from "./files.js";
+import { failedAt, indicesOf, isSurface, overPlane } from "./grid.js";
 import { scaleOf } from "./scale.js";
 import { theme } from "./theme.js";
-import { hoverWords, longName } from "./words.js";
+import { hoverWords, unitsOf, wordsOf } from "./words.js";
 
 const [, alphaPlaces, betaPlaces] = axisPlaces;
 
@@ -17,7 +18,7 @@ export function planeOf({ quantity, scale: choice, iF }) {
   const key = [quantity, choice, iF, theme()].join(" ");
   if (plane.key === key) return plane;
   const values = quantityValues(quantity);
-  const scale = scaleOf(values, choice);
+  const scale = scaleOf(values, choice, unitsOf(quantity));
   // A failed case has its known limits, and is a hole all the same.
   const z = overPlane(iF, (place) => (failedAt[place] ? NaN : scale.to(values[place])));
   const isEmpty = z.every((row) => row.every((value) => !Number.isFinite(value)));
@@ -36,32 +37,29 @@ export function planeOf({ quantity, scale: choice, iF }) {
   return plane;
 }
 
-const [, alphaSymbol, betaSymbol] = axisWords.map((axis) => axis.symbol);
-const isSurface = axes[1].length > 1 && axes[2].length > 1;
+// The numbers behind map and surface.
+export const planeTable = ({ quantity, iF }) => placesTable(overPlane(iF, (place) => place).flat(), [quantity]);
 
 // Why there is no map or no surface; nothing if there are both.
 function lack(scale, isEmpty) {
   if (failedAt.every((failed) => failed)) return "Every case failed; the reasons are below.";
   if (scale.empty) return "No case has this number.";
-  if (!isSurface) {
-    return alphaSymbol
-      ? `A surface needs two values of ${alphaSymbol} and two of ${betaSymbol}: see the curves below.`
-      : "A surface needs an axis between f and the speed, and there is none here: see the curves below.";
-  }
   return isEmpty ? "At this f no case has this number, so there is no surface; what failed is × in the map." : "";
 }
 
 // Says what is shown, and hides what cannot be: which of the two pictures can be drawn.
 export function nameQuantity(selection) {
-  const long = longName(selection.quantity);
+  show("plane", isSurface);
+  if (!isSurface) return { map: false, surface: false };
+  const long = wordsOf(selection.quantity);
   element("surface-title").textContent = `${long[0].toUpperCase()}${long.slice(1)}`;
   const { scale, isEmpty } = planeOf(selection);
   say("no-surface", lack(scale, isEmpty));
-  const map = isSurface && !scale.empty;
+  const map = !scale.empty;
   const surface = map && !isEmpty;
   show("surface-pair", map);
   show("hint", map);
-  show("surface", surface);
+  showPicture("surface", surface);
   return { map, surface };
 }
 

@@ -1,63 +1,80 @@
-// The fields of the selected case over x.
+// The fields of the selected case and of the pinned ones over x.
 
 import { contents } from "./contents.js";
-import { say, show } from "./elements.js";
+import { say, show, showPicture } from "./elements.js";
 import { fieldsOf, hasFields } from "./fields.js";
 import { failedAt, nearestPlace } from "./grid.js";
-import { digits } from "./numbers.js";
 import { draw } from "./picture.js";
+import { comparedCases } from "./pins.js";
 import { scaleOf } from "./scale.js";
-import { lineColours } from "./theme.js";
-import { pointWords, unitOf } from "./words.js";
+import { withUnit } from "./units.js";
+import { pointWords } from "./words.js";
 
-const traction = contents.laboratory ? "Pa" : "N/R";
-
-// For each picture its id, the name of the field, the title of its axis, and its scale.
+// For each picture its id, the name of the field, and its scale.
 const pictures = [
-  { id: "pressure", name: "pressure", title: `pressure p  (${unitOf("p_max")})`, choice: "linear" },
-  { id: "film", name: "film_thickness", title: `film thickness u  (${unitOf("film_min")})`, choice: "auto" },
-  {
-    id: "displacement",
-    name: "displacement",
-    title: `height of the surface w  (${unitOf("film_min")})`,
-    choice: "linear",
-  },
-  { id: "shear", name: "shear_traction", title: `shear on the roller  (${traction})`, choice: "linear" },
-  { id: "hysteresis", name: "hysteresis_traction", title: `hysteresis (2/π) p w′  (${traction})`, choice: "linear" },
+  { id: "pressure", name: "pressure", choice: "linear" },
+  { id: "film", name: "film_thickness", choice: "auto" },
+  { id: "displacement", name: "displacement", choice: "linear" },
+  { id: "shear", name: "shear_traction", choice: "linear" },
+  { id: "hysteresis", name: "hysteresis_traction", choice: "linear" },
 ];
 
-// What is not shown as one would expect, given the nearest place with fields and these fields.
-function missingWords(place, near, fields) {
-  if (failedAt[place]) return "A failed case has no fields.";
-  if (!contents.fields) return "The sweep has no fields.";
-  const missing = fields ? pictures.filter(({ name }) => !fields[name]).map(({ name }) => name.replace("_", " ")) : [];
-  const elsewhere = "The fields of this case are not in this page. These are of the nearest one that has them here";
-  return [
-    fields && near !== place ? `${elsewhere}: ${pointWords(near)}.` : "",
-    missing.length ? `Not among the fields of this sweep: ${missing.join(", ")}.` : "",
-  ]
-    .join(" ")
-    .trim();
+// A compared case with the fields of the nearest place that has some; a failed case has none.
+function withFields(one) {
+  const near = failedAt[one.place] || !contents.fields ? null : nearestPlace(one.place, hasFields);
+  return { ...one, near, fields: near === null ? null : fieldsOf(near) };
 }
 
-export function drawFields({ place }) {
-  const near = failedAt[place] || !contents.fields ? null : nearestPlace(place, hasFields);
-  const fields = near === null ? null : fieldsOf(near);
-  say("no-fields", missingWords(place, near, fields));
-  show("field-plots", fields !== null);
-  if (!fields) return;
-  pictures.forEach(({ id, name, title, choice }, i) => {
-    const values = fields[name];
-    show(id, values !== undefined);
-    if (!values) return;
-    const scale = scaleOf(values, choice);
-    const line = {
-      ...{ type: "scatter", mode: "lines", x: fields.x, y: values.map(scale.to) },
-      customdata: values.map((value) => digits(value)),
-      line: { color: lineColours()[i], width: 2 },
-      hovertemplate: "x = %{x:.4g} a₀<br>%{customdata}<extra></extra>",
-    };
-    const xaxis = { title: { text: "x  (a₀), inlet on the right" } };
-    draw(id, [line], { xaxis, yaxis: { title: { text: title }, ...scale.ticks() } });
+// What is not shown as one would expect.
+function missingWords(cases) {
+  if (!contents.fields) return "The sweep has no fields.";
+  const known = contents.fields.fields;
+  const missing = pictures.filter(({ name }) => !known[name]).map(({ name }) => name.replace("_", " "));
+  const words = cases.map(({ place, name, near }, i) => {
+    const whose = i ? name : "this case";
+    if (failedAt[place]) return i ? `${name} failed and has no fields.` : "A failed case has no fields.";
+    if (near === place) return "";
+    const elsewhere = `The fields of ${whose} are not in this page. These are of the nearest one that has them here`;
+    return `${elsewhere}: ${pointWords(near)}.`;
   });
+  if (missing.length) words.push(`Not among the fields of this sweep: ${missing.join(", ")}.`);
+  return words.filter(Boolean).join(" ");
+}
+
+// The rows of the table behind a picture: all points of all cases.
+function tableRows(shown, name) {
+  const rows = shown.flatMap(({ near, fields }) =>
+    fields.x.map((x, i) => [pointWords(near), x, fields[name][i]]),
+  );
+  return [["case", "x", name], ...rows];
+}
+
+function drawField({ id, name, choice }, shown) {
+  const { words, units } = contents.fields.fields[name];
+  const scale = scaleOf(shown.flatMap(({ fields }) => fields[name]), choice, units);
+  const lines = shown.map(({ name: whose, fields, line }) => ({
+    ...{ type: "scatter", mode: "lines", x: fields.x, y: fields[name].map(scale.to), name: whose, line },
+    customdata: fields[name].map((value) => withUnit(value, units)),
+    hovertemplate: `x = %{x:.4g} a₀<br>%{customdata}<extra>${shown.length > 1 ? whose : ""}</extra>`,
+  }));
+  const look = {
+    xaxis: { title: { text: "x  (a₀), inlet on the right" } },
+    yaxis: { title: { text: scale.title(words) }, ...scale.ticks() },
+    showlegend: shown.length > 1,
+    legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
+    margin: { l: 60, r: 15, t: shown.length > 1 ? 30 : 10, b: 50 },
+  };
+  draw(id, lines, look, () => tableRows(shown, name));
+}
+
+export function drawFields(selection) {
+  const cases = comparedCases(selection).map(withFields);
+  const shown = cases.filter(({ fields }) => fields !== null);
+  say("no-fields", missingWords(cases));
+  show("field-plots", shown.length > 0);
+  for (const picture of pictures) {
+    const there = shown.length > 0 && picture.name in contents.fields.fields;
+    showPicture(picture.id, there);
+    if (there) drawField(picture, shown);
+  }
 }

@@ -1,11 +1,12 @@
 // The rows of the table of all cases: what stands in them, filtered and sorted.
 
 import { column, costs, frictionParts, headline, largestErrors } from "./columns.js";
+import { contents } from "./contents.js";
 import { axes, axisWords, failedAt, indicesOf, placeCount } from "./grid.js";
-import { axisName, pointWords } from "./words.js";
+import { headOf, pointWords, unitsOf } from "./words.js";
 
 // A value of an axis at a place; in words where several quantities are taken together.
-export function axisValue(axis, place) {
+function axisValue(axis, place) {
   const index = indicesOf(place)[axis];
   return axisWords[axis].combinations[index] ?? axes[axis][index];
 }
@@ -14,18 +15,23 @@ export const outcomeOf = (place) => (failedAt[place] ? "failed" : "converged");
 
 function axisColumn(axis) {
   const { name, symbol, unit } = axisWords[axis];
-  return { name, title: unit ? `${symbol} (${unit})` : symbol, of: (place) => axisValue(axis, place) };
+  return { name, title: symbol, units: unit, of: (place) => axisValue(axis, place) };
 }
 
 const numberColumns = [headline, ...frictionParts, "c", "film_min", "p_max", "x_outlet"];
 
-// The columns of the table: name, title, and what a place has in it.
+// In a laboratory numbers have their units beside them; otherwise these stand in the head.
+const unitsIn = (name) => (contents.laboratory ? unitsOf(name) : "");
+
+// The columns of the table: name, title, what a place has in it, and the unit of that.
 export const tableColumns = [
   ...[0, 1, 2].filter((axis) => axisWords[axis].symbol).map(axisColumn),
   { name: "status", title: "status", of: outcomeOf },
-  ...numberColumns.map((name) => ({ name, title: axisName(name), of: (place) => column(name)[place] })),
+  ...numberColumns.map((name) => {
+    return { name, title: headOf(name), units: unitsIn(name), of: (place) => column(name)[place] };
+  }),
   { name: "largest_error", title: "largest error", of: (place) => largestErrors[place] },
-  ...(costs ? [{ name: "seconds", title: "seconds", of: (place) => costs.seconds[place] }] : []),
+  ...(costs ? [{ name: "seconds", title: "time", units: "s", of: (place) => costs.seconds[place] }] : []),
 ];
 
 // The places whose rows have each part of a filter such as "f = 100, failed".

@@ -1,9 +1,11 @@
-// How the numbers of a quantity are shown: as they are, or in their logarithm with ticks that read as the numbers.
+// How the numbers of a quantity are shown: as they are, in a unit of their size, or in their logarithm with ticks that
+// read as the numbers.
 
 import { logTicks } from "./ticks.js";
+import { takesPrefix, titled, unitFor, withUnit } from "./units.js";
 
 // The scale of these numbers; the choice is "linear", "log" or "auto".
-export function scaleOf(values, choice) {
+export function scaleOf(values, choice, units) {
   let low = Infinity;
   let high = -Infinity;
   for (const value of values) {
@@ -13,11 +15,17 @@ export function scaleOf(values, choice) {
   }
   const possible = low > 0 && high < Infinity;
   const logarithmic = possible && (choice === "log" || (choice === "auto" && high > 30 * low));
-  const to = logarithmic ? (value) => (value > 0 ? Math.log10(value) : NaN) : (value) => value;
+  const { word, one } = unitFor(units, Math.max(Math.abs(low), Math.abs(high)));
+  const to = logarithmic ? (value) => (value > 0 ? Math.log10(value) : NaN) : (value) => value / one;
   const ticks = () => {
     if (!logarithmic) return {};
-    const { values: tickvals, text: ticktext } = logTicks(Math.log10(low), Math.log10(high));
-    return tickvals.length > 1 ? { tickmode: "array", tickvals, ticktext } : {};
+    const ends = [low, high];
+    const found = logTicks(...ends.map(Math.log10), units);
+    const own = { values: ends.map(Math.log10), text: ends.map((end) => withUnit(end, units, { count: 3 })) };
+    const { values: tickvals, text: ticktext } = found.values.length > 1 ? found : own;
+    return { tickmode: "array", tickvals, ticktext };
   };
-  return { logarithmic, to, ticks, empty: low > high, low, high };
+  // Ticks of a logarithmic scale bear the unit.
+  const title = (words) => titled(words, logarithmic && takesPrefix(units) ? "" : word);
+  return { logarithmic, to, ticks, title, empty: low > high, low, high };
 }

@@ -2,13 +2,14 @@
 
 import { axisPlaces } from "./axes.js";
 import { costs, largestErrors } from "./columns.js";
-import { say, show } from "./elements.js";
+import { say, showPicture } from "./elements.js";
+import { placesTable } from "./files.js";
 import { axes, axisWords, caseOf, failedAt, indicesOf, placeCount } from "./grid.js";
 import { plural } from "./numbers.js";
 import { draw, selectedMarker } from "./picture.js";
 import { colour, lineColours, theme } from "./theme.js";
 import { logTicks } from "./ticks.js";
-import { hoverWords, wordsAt } from "./words.js";
+import { hoverWords, wordsAt, wordsOf } from "./words.js";
 
 const [fs] = axes;
 const [fPlaces] = axisPlaces;
@@ -80,7 +81,7 @@ function cloudOf(name) {
   const all = [...known, ...failed];
   const [fast, slow] = ends(all.map(secondsPlace));
   const [small, large] = known.length ? ends(known.map(errorPlace)) : [-1, 0];
-  const times = logTicks(fast - 0.1, slow + 0.1);
+  const times = logTicks(fast - 0.1, slow + 0.1, "s");
   const errors = known.length ? logTicks(small - 0.1, large + 0.1) : { values: [], text: [] };
   const row = large + 0.12 * (large - small) + 0.3;
   const traces = knownPoints();
@@ -93,8 +94,8 @@ function cloudOf(name) {
     return { title: { text }, tickmode: "array", tickvals: ticks.values, ticktext: ticks.text, range };
   };
   const look = {
-    xaxis: axis("seconds for a case  (s)", times, [fast - 0.15, slow + 0.15]),
-    yaxis: axis("largest relative error", errors, [small - 0.3, (failed.length ? row : large) + 0.3]),
+    xaxis: axis(wordsOf("seconds"), times, [fast - 0.15, slow + 0.15]),
+    yaxis: axis(wordsOf("largest_error"), errors, [small - 0.3, (failed.length ? row : large) + 0.3]),
     showlegend: fs.length <= 4 && (fs.length > 1 || failed.length > 0),
     legend: { orientation: "h", y: 1.02, yanchor: "bottom" },
     margin: { l: 60, r: 15, t: 40, b: 50 },
@@ -114,10 +115,10 @@ function ringAt(xanchor, yanchor) {
 export function drawScatter({ place: selected }) {
   say("no-scatter", scatterWords());
   const possible = places.known.length + places.failed.length > 0;
-  show("scatter", possible);
+  showPicture("scatter", possible);
   if (!possible) return;
   const { all, row, traces, look } = cloudOf(theme());
   const chosen = all.filter((place) => caseOf[place] === caseOf[selected]);
   const shapes = chosen.map((place) => ringAt(secondsPlace(place), failedAt[place] ? row : errorPlace(place)));
-  draw("scatter", traces, { ...look, shapes });
+  draw("scatter", traces, { ...look, shapes }, () => placesTable(all, ["seconds", "largest_error"]));
 }

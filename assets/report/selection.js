@@ -1,9 +1,9 @@
-// What the reader has chosen: a quantity, its scale, and a place.
+// What the reader has chosen: a quantity, its scale, a place, and places that are pinned.
 
 import { nearestIndex } from "./axes.js";
 import { headline } from "./columns.js";
 import { contents } from "./contents.js";
-import { axes, failedAt, indicesOf, nearestPlace, placeAt } from "./grid.js";
+import { axes, failedAt, indicesOf, isSurface, nearestPlace, placeAt } from "./grid.js";
 
 // The first place shown is one whose case dissipates much, or the nearest that converged: the largest f, the α nearest
 // to 1, in the middle of β; over quantities of the laboratory in the middle of these.
@@ -13,10 +13,16 @@ function firstPlace() {
   return nearestPlace(wanted, (place) => !failedAt[place]) ?? wanted;
 }
 
-export const selection = {
-  quantity: headline,
+// Where a page begins. Beside the friction curve of a sweep without surfaces stands the film.
+export const beginning = {
+  quantity: isSurface ? headline : "film_min",
   scale: "auto",
   place: firstPlace(),
+  pins: [],
+};
+
+export const selection = {
+  ...beginning,
   get iF() {
     return indicesOf(this.place)[0];
   },
@@ -24,16 +30,19 @@ export const selection = {
 
 let follow = () => {};
 
-// Names the one function that is called whenever another place is selected.
-export function whenSelected(act) {
+// Names the one function that is called whenever something else is chosen.
+export function whenChosen(act) {
   follow = act;
 }
 
-export function select(place) {
-  selection.place = place;
+// Chooses some of quantity, scale, place and pins.
+export function choose(chosen) {
+  Object.assign(selection, chosen);
   follow();
-  document.body.dataset.place = place;
+  document.body.dataset.place = selection.place;
 }
+
+export const select = (place) => choose({ place });
 
 // Selects the place that lies so many values farther along α and β, as far as there are values.
 export function selectNeighbour(alongAlpha, alongBeta) {
@@ -47,5 +56,5 @@ export function selectNeighbour(alongAlpha, alongBeta) {
 export function selectPoint(id, { x, y, customdata }) {
   const onPlane = id === "surface" || id === "map";
   const place = onPlane ? placeAt(selection.iF, nearestIndex(1, x), nearestIndex(2, y)) : customdata;
-  if (place !== undefined) select(place);
+  if (Number.isInteger(place)) select(place);
 }

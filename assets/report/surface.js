@@ -4,14 +4,14 @@ import { axisPlaces, gridAxis } from "./axes.js";
 import { element } from "./elements.js";
 import { axisWords } from "./grid.js";
 import { draw } from "./picture.js";
-import { chosenPoint, nameQuantity, planeOf } from "./plane.js";
+import { chosenPoint, nameQuantity, planeOf, planeTable } from "./plane.js";
 import { colour } from "./theme.js";
-import { axisName } from "./words.js";
+import { symbols } from "./words.js";
 
 // Where the eye was left by pointer or keys. Until then a narrow picture has it farther away, to hold the labels.
 let camera = null;
 function beginningCamera() {
-  const away = element("surface").clientWidth < 420 ? 1.3 : 1;
+  const away = element("surface").clientWidth < 420 ? 1.45 : 1;
   return {
     eye: { x: -1.1 * away, y: -1.4 * away, z: 1.2 * away },
     center: { x: 0, y: 0, z: -0.15 },
@@ -37,10 +37,12 @@ function sceneOf(selection) {
     const ends = [Math.min(...places), Math.max(...places)];
     return { ...wall, ...gridAxis(axis), title: { text: axisWords[axis].symbol }, range: padded(ends) };
   };
+  // The heading has the whole name, for which there is no room in space.
+  const title = { text: scale.title(symbols[selection.quantity] ?? "") };
   return {
     xaxis: over(1),
     yaxis: over(2),
-    zaxis: { ...wall, title: { text: axisName(selection.quantity) }, range: padded(range), ...scale.ticks() },
+    zaxis: { ...wall, title, range: padded(range), ...scale.ticks() },
     aspectratio: { x: 1.25, y: 1, z: 0.75 },
     dragmode: "turntable",
     camera: camera ?? beginningCamera(),
@@ -59,6 +61,7 @@ function surfaceLook() {
 
 export function drawSurface(selection) {
   if (!nameQuantity(selection).surface) return;
+  if (!element("surface").on) Plotly.startSpace();
   const { z, range, colours } = planeOf(selection);
   const [, alphaPlaces, betaPlaces] = axisPlaces;
   const marker = { size: 6, color: "#D55E00", line: { color: "#fff", width: 2 } };
@@ -71,6 +74,7 @@ export function drawSurface(selection) {
       { type: "scatter3d", mode: "markers", x, y, z: [z[iBeta][iAlpha]], marker, hoverinfo: "skip" },
     ],
     { margin: { l: 0, r: 0, t: 0, b: 0 }, scene: sceneOf(selection) },
+    () => planeTable(selection),
   );
   if (!isNew) return;
   element("surface").on("plotly_relayout", (change) => {

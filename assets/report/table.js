@@ -3,9 +3,9 @@
 import { downloadTable } from "./download.js";
 import { button, element } from "./elements.js";
 import { failedAt } from "./grid.js";
-import { digits } from "./numbers.js";
 import { arrangedPlaces, tableColumns } from "./rows.js";
 import { select, selection } from "./selection.js";
+import { withUnit } from "./units.js";
 
 const pageLength = 100;
 
@@ -32,6 +32,7 @@ export function drawTableHead() {
     const head = document.createElement("th");
     head.scope = "col";
     head.dataset.column = name;
+    head.title = name;
     head.append(button(title, () => sortBy(name)));
     row.append(head);
   }
@@ -52,9 +53,9 @@ function tableRow(place) {
   const row = document.createElement("tr");
   row.tabIndex = 0;
   row.dataset.place = place;
-  for (const { of } of tableColumns) {
+  for (const { of, units = "" } of tableColumns) {
     const value = of(place);
-    row.insertCell().textContent = typeof value === "number" ? digits(value, 5) : value;
+    row.insertCell().textContent = typeof value === "number" ? withUnit(value, units, { count: 5 }) : value;
   }
   if (failedAt[place]) row.classList.add("failed");
   row.addEventListener("click", () => select(place));

@@ -34,7 +34,24 @@ setTheme(storedTheme() ?? (matchMedia("(prefers-color-scheme: dark)").matches ? 
 
 export const changeTheme = () => setTheme(theme() === "dark" ? "light" : "dark");
 
-// Okabe and Ito's colours, lighter on dark.
+// On paper all is light, whatever the screen has.
+export function useOnPaper() {
+  root.dataset.screen = theme();
+  root.dataset.theme = "light";
+}
+
+export function useOnScreen() {
+  root.dataset.theme = root.dataset.screen;
+  delete root.dataset.screen;
+}
+
+export const isOnPaper = () => "screen" in root.dataset;
+
+// Okabe and Ito's colours, lighter on dark; darker ones for pinned cases.
 const onDark = ["#56B4E9", "#E69F00", "#2FD0A0", "#E7A3CB"];
 const onLight = ["#0072B2", "#D55E00", "#009E73", "#AA4499"];
 export const lineColours = () => (theme() === "dark" ? onDark : onLight);
+
+const pinsOnDark = ["#E69F00", "#2FD0A0", "#E7A3CB", "#F0E442"];
+const pinsOnLight = ["#D55E00", "#009E73", "#AA4499", "#7A6400"];
+export const pinColours = () => (theme() === "dark" ? pinsOnDark : pinsOnLight);

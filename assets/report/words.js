@@ -1,68 +1,52 @@
-// What columns, units, values of axes and places are called.
+// What columns, values of axes and places are called.
 
 import { column, columns, frictionParts, headline, largestErrors } from "./columns.js";
+import { contents } from "./contents.js";
 import { axes, axisWords, failedAt, indicesOf } from "./grid.js";
 import { digits } from "./numbers.js";
+import { titled, unitFor, withUnit } from "./units.js";
 
+// Short names, for the heads of tables and what the pointer rests on.
 export const symbols = {
   mu_v: "μᵥ",
+  mu_v_flat: "μᵥ of the flat",
   mu_h: "μₕ",
   mu_tot: "μₜₒₜ",
   mu_drag: "drag",
   mu_pressure: "P",
   mu_shear: "C",
-  error_mu_drag: "error of drag",
-  mu_h_cavity: "μₕ, cavity",
   c: "c",
   film_min: "uₘᵢₙ",
   p_max: "pₘₐₓ",
   x_outlet: "xₒᵤₜ",
-  error_mu_v: "error of μᵥ",
-  error_mu_h: "error of μₕ",
-  error_c: "error of c",
-  load_residual: "load residual",
-  dry_mu_v: "μᵥ, dry",
-  approx_mu_h: "μₕ, large β",
-  alpha: "α",
-  beta: "β",
+};
+
+// Quantities that are no column.
+const others = {
   largest_error: "largest estimated error",
-  seconds: "seconds",
+  seconds: "time to solve a case",
   iterations: "iterations",
 };
 
-const unitWords = {
-  1: "",
-  a0: "a₀",
-  "a0/R": "a₀/R",
-  "a0^2/R": "a₀²/R",
-  "2N/(pi a0)": "2N/(πa₀)",
-  "N/R": "N/R",
-  m: "m",
-  Pa: "Pa",
-};
-
-export function unitOf(name) {
-  if (name === "seconds") return "s";
-  return columns.has(name) ? unitWords[columns.get(name).units] : "";
+// A quantity in words, with its symbol, as in all pictures of the program.
+export function wordsOf(name) {
+  if (name === "alpha") return `α, ${columns.get(name).words}`;
+  if (name === "beta") return `β, ${columns.get(name).words}`;
+  return columns.get(name)?.words ?? others[name];
 }
 
-// The long name of a column, with symbols for names of columns.
-export function longName(name) {
-  const words = columns.get(name)?.long_name ?? symbols[name];
-  const names = { mu_v: "μᵥ", mu_h: "μₕ", beta: "β" };
-  return words.replace(/\b(mu_v|mu_h|beta)\b/g, (found) => names[found]);
-}
+export const unitsOf = (name) => (name === "seconds" ? "s" : (columns.get(name)?.units ?? "1"));
 
-// The title of an axis that a column stands on: its symbol and its unit.
-export function axisName(name) {
-  const unit = unitOf(name);
-  return unit ? `${symbols[name]}  (${unit})` : symbols[name];
-}
+// A number of a quantity with its unit.
+export const valueOf = (name, value, look) => withUnit(value, unitsOf(name), look);
 
-// The name of a value on an axis: "β = 100", "V = 0.001 m/s"; nothing for an axis without a symbol.
+// The short name of a column with the unit that all of them share; in a laboratory each number has its own.
+export const headOf = (name) => titled(symbols[name], contents.laboratory ? "" : unitFor(unitsOf(name), 1).word);
+
+// The name of a value on an axis: "β = 100", "V = 0.5 mm/s"; nothing for an axis without a symbol.
 export function valueWords(axis, value) {
   const { symbol, unit } = axisWords[axis];
-  return symbol ? `${symbol} = ${digits(value)}${unit ? ` ${unit}` : ""}` : "";
+  return symbol ? `${symbol} = ${withUnit(value, unit)}` : "";
 }
 
 // The same for a value shown, by its index; where several quantities are taken together, what it stands for.
@@ -77,11 +61,11 @@ export const pointWords = (place) =>
 // What is said when the pointer rests on a place.
 export function hoverWords(place) {
   if (failedAt[place]) return `${pointWords(place)}<br>failed`;
-  const number = (name) => `${symbols[name]} ${digits(column(name)[place])}`;
+  const number = (name) => `${symbols[name]} = ${valueOf(name, column(name)[place])}`;
   return [
     pointWords(place),
-    `${[headline, ...frictionParts].map(number).join(", ")}  ${unitOf(headline)}`,
-    `${number("film_min")}  ${unitOf("film_min")}`,
+    [headline, ...frictionParts].map(number).join(", "),
+    number("film_min"),
     `largest estimated error ${digits(largestErrors[place], 2)}`,
   ].join("<br>");
 }

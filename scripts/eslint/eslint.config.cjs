@@ -5,11 +5,12 @@ const { configs } = require("@eslint/js");
 
 // All that the scripts take from the browser, and Plotly, which the page starts itself.
 const globals = [
-  ...["Blob", "Option", "Plotly", "URL", "atob", "document", "getComputedStyle", "matchMedia"],
-  ...["requestAnimationFrame", "sessionStorage", "setTimeout", "window"],
+  ...["Blob", "Option", "Plotly", "URL", "URLSearchParams", "atob", "document", "getComputedStyle", "matchMedia"],
+  ...["performance", "requestAnimationFrame", "sessionStorage", "setTimeout", "window"],
 ];
 
 module.exports = [
+  { ignores: ["assets/plotly/"] },
   configs.recommended,
   {
     languageOptions: {

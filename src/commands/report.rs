@@ -19,9 +19,10 @@ Examples:
   stribeck report results/quick -o for-a-colleague.html
   stribeck report results/experiment --measured docs/how-to/instrument-files/traction.txt",
     after_help = "\
-One file that works without a network, in any browser of 2021 or later: surfaces and maps with a slider for f, any
-case with its fields, curves, errors against seconds, failures, a table to sort and download, and the sweep file.
-Large sweeps are thinned, and the page says how. docs/how-to/report.md has more."
+One file that works without a network, in any browser of 2021 or later: friction curves, surfaces and maps with a
+slider for f, cases with their fields, to pin and compare, errors against times, failures, a table to sort and
+download, and the sweep file. Its address is a link to what it shows. Large sweeps are thinned, and the page says how.
+docs/how-to/report.md has more."
 )]
 pub struct Arguments {
     /// A results directory

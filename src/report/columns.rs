@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::encoding::{floats, integers};
 use super::texts::Texts;
+use crate::pictures::Quantity;
 use stribeck_lab::si_units;
 use stribeck_sweep::store::{Cost, DataSet, StoreError};
 use stribeck_sweep::{Column, Dimension};
@@ -12,8 +13,11 @@ use stribeck_sweep::{Column, Dimension};
 #[derive(Debug, Serialize)]
 pub(super) struct ColumnPart {
     name: &'static str,
-    long_name: &'static str,
+    /// What pictures call it.
+    words: &'static str,
     units: &'static str,
+    /// The column of its estimated relative error.
+    error: Option<&'static str>,
     values: String,
 }
 
@@ -28,23 +32,28 @@ pub(super) struct CostPart {
 }
 
 /// Columns of `summary.csv` that a page has no room for: each follows from others here, or is for those who check.
-const LEFT_OUT: [Column; 4] = [Column::MuVFlat, Column::MuVRoller, Column::MuTorque, Column::EnergyResidual];
+const LEFT_OUT: [Column; 3] = [Column::MuVRoller, Column::MuTorque, Column::EnergyResidual];
 
-/// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), for a laboratory with α and β
-/// behind them.
+/// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), the other estimated errors behind
+/// them, and for a laboratory α and β. The friction of the flat is there if the roller has some too.
 pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart>, StoreError> {
-    let part = |name, long_name, units: &'static str| {
+    let part = |name, words, units: &'static str, error: Option<Column>| {
         let values = data.variable(name)?;
         let units = if data.laboratory { si_units(units) } else { units };
-        Ok(ColumnPart { name, long_name, units, values: floats(places.iter().map(|place| values[*place])) })
+        let values = floats(places.iter().map(|place| values[*place]));
+        Ok(ColumnPart { name, words, units, error: error.map(Column::name), values })
     };
+    let (all, flat) = (data.column(Column::MuV)?, data.column(Column::MuVFlat)?);
+    let is_roller_soft = all.iter().zip(&flat).any(|(all, flat)| (all - flat).abs() > 1e-9 * all.abs());
+    let further_errors = Column::ALL.into_iter().filter(|column| column.is_error() && !column.in_summary());
     let mut columns = Column::summary()
-        .filter(|column| !LEFT_OUT.contains(column))
-        .map(|column| part(column.name(), column.long_name(), column.units()))
+        .filter(|column| !LEFT_OUT.contains(column) && (is_roller_soft || *column != Column::MuVFlat))
+        .chain(further_errors)
+        .map(|column| part(column.name(), Quantity::from(column).words, column.units(), column.error()))
         .collect::<Result<Vec<_>, StoreError>>()?;
     if data.laboratory {
-        columns.push(part("alpha", Dimension::ALPHA, "1")?);
-        columns.push(part("beta", Dimension::BETA, "1")?);
+        columns.push(part("alpha", Dimension::ALPHA, "1", None)?);
+        columns.push(part("beta", Dimension::BETA, "1", None)?);
     }
     Ok(columns)
 }

@@ -7,6 +7,9 @@ use serde::Serialize;
 use super::encoding::{floats, integers, shorts, step};
 use super::scaled::Scaled;
 use super::thinning::{deviation, shape_points};
+use crate::pictures::Quantity;
+use stribeck_lab::si_units;
+use stribeck_sweep::Field;
 use stribeck_sweep::store::{DataSet, Status, StoreError};
 
 /// Bytes that all fields together may take in the page.
@@ -32,6 +35,9 @@ pub(super) struct FieldsPart {
 /// One field of all cases that have fields.
 #[derive(Debug, Serialize)]
 struct FieldPart {
+    /// What pictures call it.
+    words: &'static str,
+    units: &'static str,
     /// For each case the lowest and the highest number; their decimal logarithms if the third is 1.
     low: String,
     high: String,
@@ -86,8 +92,8 @@ impl FieldsPart {
             fields: data
                 .fields
                 .iter()
-                .map(|field| field.name())
-                .zip(thinned.steps.into_iter().map(FieldPart::from))
+                .zip(thinned.steps)
+                .map(|(field, steps)| (field.name(), FieldPart::of(data, *field, steps)))
                 .collect(),
         }))
     }
@@ -150,8 +156,10 @@ impl Thinned {
     }
 }
 
-impl From<Steps> for FieldPart {
-    fn from(Steps { low, high, logarithmic, steps }: Steps) -> Self {
-        Self { low: floats(low), high: floats(high), logarithmic, steps: shorts(steps) }
+impl FieldPart {
+    fn of(data: &DataSet, field: Field, Steps { low, high, logarithmic, steps }: Steps) -> Self {
+        let Quantity { words, units } = field.into();
+        let units = if data.laboratory { si_units(units) } else { units };
+        Self { words, units, low: floats(low), high: floats(high), logarithmic, steps: shorts(steps) }
     }
 }

@@ -4,7 +4,7 @@ use super::scaled::Scaled;
 use crate::pictures::AxisWords;
 use stribeck_sweep::store::DataSet;
 
-/// More places of the grid than this make the page slow, and larger than 16 MB.
+/// More places of the grid than this make the page slow, and larger than 14 MB.
 const MOST_PLACES: usize = 30_000;
 
 /// The indices on the axes f, α and β that are shown, ascending, with both ends of each axis.

@@ -20,17 +20,19 @@ LACKS = """() => {
     return [...empty, ...silent].map(element => element.id);
 }"""
 # Chooses each quantity, and each f, as a reader would; what each of them lacks and what the page says at each f.
-CHOOSE_ALL = """lacks => {
+CHOOSE_ALL = """async lacks => {
     const lacking = [], texts = [];
-    const choose = (control, value, event) => {
+    const look = then => document.body.dataset.drawn === "all" ? then() : setTimeout(look, 5, then);
+    const choose = async (control, value, event) => {
         control.value = value;
         control.dispatchEvent(new Event(event, { bubbles: true }));
+        await new Promise(look);
         lacking.push(...lacks().map(id => `${id} at ${control.id} = ${value}`));
     };
     const [quantity, slider] = ["quantity", "f-slider"].map(id => document.getElementById(id));
-    for (const { value } of quantity.options) choose(quantity, value, "change");
+    for (const { value } of quantity.options) await choose(quantity, value, "change");
     for (let f = 0; slider.checkVisibility() && f <= slider.max; f++) {
-        choose(slider, f, "input");
+        await choose(slider, f, "input");
         texts.push(document.body.innerText);
     }
     return [lacking, texts];

@@ -18,20 +18,7 @@ import numpy as np
 import xarray as xr
 from playwright.sync_api import TimeoutError
 
-from chromium import launched, window
-
-SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-
-
-def read_number(text):
-    """The number that the page writes as 0.7, 3.2·10⁻⁵, 10⁴ or ∞."""
-    text = text.strip().replace("−", "-")
-    if text == "∞":
-        return np.inf
-    mantissa, _, power = text.rpartition("10")
-    if power and all(c in "⁻⁰¹²³⁴⁵⁶⁷⁸⁹" for c in power):
-        return float((mantissa.rstrip("·") or "1") + "e" + power.translate(SUPERSCRIPTS))
-    return float(text)
+from chromium import launched, read_number, window
 
 
 def selected(page):
@@ -42,12 +29,29 @@ def selected(page):
     return tuple(read_number(part) for part in found.groups()[:3]), found[4]
 
 
-def number_of(page, symbol):
-    """A number of the selected case, by its symbol."""
+# What the page calls numbers of the selected case, as pictures do, and their columns.
+WORDS = {
+    "total friction μₜₒₜ": "mu_tot",
+    "viscoelastic friction μᵥ": "mu_v",
+    "hydrodynamic friction μₕ": "mu_h",
+    "drag": "mu_drag",
+    "smallest film thickness uₘᵢₙ": "film_min",
+    "largest pressure pₘₐₓ": "p_max",
+}
+
+
+def number_of(page, words):
+    """A number of the selected case and its estimated error, by what the page calls it; 0 where there is no error."""
     rows = page.eval_on_selector_all(
         "#numbers div", "rows => rows.map(row => [...row.children].map(e => e.textContent))"
     )
-    return read_number({row[0]: row[1] for row in rows}[symbol].split(" ")[0])
+    parts = {row[0]: row[1] for row in rows}[words].split(" ")
+    return read_number(parts[0]), read_number(parts[2]) if parts[1:2] == ["±"] else 0.0
+
+
+def drawn(page):
+    """Waits until all pictures follow what was chosen."""
+    page.wait_for_function("document.body.dataset.drawn === 'all'")
 
 
 def expect_case(page, data, point):
@@ -55,11 +59,14 @@ def expect_case(page, data, point):
     f, alpha, beta = point
     assert np.allclose(selected(page)[0], (f, alpha, beta), rtol=1e-3), (selected(page), point)
     case = data.sel(f=f, alpha=alpha, beta=beta)
-    for symbol, name in [("μₜₒₜ", "mu_tot"), ("μᵥ", "mu_v"), ("μₕ", "mu_h"), ("uₘᵢₙ", "film_min"), ("pₘₐₓ", "p_max")]:
-        assert np.isclose(number_of(page, symbol), float(case[name]), rtol=1e-4, atol=1e-12), (symbol, point)
-    drawn = page.evaluate("() => { const { x, y } = document.getElementById('pressure').data[0]; return { x, y }; }")
-    there = np.interp(drawn["x"], case.x, case.pressure)
-    assert np.max(np.abs(np.array(drawn["y"]) - there)) < 1e-4 * float(case.p_max), point
+    for words, name in WORDS.items():
+        assert np.isclose(number_of(page, words)[0], float(case[name]), rtol=1e-4, atol=1e-12), (words, point)
+    expected = float(case.error_mu_drag) * abs(float(case.mu_drag))
+    assert np.isclose(number_of(page, "drag")[1], expected, rtol=0.06), (point, expected)
+    drawn(page)
+    line = page.evaluate("() => { const { x, y } = document.getElementById('pressure').data[0]; return { x, y }; }")
+    there = np.interp(line["x"], case.x, case.pressure)
+    assert np.max(np.abs(np.array(line["y"]) - there)) < 1e-4 * float(case.p_max), point
 
 
 def pixel(page, picture, x, y):
@@ -84,6 +91,7 @@ def click_point(page, picture, x, y):
     page.evaluate("document.body.dataset.place = 'awaited'")
     page.mouse.click(*pixel(page, picture, x, y))
     page.wait_for_function("document.body.dataset.place !== 'awaited'")
+    drawn(page)
 
 
 # Where the cases of the surface are on the screen, those in the middle of the picture first.
@@ -125,6 +133,7 @@ def click_surface(page):
         page.mouse.down()
         page.wait_for_function("document.body.dataset.place !== 'awaited'")
         page.mouse.up()
+        drawn(page)
         point = selected(page)[0]
         shown = page.evaluate(
             "() => { const { x, y } = document.getElementById('map').data.at(-1); return [x[0], y[0]]; }"
@@ -160,20 +169,24 @@ def heights(page, picture):
     return np.array([[np.nan if value is None else value for value in row] for row in z], dtype=float)
 
 
-def expect_heights(visit, drawn, i_f):
+def expect_heights(visit, shown_heights, i_f):
     """A picture draws the total friction of the data set at this f."""
     mu_tot = visit.data.mu_tot
     logarithmic = np.nanmax(mu_tot) > 30 * np.nanmin(mu_tot)
     shown = mu_tot.isel(f=i_f).transpose("beta", "alpha").values
-    assert np.allclose(10**drawn if logarithmic else drawn, shown, rtol=1e-5, equal_nan=True)
+    found = 10**shown_heights if logarithmic else shown_heights
+    assert np.allclose(found, shown, rtol=1e-5, equal_nan=True)
 
 
 def see_first_pictures(visit):
     """The surface is drawn: not one colour, and with the numbers of the data set."""
     page = visit.page
-    paint = page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime")
-    drawn = page.evaluate("performance.now()")
-    print(f"words after {paint / 1000:.2f} s, every picture after {drawn / 1000:.2f} s")
+    moments = page.evaluate(
+        "['first-contentful-paint', 'first picture'].map(name => performance.getEntriesByName(name)[0].startTime)"
+    )
+    words, first, last = (moment / 1000 for moment in [*moments, page.evaluate("performance.now()")])
+    print(f"words after {words:.2f} s, the first picture after {first:.2f} s, every picture after {last:.2f} s")
+    assert words <= first < last, "the first picture is drawn behind the words and before the others"
     assert page.title() == visit.data.attrs["title"]
     assert page.text_content("#sweep") == visit.data.attrs["sweep"]
     page.wait_for_function("document.querySelector('#surface canvas') !== null")
@@ -189,6 +202,7 @@ def move_slider(visit):
     before = page.inner_text("#f-value")
     page.focus("#f-slider")
     page.keyboard.press("ArrowLeft")
+    drawn(page)
     assert page.inner_text("#f-value") != before
     assert np.isclose(read_number(page.inner_text("#f-value").removeprefix("f = ")), f[-2], rtol=1e-3)
     moved = heights(page, "map")
@@ -253,6 +267,7 @@ def see_failure(visit):
     if failed.count():
         failed.first.click()
         assert selected(page)[1].startswith("failed, "), selected(page)
+        drawn(page)
         assert page.is_visible("#no-fields") and not page.is_visible("#pressure")
         visit.picture("failed")
 
@@ -288,15 +303,138 @@ def filter_table(visit):
     table = list(csv.DictReader(Path(waiting.value.path()).read_text(encoding="utf-8").splitlines()))
     # What follows from other columns, or is for those who check, has no room in a page.
     left_out = {"mu_v_flat", "mu_v_roller", "mu_torque", "energy_residual"}
-    assert len(table) == rows.count() and list(table[0]) == [name for name in visit.summary[0] if name not in left_out]
+    named = [name for name in visit.summary[0] if name not in left_out]
+    further = ["error_mu_pressure", "error_mu_shear", "error_film_min", "error_p_max"]
+    assert len(table) == rows.count() and list(table[0]) == [*named, *further]
     summary = {row["case"]: row for row in visit.summary}
     for row in table:
         other = summary[row["case"]]
-        for name in list(row)[6:]:
+        for name in named[6:]:
             assert (row[name] == "") == (other[name] == ""), (name, row)
             near = row[name] == "" or np.isclose(float(row[name]), float(other[name]), rtol=1e-6, atol=1e-40)
             assert near, (name, row)
     visit.picture("table")
+
+
+def pin_cases(visit):
+    """Two pinned cases stay in the pictures beside the selected one, and are compared in a table."""
+    page, (f, alpha, beta) = visit.page, visit.axes()
+    lines = "document.getElementById('pressure').data.length"
+    for i_alpha in (1, 2):
+        click_point(page, "map", np.log10(alpha[i_alpha]), np.log10(beta[0]))
+        page.click("#pin")
+    click_point(page, "map", np.log10(alpha[1]), np.log10(beta[1]))
+    assert page.evaluate(lines) == 3, "the selected case and both pinned ones have a line"
+    marks = page.evaluate("document.getElementById('curve-alpha').data.filter(it => it.mode === 'markers+text')")
+    values = [float(visit.data.mu_tot.sel(f=f[-1], alpha=alpha[i], beta=beta[0])) for i in (1, 2)]
+    heights_of_marks = [mark["y"][0] for mark in marks]
+    logarithmic = np.nanmax(visit.data.mu_tot) > 30 * np.nanmin(visit.data.mu_tot)
+    assert np.allclose(heights_of_marks, np.log10(values) if logarithmic else values, rtol=1e-5)
+    rows = page.locator("#pins tbody tr")
+    assert rows.count() == 3 and rows.nth(1).inner_text().startswith(f"pin 1: f = {f[-1]:g}")
+    compared = [read_number(rows.nth(i).locator("td").first.inner_text().split(" ")[0]) for i in (1, 2)]
+    assert np.allclose(compared, values, rtol=1e-3)
+    visit.picture("pinned")
+
+
+def open_link(visit, chromium):
+    """The address holds what is chosen: a link opens the same view, and one that asks for more says so."""
+    page = visit.page
+    page.select_option("#quantity", "film_min")
+    page.select_option("#scale", "log")
+    drawn(page)
+    here = """() => [
+        ["quantity", "scale", "f-slider"].map(id => document.getElementById(id).value),
+        ["selected", "pins", "numbers"].map(id => document.getElementById(id).innerText),
+        ["map", "curve-beta", "pressure"].map(id => document.getElementById(id).data.map(({ x, y }) => ({ x, y }))),
+    ]"""
+    address = page.url
+    with window(chromium) as other:
+        other.go(address)
+        assert other.page.evaluate(here) == page.evaluate(here), address
+        assert not other.page.is_visible("#address")
+        other.go(f"{address.split('#')[0]}#quantity=speed&alpha=1&beta=12345&pin=1&colour=red")
+        # Another address of the same page loads nothing anew.
+        other.page.wait_for_function("document.getElementById('address').checkVisibility()")
+        said = other.page.inner_text("#address")
+        for part in ("quantity = speed", "beta = 12345", "pin = 1", "colour = ", "the default"):
+            assert part in said, said
+        assert "alpha" not in said, "what the page has is not complained of"
+        assert other.page.input_value("#quantity") == "mu_tot"
+        other.expect_peace()
+    page.locator("#pins button").first.click()
+    page.locator("#pins button").first.click()
+    drawn(page)
+    assert not page.is_visible("#pins") and page.evaluate("document.getElementById('pressure').data.length") == 1
+
+
+def copy_pictures(visit):
+    """A picture is copied as CSV and as PNG; where nothing may be copied, a file is saved."""
+    page = visit.page
+    csv_button = page.get_by_role("button", name="copy map as CSV")
+    page.evaluate("Object.defineProperty(navigator, 'clipboard', { value: undefined, configurable: true })")
+    with page.expect_download() as waiting:
+        csv_button.click()
+    saved = Path(waiting.value.path()).read_text(encoding="utf-8")
+    page.evaluate("delete navigator.clipboard")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    csv_button.click()
+    said = page.locator("figure:has(#map) [role=status]")
+    page.wait_for_function("element => element.textContent === 'copied'", arg=said.element_handle())
+    assert page.evaluate("navigator.clipboard.readText()") == saved
+    (f, _, _), table = visit.axes(), list(csv.DictReader(saved.splitlines()))
+    assert len(table) == visit.data.film_min.isel(f=0).size
+    for row in table:
+        case = visit.data.sel({name: float(row[name]) for name in ("f", "alpha", "beta")})
+        assert float(row["f"]) in f
+        assert row["film_min"] == "" or np.isclose(float(row["film_min"]), float(case.film_min), rtol=1e-6), row
+    page.get_by_role("button", name="copy pressure as PNG").click()
+    said = page.locator("figure:has(#pressure) [role=status]")
+    page.wait_for_function("element => element.textContent === 'copied'", arg=said.element_handle())
+    size = page.evaluate(
+        """async () => {
+            const [item] = await navigator.clipboard.read();
+            const picture = await createImageBitmap(await item.getType("image/png"));
+            return [picture.width, picture.height];
+        }"""
+    )
+    box = page.locator("#pressure").bounding_box()
+    assert np.allclose(size, [2 * box["width"], 2 * box["height"]], atol=2), (size, box)
+
+
+# Pairs of blocks of the page that overlap, and blocks that reach beyond the paper.
+COLLISIONS = """width => {
+    const blocks = [...document.querySelectorAll("h1, h2, p, dl > div, .svg-container, pre, li")]
+        .filter(block => block.checkVisibility())
+        .map(block => ({ name: block.textContent.slice(0, 20), box: block.getBoundingClientRect() }));
+    const within = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1
+        && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
+    const pictures = [...document.querySelectorAll(".plot .main-svg")].filter(it => it.checkVisibility());
+    return [
+        ...blocks.flatMap((one, i) => blocks.slice(i + 1).filter(other => within(one.box, other.box))
+            .map(other => [one.name, other.name])),
+        ...pictures.filter(it => it.getBoundingClientRect().right > width).map(it => [it.closest(".plot").id, "wide"]),
+    ];
+}"""
+
+
+def print_page(visit):
+    """On paper nothing overlaps or is cut off, all is light, and the screen has its own colours again afterwards."""
+    page = visit.page
+    size = page.viewport_size
+    before = page.evaluate("document.documentElement.dataset.theme")
+    # A4 without its margins.
+    page.set_viewport_size({"width": 717, "height": 1000})
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.evaluate("document.documentElement.dataset.theme") == "light"
+    assert page.evaluate(COLLISIONS, 717) == []
+    assert page.evaluate("document.documentElement.scrollWidth") <= 717
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    page.emulate_media(media="screen")
+    page.set_viewport_size(size)
+    drawn(page)
+    assert page.evaluate("document.documentElement.dataset.theme") == before
 
 
 def change_theme(visit):
@@ -320,8 +458,9 @@ def use_phone(visit):
     page.wait_for_function("document.documentElement.scrollWidth <= 390")
     visit.picture("phone")
     page.focus("#quantity")
-    page.keyboard.press("ArrowDown")
-    assert "viscoelastic" in page.inner_text("#surface-title").lower()
+    page.keyboard.press("ArrowUp")
+    chosen = page.evaluate("document.getElementById('quantity').selectedOptions[0].text")
+    assert page.input_value("#quantity") != "film_min" and page.inner_text("#surface-title").lower() == chosen.lower()
 
 
 def main():
@@ -341,7 +480,11 @@ def main():
         see_failure(visit)
         sort_table(visit)
         filter_table(visit)
+        pin_cases(visit)
+        open_link(visit, chromium)
+        copy_pictures(visit)
         change_theme(visit)
+        print_page(visit)
         use_phone(visit)
         assert watched.page.evaluate("window.broken") is None, "a text of the sweep ran as a script"
         watched.expect_peace()

@@ -5,6 +5,7 @@ import sys
 from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
 from playwright.sync_api import TimeoutError, sync_playwright
 
 BROWSER = "/usr/bin/chromium"
@@ -22,6 +23,20 @@ OPTIONS = [
 ]
 
 
+SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def read_number(text):
+    """The number that the page writes as 0.7, 3.2·10⁻⁵, 10⁴ or ∞."""
+    text = text.strip().replace("−", "-")
+    if text == "∞":
+        return np.inf
+    mantissa, _, power = text.rpartition("10")
+    if power and all(c in "⁻⁰¹²³⁴⁵⁶⁷⁸⁹" for c in power):
+        return float((mantissa.rstrip("·") or "1") + "e" + power.translate(SUPERSCRIPTS))
+    return float(text)
+
+
 class Watched:
     """A page, with what it complained of and what it asked for."""
 
@@ -35,7 +50,15 @@ class Watched:
 
     def open(self, path):
         """Loads a file and waits until all pictures are drawn."""
-        self.page.goto(Path(path).resolve().as_uri())
+        self.go(Path(path).resolve().as_uri())
+
+    def go(self, address):
+        """Loads an address and waits until all pictures are drawn."""
+        self.page.goto(address)
+        self.drawn()
+
+    def drawn(self):
+        """Waits until all pictures are drawn."""
         try:
             self.page.wait_for_function("document.body.dataset.drawn === 'all'")
         except TimeoutError:
