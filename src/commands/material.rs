@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::fitted_material::FittedMaterial;
 use super::measured::ColumnArguments;
 use super::output_file::{OutputFiles, or_empty};
+use super::paper::PaperArguments;
 use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
@@ -55,9 +56,11 @@ pub struct Arguments {
     shift_factors: Option<PathBuf>,
     #[command(flatten)]
     columns: ColumnArguments,
-    /// A picture of measurements and fit, SVG or PNG by its extension
+    /// A picture of measurements and fit, SVG, PNG or PDF by its extension
     #[arg(short, long, value_name = "FILE", value_parser = picture)]
     output: Option<(PathBuf, Format)>,
+    #[command(flatten)]
+    paper: PaperArguments,
     /// JSON instead of a table
     #[arg(long)]
     json: bool,
@@ -97,8 +100,9 @@ fn temperature(text: &str) -> Result<f64, &'static str> {
 fn picture(text: &str) -> Result<(PathBuf, Format), String> {
     let path = PathBuf::from(text);
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
-    let format = [Format::Svg, Format::Png].into_iter().find(|format| extension.as_deref() == Some(format.extension()));
-    format.map(|format| (path, format)).ok_or_else(|| "a file whose name ends in .svg or .png".to_owned())
+    let mut formats = Format::value_variants().iter().copied();
+    let format = formats.find(|format| extension.as_deref() == Some(format.extension()));
+    format.map(|format| (path, format)).ok_or_else(|| "a file whose name ends in .svg, .png or .pdf".to_owned())
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
@@ -191,7 +195,10 @@ fn finish(arguments: &Arguments, table: &str, json: &str, chart: &Chart) -> Resu
     let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
     if let Some((file, format)) = &arguments.output {
         let inputs = arguments.shift_factors.iter().chain([&arguments.data]).map(PathBuf::as_path);
-        OutputFiles::new("material", inputs).check(file, or_empty(is_picture))?.write(&chart.paint(*format)?)?;
+        let output = OutputFiles::new("material", inputs).check(file, or_empty(is_picture))?;
+        let mut chart = chart.clone();
+        arguments.paper.entitle(&mut chart);
+        output.write(&chart.paint(*format, &arguments.paper.paper(&[]))?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

@@ -19,7 +19,7 @@ impl Dimension {
     /// The long name of β.
     pub const BETA: &'static str = "inverse Hersey number";
 
-    /// The name of the slide-to-roll ratio S where it is a dimension.
+    /// The name of the slip S where it is a dimension.
     pub const SLIDE_ROLL: &'static str = "slide_roll";
 
     /// A dimension.
@@ -34,7 +34,7 @@ impl Dimension {
 
     /// The dimension S of dimensionless results over several slide-to-roll ratios, the first then.
     pub fn slide_roll(values: &[f64]) -> Self {
-        Self::new(Self::SLIDE_ROLL, "1", "slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller", values)
+        Self::new(Self::SLIDE_ROLL, "1", "slip (u2 - u1)/(u1 + u2) of flat and roller", values)
     }
 
     /// The dimension f.
