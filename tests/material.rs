@@ -104,7 +104,7 @@ fn pictures_have_a_dot_for_each_number() {
     let document = roxmltree::Document::parse(&svg).expect("SVG");
     let dots = document.descendants().filter(|node| node.has_tag_name("circle")).count();
     assert_eq!(dots, 2 * 71);
-    for text in ["Fit to rubber", "storage E′", "loss E″", "angular frequency ω, rad/s", "modulus, Pa"] {
+    for text in ["Fit to rubber", "storage E′", "loss E″", "angular frequency ω (rad/s)", "modulus (Pa)"] {
         assert!(svg.contains(text), "{text}");
     }
     assert!(fs::read(directory.path().join("fit.png")).expect("a picture").starts_with(b"\x89PNG"));
@@ -261,7 +261,7 @@ fn what_cannot_be_fitted_ends_with_2() {
         (&["rubber.csv", "--shear", "--poisson-ratio", "0.6"], "from 0 to 0.5"),
         (&["rubber.csv", "--reference-temperature", "20"], "a temperature with its unit"),
         (&["rubber.csv", "--modulus-unit", "m"], "a unit of a modulus"),
-        (&["rubber.csv", "--terms", "9", "-o", "fit.pdf"], "ends in .svg or .png"),
+        (&["rubber.csv", "--terms", "9", "-o", "fit.jpg"], "ends in .svg, .png or .pdf"),
         (&["liquid.csv", "--terms", "6"], "ask for 5 terms or fewer"),
         (&["liquid.csv", "--terms", "4"], "the best fit has no relaxed modulus"),
         (&["absent.csv", "--terms", "4"], "cannot read the file of a material absent.csv"),

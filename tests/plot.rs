@@ -73,7 +73,7 @@ fn errors_are_bars_where_they_can_be_seen() {
 }
 
 #[test]
-fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
+fn without_options_every_kind_is_drawn_in_each_format_with_its_numbers() {
     let directory = with_results(SMALL);
     let pictures = plot(directory.path(), &[]);
     let names: Vec<&str> = pictures.iter().map(|path| path.file_stem().unwrap().to_str().unwrap()).collect();
@@ -90,16 +90,17 @@ fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
         "loop",
         "stress",
         "map-errors",
-        "map-status",
         "cost",
     ] {
         assert!(names.contains(&name), "{name} is not among {names:?}");
     }
+    assert!(!names.contains(&"map-status"), "no case failed");
     for path in &pictures {
         let svg = fs::read_to_string(path).unwrap();
         let document = Document::parse(&svg).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        assert_eq!(document.root_element().attribute("width"), Some("1600"));
-        let texts: String = document.descendants().filter_map(|node| node.text()).collect();
+        assert_eq!(document.root_element().attribute("width"), Some("700"));
+        let texts: String =
+            document.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
         assert!(texts.contains("A small <sweep> & its pictures"), "{}: {texts}", path.display());
         assert!(!svg.contains("NaN"), "{}", path.display());
         assert!(rows(&path.with_extension("csv")).len() > 1, "{}", path.display());
@@ -110,6 +111,9 @@ fn without_options_every_kind_is_drawn_in_both_formats_with_its_numbers() {
     for path in plot(directory.path(), &["--format", "png"]) {
         let bytes = fs::read(&path).unwrap();
         assert!(bytes.starts_with(b"\x89PNG") && bytes[16..20] == 1600_u32.to_be_bytes(), "{}", path.display());
+    }
+    for path in plot(directory.path(), &["--format", "pdf", "--what", "curves,maps,stress"]) {
+        assert!(fs::read(&path).unwrap().starts_with(b"%PDF-"), "{}", path.display());
     }
 }
 
@@ -140,16 +144,22 @@ fn the_numbers_of_profiles_are_those_of_the_fields() {
     let directory = with_results(SMALL);
     let data = DataSet::open(&directory.path().join("results/small")).unwrap();
     let options =
-        ["--what", "profiles", "--of", "film_thickness", "--alpha", "1", "--beta", "10,100", "--f", "10", "--x=-1,1"];
+        ["--what", "profiles", "--of", "film_thickness", "--alpha", "10", "--beta", "10,100", "--f", "10", "--x=-1,1"];
     let drawn = rows(&only(&plot(directory.path(), &options)));
     let solved: Vec<_> = drawn.iter().filter(|row| row["kind"] == "solution").collect();
     assert_eq!(solved.len(), 2 * data.x.iter().filter(|x| x.abs() <= 1.0).count());
     for row in solved {
         let beta = data.dimensions[2].values.iter().position(|beta| *beta == number(row, "beta")).unwrap();
         let x = data.x.iter().position(|x| *x == number(row, "x")).unwrap();
-        assert_eq!(data.field(Field::FilmThickness, [1, 1, beta]).unwrap()[x], number(row, "film_thickness"));
+        assert_eq!(data.field(Field::FilmThickness, [1, 2, beta]).unwrap()[x], number(row, "film_thickness"));
     }
-    assert!(drawn.iter().any(|row| row["kind"] == "large-β approximation"));
+    // At α = 10 and f = 10 it holds for β from 50 to 89, and is not drawn at 10 and 100.
+    assert!(!drawn.iter().any(|row| row["kind"] == "large-β approximation"));
+    let elastic = ["--what", "profiles", "--of", "film_thickness", "--alpha", "1", "--beta", "10,100", "--f", "0"];
+    let drawn = rows(&only(&plot(directory.path(), &elastic)));
+    let approximate: Vec<f64> =
+        drawn.iter().filter(|row| row["kind"] == "Eq. 36 of the paper").map(|row| number(row, "beta")).collect();
+    assert!(!approximate.is_empty() && approximate.iter().all(|beta| *beta == 100.0), "{approximate:?}");
 }
 
 /// F_v = (2/π) ∫ p dw (Eq. 22): the area of the loop drawn, 0 for an elastic substrate.
@@ -199,7 +209,7 @@ fn sweeps_of_any_shape_have_pictures() {
     let axes = |f: &str, alpha: &str, beta: &str, output: &str| {
         format!("[axes]\nf = [{f}]\nalpha = [{alpha}]\nbeta = [{beta}]\n[output]\n{output}\n")
     };
-    // One case without fields has nothing to show but its status and cost; a failed one (β too large for doubles) not
+    // One case without fields has nothing to show but its cost; a failed one (β too large for doubles) not
     // even errors.
     for (sweep, wanted, missing) in [
         (axes("10.0", "1.0", "10.0, 20.0, 40.0", "fields = []"), "mu_tot-along-beta", "profile"),
@@ -207,7 +217,8 @@ fn sweeps_of_any_shape_have_pictures() {
         (axes("0.0", "1.0", "10.0", ""), "profile-film_thickness", "along"),
         (axes("10.0", "1.0", "10.0", "fields = []"), "cost", "curve"),
         (axes("10.0", "1.0", "1e60, 1e61", ""), "cost", "profile"),
-        (axes("10.0", "0.0, 1.0, inf", "10.0, 20.0", "limits = false"), "map-status", "surface"),
+        (axes("10.0", "0.0, 1.0, inf", "10.0, 20.0", "limits = false"), "map-errors", "surface"),
+        (axes("10.0", "1.0, 2.0", "10.0, 1e60", "fields = []"), "map-status", "profile"),
     ] {
         let directory = with_results(&sweep);
         let names: Vec<String> = plot(directory.path(), &[])
@@ -238,6 +249,9 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
         (&["--what", "curves", "--of", "mu_v,c", "--together"], "mu_v and c have different units"),
         (&["--x", "2,1"], "the first below the second"),
         (&["--what", "pies"], "invalid value 'pies'"),
+        (&["--width", "3 miles"], "a length from 1 to 40 inches, as in 85mm"),
+        (&["--width", "85mm", "--font-size", "20"], "letters of 20 points do not fit the width of the picture"),
+        (&["--title", "a", "--no-title"], "cannot be used with"),
     ] {
         let run = say(directory.path(), &[&["plot", "results/small"], arguments].concat());
         assert_eq!(code(&run), 2, "{arguments:?}");
@@ -266,6 +280,54 @@ fn a_directory_that_is_not_as_it_was_published_is_refused() {
     refused("has no results.h5: nothing is published yet; run `stribeck run");
     let run = say(directory.path(), &["plot", "nowhere"]);
     assert_eq!((code(&run), err(&run).contains("there is no such directory")), (4, true), "{}", err(&run));
+}
+
+/// Title, width and letters are those asked for.
+#[test]
+fn a_picture_is_as_its_user_wants_it() {
+    let directory = with_results(SMALL);
+    let svg = |options: &[&str]| {
+        let curves = ["--what", "curves", "--of", "mu_v", "--along", "alpha"];
+        let pictures = plot(directory.path(), &[&curves, options].concat());
+        fs::read_to_string(&pictures[0]).unwrap()
+    };
+    let letters = |text: &str| -> f64 {
+        let document = Document::parse(text).unwrap();
+        let root = document.root_element();
+        let scale = root.attribute("width").unwrap().parse::<f64>().unwrap() / 1600.0;
+        let tick = document.descendants().find(|node| node.text() == Some("10⁰")).expect("a tick");
+        scale * tick.attribute("font-size").unwrap().parse::<f64>().unwrap() * 72.0 / 96.0
+    };
+    let plain = svg(&[]);
+    assert!(plain.contains("A small &lt;sweep&gt;") && plain.contains("width=\"700\""));
+    let column = svg(&["--width", "85mm", "--font-size", "8", "--title", "glass T_{g}"]);
+    assert!((letters(&column) - 8.0).abs() < 0.02, "{}", letters(&column));
+    assert!(column.contains("width=\"321.3\"") && !column.contains("A small"));
+    // The subscript stands in a part of its own.
+    assert!(column.contains("glass T<tspan") && column.contains(">g</tspan>"));
+    let bare = svg(&["--no-title"]);
+    assert!(!bare.contains("A small") && !bare.contains("f = "), "{bare}");
+}
+
+/// What was drawn with options stays where `plot` runs without any, whatever the format; other options replace it.
+#[test]
+fn a_picture_made_by_options_is_kept() {
+    let directory = with_results(SMALL);
+    let made = plot(directory.path(), &["--what", "curves", "--of", "mu_v", "--along", "alpha", "--scale", "log"]);
+    let [svg, csv] = [made[0].clone(), made[0].with_extension("csv")];
+    let before = [&svg, &csv].map(|file| fs::read(file).unwrap());
+    for format in ["svg", "png"] {
+        let run = say(directory.path(), &["plot", "results/small", "--format", format]);
+        let kept = "mu_v-along-alpha.svg stays, which was drawn with --scale: remove it, or draw elsewhere with -o DIR";
+        assert!(code(&run) == 0 && err(&run).contains(kept), "{}", err(&run));
+        assert_eq!([&svg, &csv].map(|file| fs::read(file).unwrap()), before);
+        assert!(!svg.with_extension("png").exists());
+    }
+    plot(directory.path(), &["--what", "curves", "--of", "mu_v", "--along", "alpha", "--bare"]);
+    assert_ne!(fs::read(&svg).unwrap(), before[0]);
+    fs::remove_file(&svg).unwrap();
+    plot(directory.path(), &[]);
+    assert!(svg.exists());
 }
 
 /// Published files are passed on without logs and shards.

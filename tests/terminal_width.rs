@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-
 use crate::in_python::root;
 use crate::program::{stribeck, with_results};
 

@@ -12,7 +12,7 @@ use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
 use super::{CliError, Exit, console, threads};
 use crate::format::{Align, count, filled, table_line};
-use crate::pictures::{Table, nearest};
+use crate::pictures::{Quantity, Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::{Experiment, Measured};
 use stribeck_solver::{FieldSelection, Interrupt, Output, shortest};
@@ -239,8 +239,8 @@ fn drawing(cases: &[Solved], measured: Option<&Measured>) -> String {
         Some(_) => "; crosses: measured",
     };
     let (x, y) = (TextAxis { logarithmic: true }, TextAxis { logarithmic: false });
-    let column = column.name();
-    format!("\n{column} against {along} in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
+    let quantity = Quantity::from(column).plain_title();
+    format!("\n{quantity} against {along} in m/s, logarithmic{measured}\n{}\n", plot(&line, &points, x, y))
 }
 
 /// One line for each speed.

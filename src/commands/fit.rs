@@ -7,14 +7,18 @@ use clap::Args;
 
 use super::curve::laboratory;
 use super::fit_progress::{time_limit, watched};
+use super::fitted_curves::FittedCurves;
 use super::fitted_friction::{FittedFriction, LAST_COLUMNS};
 use super::measured::{self, ColumnArguments};
 use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
+use super::paper::PaperArguments;
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::nearest;
-use stribeck_lab::{Bounds, Experiment, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown};
+use stribeck_lab::{
+    Bounds, Experiment, FittedCurve, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown,
+};
 use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::create_directory;
 use stribeck_sweep::{friction_task, points_to_fit};
@@ -59,6 +63,8 @@ pub struct Arguments {
     /// Format of the pictures
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    #[command(flatten)]
+    paper: PaperArguments,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -123,7 +129,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let fitted = FittedFriction { fit: &fit, measured: &measured, intervals: intervals.as_deref() };
     let lacks_intervals = arguments.profile && intervals.is_none();
     if let Some(outputs) = outputs {
-        write(&fitted, outputs, arguments.format)?;
+        write(&fitted, &fit.curves(&task), outputs, arguments)?;
     }
     console::print(&if arguments.json { fitted.json() } else { fitted.text(directory) })?;
     if !fit.is_minimum {
@@ -168,9 +174,19 @@ fn outputs(arguments: &Arguments, directory: &Path) -> Result<[OutputFile; 3], C
 }
 
 /// Writes a table and two pictures.
-fn write(fitted: &FittedFriction<'_>, outputs: [OutputFile; 3], format: Format) -> Result<(), CliError> {
-    let [table, friction, residuals] = outputs;
+fn write(
+    fitted: &FittedFriction<'_>,
+    curves: &[FittedCurve],
+    [table, friction, residuals]: [OutputFile; 3],
+    arguments: &Arguments,
+) -> Result<(), CliError> {
     table.write(&fitted.table().csv())?;
-    friction.write(&Chart::Lines(fitted.friction_chart()).paint(format)?)?;
-    residuals.write(&Chart::Lines(fitted.residual_chart()).paint(format)?)
+    let paper = arguments.paper.paper(&[]);
+    let curves = FittedCurves { fitted, curves };
+    for (file, chart) in [(friction, curves.friction_chart()), (residuals, curves.residual_chart())] {
+        let mut chart = Chart::Lines(chart);
+        arguments.paper.entitle(&mut chart);
+        file.write(&chart.paint(arguments.format, &paper)?)?;
+    }
+    Ok(())
 }

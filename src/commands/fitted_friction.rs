@@ -8,7 +8,6 @@ use super::short_value::short;
 use super::terminal_plot::{TextAxis, plot};
 use crate::format::{Align, count, filled, table_line};
 use crate::pictures::Table;
-use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::shown;
 use stribeck_lab::{Estimate, FrictionFit, Measured, Unknown};
 
@@ -127,12 +126,12 @@ impl FittedFriction<'_> {
     }
 
     /// The name of the speed that points are drawn over.
-    fn along(&self) -> &'static str {
+    pub fn along(&self) -> &'static str {
         self.fit.points[0].experiment.motion.along().0.name()
     }
 
     /// The residuals over speed, and the range of the speeds above 0.
-    fn residuals(&self) -> (Vec<(f64, f64)>, (f64, f64)) {
+    pub fn residuals(&self) -> (Vec<(f64, f64)>, (f64, f64)) {
         let points: Vec<(f64, f64)> =
             self.fit.points.iter().map(|point| (point.experiment.motion.along().1, point.residual)).collect();
         let speeds = || points.iter().map(|(speed, _)| *speed).filter(|speed| *speed > 0.0);
@@ -140,7 +139,8 @@ impl FittedFriction<'_> {
         (points, range)
     }
 
-    fn residual_label(&self) -> &'static str {
+    /// What residuals are.
+    pub fn residual_label(&self) -> &'static str {
         match self.measured.errors {
             Some(_) if self.measured.is_logarithmic() => "ln(fitted/measured)/relative standard error",
             Some(_) => "(fitted − measured)/standard error",
@@ -199,65 +199,9 @@ impl FittedFriction<'_> {
         }
         table
     }
-
-    /// Measured and fitted friction over speed.
-    pub fn friction_chart(&self) -> Lines {
-        let (fit, measured) = (self.fit, self.measured);
-        let mut fitted: Vec<(f64, f64)> =
-            fit.points.iter().map(|point| (point.experiment.motion.along().1, point.fitted)).collect();
-        fitted.sort_by(|one, other| one.0.total_cmp(&other.0));
-        // Points that differ in more than their speed are on no common curve.
-        let along = self.along();
-        let along_speed = measured.coordinates.iter().all(|(name, _)| *name == along);
-        let mut curves = vec![if along_speed {
-            curve("fitted", fitted, Stroke::Solid, Colour::Kind(0), false)
-        } else {
-            curve("fitted", fitted, Stroke::Points, Colour::Kind(0), true)
-        }];
-        for point in &fit.points {
-            if let Some(error) = point.error {
-                let (x, mu) = (point.experiment.motion.along().1, point.measured);
-                curves.push(curve("", vec![(x, mu - error), (x, mu + error)], Stroke::Solid, Colour::Black, false));
-            }
-        }
-        let points = fit.points.iter().map(|point| (point.experiment.motion.along().1, point.measured)).collect();
-        curves.push(curve("measured", points, Stroke::Points, Colour::Black, true));
-        let found = fit
-            .estimates
-            .iter()
-            .map(|it| format!("{} = {}", it.unknown.name(), short(it.value, it.error, it.unknown.units())));
-        let labels = [along, "friction coefficient μ"];
-        let found = found.collect::<Vec<_>>().join(", ");
-        let subtitle = if fit.is_minimum { found } else { format!("no minimum, the best so far: {found}") };
-        chart("friction, measured and fitted", subtitle, labels, curves)
-    }
-
-    /// Residuals over speed.
-    pub fn residual_chart(&self) -> Lines {
-        let (points, (from, to)) = self.residuals();
-        let curves = vec![
-            curve("", vec![(from, 0.0), (to, 0.0)], Stroke::Dashed, Colour::Black, false),
-            curve("residual", points, Stroke::Points, Colour::Kind(0), true),
-        ];
-        chart("residuals", String::new(), [self.along(), self.residual_label()], curves)
-    }
 }
 
 /// The unit of an unknown, to stand behind its value; nothing for f.
 fn unit(unknown: Unknown) -> &'static str {
     if unknown.units() == "1" { "" } else { unknown.units() }
-}
-
-fn curve(label: &str, points: Vec<(f64, f64)>, stroke: Stroke, colour: Colour, marked: bool) -> Curve {
-    Curve { label: label.to_owned(), points, failed: vec![], stroke, colour, marked }
-}
-
-fn chart(title: &str, subtitle: String, [along, y]: [&str; 2], curves: Vec<Curve>) -> Lines {
-    Lines {
-        title: title.to_owned(),
-        subtitle,
-        x: LineAxis { label: format!("{along}  (m/s)"), logarithmic: true, range: None },
-        y: LineAxis { label: y.to_owned(), logarithmic: false, range: None },
-        curves,
-    }
 }

@@ -91,26 +91,26 @@ impl FittedMaterial<'_> {
                 failed: Vec::new(),
                 stroke,
                 colour: Colour::Kind(kind),
-                marked: stroke == Stroke::Points,
+                mark: Some(kind).filter(|_| stroke == Stroke::Points),
             };
             [curve("", self.measurements.rows(), Stroke::Points), curve(label, &fitted, Stroke::Solid)]
         };
         let (x, curves) = if self.is_oscillation() {
-            ("angular frequency ω, rad/s", [curves(0, "storage E′"), curves(1, "loss E″")].concat())
+            ("angular frequency ω  (rad/s)", [curves(0, "storage E′"), curves(1, "loss E″")].concat())
         } else {
-            ("time t, s", curves(0, "relaxation modulus E(t)").into())
+            ("time t  (s)", curves(0, "relaxation modulus E(t)").into())
         };
         let axis = |label: &str| LineAxis { label: label.to_owned(), logarithmic: true, range: None };
         let at_one = self.master_curve.map(|curve| format!(" at {}", shifted::celsius(curve.reference)));
         Chart::Lines(Lines {
             title: format!("Fit to {}{}", printable(self.name), at_one.unwrap_or_default()),
             subtitle: format!(
-                "dots: measured; lines: {}, {} % rms",
+                "marks: measured; lines: {}, {} % rms",
                 count(relaxation.terms().len() as u64, "relaxation term"),
                 shortest((1e4 * self.fit.rms_residual).round() / 100.0)
             ),
             x: axis(x),
-            y: axis("modulus, Pa"),
+            y: axis("modulus  (Pa)"),
             curves,
         })
     }

@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 use super::fitted_material::FittedMaterial;
 use super::measured::{self, Choices, ColumnArguments};
 use super::output_file::{OutputFile, OutputFiles, or_empty};
+use super::paper::PaperArguments;
 use super::prony_material::PronyMaterial;
 use super::{CliError, Exit, console, shifted};
 use crate::pictures::{Chart, Format, is_picture};
@@ -64,12 +65,14 @@ pub struct Arguments {
     expansion: Option<f64>,
     #[command(flatten)]
     columns: ColumnArguments,
-    /// A picture of measurements and fit, SVG or PNG by its extension
+    /// A picture of measurements and fit, SVG, PNG or PDF by its extension
     #[arg(short, long, value_name = "FILE", value_parser = picture)]
     output: Option<(PathBuf, Format)>,
     /// A picture of log a_T and its laws over the temperature; one of what they miss it by is NAME-residuals beside it
     #[arg(long, value_name = "FILE", value_parser = picture)]
     shift_picture: Option<(PathBuf, Format)>,
+    #[command(flatten)]
+    paper: PaperArguments,
     /// JSON instead of a table
     #[arg(long)]
     json: bool,
@@ -125,8 +128,9 @@ fn temperature(text: &str) -> Result<f64, &'static str> {
 fn picture(text: &str) -> Result<(PathBuf, Format), String> {
     let path = PathBuf::from(text);
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
-    let format = [Format::Svg, Format::Png].into_iter().find(|format| extension.as_deref() == Some(format.extension()));
-    format.map(|format| (path, format)).ok_or_else(|| "a file whose name ends in .svg or .png".to_owned())
+    let mut formats = Format::value_variants().iter().copied();
+    let format = formats.find(|format| extension.as_deref() == Some(format.extension()));
+    format.map(|format| (path, format)).ok_or_else(|| "a file whose name ends in .svg, .png or .pdf".to_owned())
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
@@ -245,8 +249,9 @@ fn finish(arguments: &Arguments, table: &str, json: &str, drawn: Drawn<'_>) -> R
     let outputs = charts.iter().map(|(file, ..)| files.check(file, or_empty(is_picture)));
     let outputs = outputs.collect::<Result<Vec<OutputFile>, _>>()?;
     let mut text = if arguments.json { json.to_owned() } else { table.to_owned() };
-    for (output, (file, format, chart)) in outputs.into_iter().zip(&charts) {
-        output.write(&chart.paint(*format)?)?;
+    for (output, (file, format, chart)) in outputs.into_iter().zip(&mut charts) {
+        arguments.paper.entitle(chart);
+        output.write(&chart.paint(*format, &arguments.paper.paper(&[]))?)?;
         // What reads JSON gets nothing else.
         if !arguments.json {
             text += &format!("\n{}\n", shown(file));

@@ -10,9 +10,12 @@ use super::at::{self, At};
 use super::measured::{self, MeasuredArguments};
 use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
+use super::paper::PaperArguments;
 use super::{CliError, Exit, console, published};
 use crate::format::count;
-use crate::pictures::{AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, largest_error, pictures};
+use crate::pictures::{
+    AxisScale, Format, Kind, Picture, Request, SweepData, is_picture, largest_error, made_with, pictures,
+};
 use stribeck_input::{printable, shown};
 use stribeck_sweep::Sweep;
 use stribeck_sweep::store::create_directory;
@@ -27,11 +30,13 @@ Examples:
   stribeck plot results/quick --what curves --of mu_tot,mu_v,mu_h --together --along alpha --beta 10 --f 100
   stribeck plot results/quick --what profiles --of pressure --alpha 1 --beta 100,1000 --x=-1,1.5
   stribeck plot results/quick --what stress --f 100 --alpha 0.1,1,10 --beta 1000
+  stribeck plot results/quick --what curves --of mu_v --format pdf --width 85mm --font-size 8 --no-title
   stribeck plot results/experiment --what curves --of mu_drag --along entrainment_speed \\
       --measured docs/how-to/instrument-files/traction.txt",
     after_help = "\
 The numbers behind each picture are written beside it as CSV. Values that the sweep has not are replaced by the
-nearest ones it has, which the picture names. Columns and fields are those of docs/reference/columns.md.
+nearest ones it has, which the picture names. A picture that was drawn with options is kept where plot is run without
+any: remove it, or draw elsewhere with -o. Columns and fields are those of docs/reference/columns.md.
 docs/how-to/figures.md and docs/gallery.md show pictures of each kind with their commands."
 )]
 pub struct Arguments {
@@ -79,9 +84,29 @@ pub struct Arguments {
     /// Format of the pictures
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    #[command(flatten)]
+    paper: PaperArguments,
     /// Directory of the pictures [default: DIR/figures]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// The options by which a picture differs from the one of its name that is drawn without any.
+    fn changing(&self) -> Vec<&'static str> {
+        let all = [
+            ("--f", !self.f.is_empty()),
+            ("--alpha", !self.alpha.is_empty()),
+            ("--beta", !self.beta.is_empty()),
+            ("--at", !self.at.is_empty()),
+            ("--measured", self.measured.files().next().is_some()),
+            ("--x", self.x.is_some()),
+            ("--y", self.y.is_some()),
+            ("--scale", self.scale != AxisScale::Auto),
+            ("--bare", self.bare),
+        ];
+        all.into_iter().filter(|(_, is_there)| *is_there).map(|(name, _)| name).collect()
+    }
 }
 
 /// Two numbers, the first below the second.
@@ -133,19 +158,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             measured.column
         ));
     }
-    let files = OutputFiles::new("plot", arguments.measured.files());
-    let outputs = pictures.iter().map(|picture| outputs(&files, &directory, &picture.name, arguments.format));
-    let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
-    create_directory(&directory)?;
-    let mut text = String::new();
-    for (picture, [file, table]) in pictures.iter().zip(outputs) {
-        // First the picture, by which the table beside it is known as ours.
-        file.write(&picture.chart.paint(arguments.format)?)?;
-        table.write(&picture.table.csv())?;
-        let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
-        text += &format!("{}\n", shown(&file));
-    }
-    text += &format!("{}, each with its numbers as .csv", count(pictures.len() as u64, "picture"));
+    let mut text = write(arguments, &directory, pictures)?;
     let has_curves = arguments.what.is_empty() || arguments.what.contains(&Kind::Curves);
     if let Some(error) = largest_error(&sweep, &request)?.filter(|_| has_curves) {
         text += &format!("; estimated errors of curves are at most {} of the largest value", rounded_up(error));
@@ -153,6 +166,42 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     text += "\n";
     console::print(&text)?;
     Ok(Exit::Success)
+}
+
+/// Writes the pictures with their tables; their names and their number.
+fn write(arguments: &Arguments, directory: &Path, mut pictures: Vec<Picture>) -> Result<String, CliError> {
+    let paper = arguments.paper.paper(&arguments.changing());
+    if paper.note.is_empty() {
+        pictures.retain(|picture| !is_kept(directory, &picture.name));
+    }
+    let files = OutputFiles::new("plot", arguments.measured.files());
+    let outputs = pictures.iter().map(|picture| outputs(&files, directory, &picture.name, arguments.format));
+    let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
+    create_directory(directory)?;
+    let mut text = String::new();
+    for (picture, [file, table]) in pictures.iter_mut().zip(outputs) {
+        arguments.paper.entitle(&mut picture.chart);
+        // First the picture, by which the table beside it is known as ours.
+        file.write(&picture.chart.paint(arguments.format, &paper)?)?;
+        table.write(&picture.table.csv())?;
+        let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
+        text += &format!("{}\n", shown(&file));
+    }
+    Ok(text + &format!("{}, each with its numbers as .csv", count(pictures.len() as u64, "picture")))
+}
+
+/// True for a picture that is there in some format and was drawn with options; says that it stays.
+fn is_kept(directory: &Path, name: &str) -> bool {
+    let path = |format: &Format| directory.join(format!("{name}.{}", format.extension()));
+    let with = |format| Some((path(format), drawn_with(&path(format))?)).filter(|(_, options)| !options.is_empty());
+    let found = Format::value_variants().iter().find_map(with);
+    if let Some((file, options)) = &found {
+        console::tell(&format!(
+            "note: {} stays, which was drawn with {options}: remove it, or draw elsewhere with -o DIR",
+            shown(file)
+        ));
+    }
+    found.is_some()
 }
 
 /// An error with one digit, not rounded below itself.
@@ -164,14 +213,13 @@ fn rounded_up(error: f64) -> String {
 /// The files of a picture and of its numbers. A table is ours if a picture of ours stands beside it.
 fn outputs(files: &OutputFiles<'_>, directory: &Path, name: &str, format: Format) -> Result<[OutputFile; 2], CliError> {
     let path = |extension: &str| directory.join(format!("{name}.{extension}"));
-    let has_picture = Format::value_variants().iter().any(|format| is_drawn(&path(format.extension())));
+    let has_picture = Format::value_variants().iter().any(|format| drawn_with(&path(format.extension())).is_some());
     Ok([files.check(&path(format.extension()), or_empty(is_picture))?, files.check(&path("csv"), |_| has_picture)?])
 }
 
-/// True if a file is there that is a picture of ours.
-fn is_drawn(file: &Path) -> bool {
+/// The options with which a picture of ours was drawn, if one is there.
+fn drawn_with(file: &Path) -> Option<String> {
     let mut beginning = Vec::new();
-    file.is_file()
-        && File::open(file).and_then(|file| file.take(64).read_to_end(&mut beginning)).is_ok()
-        && is_picture(&beginning)
+    let read = File::open(file).and_then(|file| file.take(4096).read_to_end(&mut beginning));
+    read.ok().filter(|_| file.is_file()).and_then(|_| made_with(&beginning))
 }

@@ -65,15 +65,15 @@ impl PronyMaterial<'_> {
             failed: Vec::new(),
             stroke: Stroke::Solid,
             colour: Colour::Kind(kind),
-            marked: false,
+            mark: None,
         };
         let axis = |label: &str| LineAxis { label: label.to_owned(), logarithmic: true, range: None };
         let known = self.series.modulus.is_some();
         Chart::Lines(Lines {
             title: format!("Series of {}", printable(self.name)),
             subtitle: count(self.series.terms.len() as u64, "relaxation term"),
-            x: axis("angular frequency ω, rad/s"),
-            y: axis(if known { "modulus, Pa" } else { "modulus over E₀" }),
+            x: axis("angular frequency ω  (rad/s)"),
+            y: axis(if known { "modulus  (Pa)" } else { "modulus over E₀" }),
             curves: vec![curve(0, "storage E′"), curve(1, "loss E″")],
         })
     }

@@ -84,7 +84,7 @@ pub fn residual_chart(curve: &MasterCurve) -> Chart {
         };
         let label = format!("{}: {:.3} decades rms", fit.law.name(), fit.rms_residual);
         let points = curve.shifts.iter().filter_map(miss).collect();
-        Curve { marked: true, ..drawn(label, points, (STROKES[kind], Colour::Kind(kind))) }
+        Curve { mark: Some(kind), ..drawn(label, points, (STROKES[kind], Colour::Kind(kind))) }
     });
     let ends = [curve.shifts.first(), curve.shifts.last()].into_iter().flatten();
     let zero = ends.map(|shift| (shift.temperature - 273.15, 0.0)).collect();
@@ -96,13 +96,13 @@ pub fn residual_chart(curve: &MasterCurve) -> Chart {
 const STROKES: [Stroke; 2] = [Stroke::Solid, Stroke::Dashed];
 
 fn drawn(label: String, points: Vec<(f64, f64)>, (stroke, colour): (Stroke, Colour)) -> Curve {
-    Curve { label, points, failed: Vec::new(), stroke, colour, marked: stroke == Stroke::Points }
+    Curve { label, points, failed: Vec::new(), stroke, colour, mark: Some(0).filter(|_| stroke == Stroke::Points) }
 }
 
 fn chart(curve: &MasterCurve, title: &str, y: &str, curves: Vec<Curve>) -> Chart {
     let axis = |label: &str| LineAxis { label: label.to_owned(), logarithmic: false, range: None };
     let subtitle = format!("a_T = 1 at {}", celsius(curve.reference));
-    Chart::Lines(Lines { title: title.to_owned(), subtitle, x: axis("temperature, °C"), y: axis(y), curves })
+    Chart::Lines(Lines { title: title.to_owned(), subtitle, x: axis("temperature  (°C)"), y: axis(y), curves })
 }
 
 /// A residual of a law, in decades, that is worth a word: times are wrong by a factor of 2.

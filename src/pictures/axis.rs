@@ -1,5 +1,6 @@
 //! The three axes of a sweep as pictures show them.
 
+use super::engineering::{ShownUnit, digits, with_unit};
 use stribeck_sweep::Dimension;
 use stribeck_sweep::store::DataSet;
 
@@ -25,6 +26,10 @@ pub struct AxisWords {
     pub label: String,
     /// Unit behind a value; empty for pure numbers.
     pub unit: String,
+    /// Symbol and definition without the unit.
+    pub title: String,
+    /// How many digits tell the values apart.
+    digits: usize,
     /// The values; where several quantities are taken together, their numbers from 1.
     pub values: Vec<f64>,
     /// What each value stands for, where several quantities are taken together.
@@ -81,6 +86,8 @@ impl AxisWords {
             symbol: empty(),
             label: empty(),
             unit: empty(),
+            title: empty(),
+            digits: 3,
             values: Vec::new(),
             combinations: Vec::new(),
             members: Vec::new(),
@@ -88,30 +95,11 @@ impl AxisWords {
     }
 
     fn named(name: &str, units: &str, values: &[f64]) -> Self {
-        let (symbol, words) = match name {
-            "slide_roll" => ("S", "slide-to-roll ratio S = (u₂ − u₁)/(u₁ + u₂)"),
-            "f" => ("f", "f = E₀/E∞ − 1"),
-            "alpha" => ("α", "α = a₀/(Vτ)"),
-            "beta" => ("β", "β = E∞* a₀⁴/(12ηVR³)"),
-            "radius" => ("R", "radius R"),
-            "load" => ("N", "load N"),
-            "relaxed_modulus" => ("E∞", "relaxed modulus E∞"),
-            "instantaneous_modulus" => ("E₀", "instantaneous modulus E₀"),
-            "poisson_ratio" => ("ν", "Poisson's ratio ν"),
-            "viscosity" => ("η", "viscosity η"),
-            "retardation_time" => ("τ", "retardation time τ"),
-            "temperature" => ("T", "temperature T"),
-            "speed" => ("V", "speed V"),
-            "entrainment_speed" => ("U", "entrainment speed U = (u₁ + u₂)/2"),
-            "slide_roll_ratio" => ("SRR", "slide-to-roll ratio (u₂ − u₁)/U"),
-            "roller_speed" => ("u₁", "speed of the roller's surface u₁"),
-            "flat_speed" => ("u₂", "speed of the flat u₂"),
-            other => (other, other),
-        };
+        let (symbol, words) = symbol_and_words(name);
         let unit = if units == "1" { String::new() } else { units.to_owned() };
         let label = if unit.is_empty() { words.to_owned() } else { format!("{words}  ({unit})") };
-        let [name, symbol] = [name, symbol].map(str::to_owned);
-        Self { name, symbol, label, unit, values: values.to_vec(), ..Self::none() }
+        let [name, symbol, title] = [name, symbol, words].map(str::to_owned);
+        Self { name, symbol, label, unit, title, digits: digits(values), values: values.to_vec(), ..Self::none() }
     }
 
     /// Several axes as one, the last fastest. Where one of them alone has several values, or is not fixed, it lends its
@@ -142,6 +130,7 @@ impl AxisWords {
             name: Self::COMBINATION.to_owned(),
             symbol: format!("({})", symbols.join(", ")),
             label: format!("combination of {}", symbols.join(", ")),
+            title: format!("combination of {}", symbols.join(", ")),
             values: (1..=places.len()).map(|number| number as f64).collect(),
             combinations,
             members,
@@ -149,17 +138,57 @@ impl AxisWords {
         }
     }
 
-    /// "β = 100", "V = 0.001 m/s"; empty for an axis that is none.
+    /// The unit of these numbers of the axis, and its name with the unit, in a picture.
+    pub fn shown(&self, numbers: impl Iterator<Item = f64>) -> (ShownUnit, String) {
+        let largest = numbers.filter(|number| number.is_finite()).fold(0.0, |largest: f64, it| largest.max(it.abs()));
+        let unit = ShownUnit::of(&self.unit, largest);
+        let label = unit.label(&typeset(&self.title));
+        (unit, label)
+    }
+
+    /// "β = 100", "V = 1 mm/s"; empty for an axis that is none.
     pub fn words(&self, index: usize) -> String {
         if self.name.is_empty() {
             return String::new();
         }
         match self.combinations.get(index) {
             Some(combination) => combination.clone(),
-            None => {
-                let value = super::sweep_data::rounded(self.values[index]);
-                format!("{} = {value} {}", self.symbol, self.unit).trim_end().to_owned()
-            }
+            None => format!("{} = {}", self.symbol, with_unit(self.values[index], &self.unit, self.digits)),
         }
     }
+}
+
+/// A quantity held at one value: "N = 400 N/m".
+pub fn held(name: &str, si: &str, value: f64) -> String {
+    let unit = if si == "1" { "" } else { si };
+    format!("{} = {}", symbol_and_words(name).0, with_unit(value, unit, 3))
+}
+
+/// Symbol of an axis or a quantity of the laboratory, and what it is.
+pub fn symbol_and_words(name: &str) -> (&str, &str) {
+    match name {
+        "slide_roll" => ("S", "slide-to-sum ratio S = (u₂ − u₁)/(u₁ + u₂)"),
+        "f" => ("f", "f = E₀/E∞ − 1"),
+        "alpha" => ("α", "α = a₀/(Vτ)"),
+        "beta" => ("β", "β = E∞* a₀⁴/(12ηVR³)"),
+        "radius" => ("R", "radius R"),
+        "load" => ("N", "load N"),
+        "relaxed_modulus" => ("E∞", "relaxed modulus E∞"),
+        "instantaneous_modulus" => ("E₀", "instantaneous modulus E₀"),
+        "poisson_ratio" => ("ν", "Poisson's ratio ν"),
+        "viscosity" => ("η", "viscosity η"),
+        "retardation_time" => ("τ", "retardation time τ"),
+        "temperature" => ("T", "temperature T"),
+        "speed" => ("V", "speed V"),
+        "entrainment_speed" => ("U", "entrainment speed U = (u₁ + u₂)/2"),
+        "slide_roll_ratio" => ("SRR", "slide-to-roll ratio SRR = (u₂ − u₁)/U"),
+        "roller_speed" => ("u₁", "speed of the roller's surface u₁"),
+        "flat_speed" => ("u₂", "speed of the flat u₂"),
+        other => (other, other),
+    }
+}
+
+/// Words with the ∞ of E∞ as a subscript.
+pub fn typeset(words: &str) -> String {
+    words.replace("E∞", "E_{∞}")
 }

@@ -69,7 +69,8 @@ impl Cases {
 
     /// What the cases have in common, in words.
     pub(super) fn subtitle(&self, sweep: &SweepData) -> String {
-        sweep.list(&self.fixed, self.indices[0])
+        let fixed = Some(sweep.list(&self.fixed, self.indices[0])).filter(|words| !words.is_empty());
+        sweep.held().into_iter().chain(fixed).collect::<Vec<_>>().join(", ")
     }
 
     /// The name of a case among the others.

@@ -51,7 +51,7 @@ pub(super) fn cost(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>,
         title: sweep.data.title.clone(),
         subtitle: "each case once; large markers: medians".to_owned(),
         x_label: "seconds for a case".to_owned(),
-        y_label: "largest estimated error of μᵥ, μₕ and c".to_owned(),
+        y_label: "largest estimated error of μᵥ, μₕ, μ_{drag} and c".to_owned(),
         lines,
     };
     Ok(vec![Picture { name: "cost".to_owned(), chart: Chart::WorkPrecision(chart), table }])

@@ -112,7 +112,7 @@ pub(super) fn beside(label: &str, stroke: Stroke, members: Vec<(Colour, Vec<(f64
         failed: vec![],
         stroke,
         colour,
-        marked: false,
+        mark: None,
     };
     let shown = |points: &[(f64, f64)]| points.iter().any(|point| point.1.is_finite());
     let members: Vec<_> = members.into_iter().filter(|(_, points)| shown(points)).collect();

@@ -1,6 +1,7 @@
 //! A quantity along an axis, one curve for each value of another.
 
 use super::curve_family::{CurveFamily, beside, curve_families, member_colour};
+use super::engineering::ShownUnit;
 use super::error_bars::error_bars;
 use super::measured_points::measured_points;
 use super::picture::{Chart, Picture};
@@ -15,8 +16,11 @@ use stribeck_solver::shortest;
 use stribeck_sweep::store::Status;
 use stribeck_sweep::{Column, GridIndex};
 
-/// Curves with more points than this have no markers.
+/// A single curve with more points than this has no markers.
 const MOST_MARKED: usize = 45;
+
+/// What an instrument reads, and its parts (T54).
+const DRAG_AND_PARTS: [Column; 4] = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure];
 
 /// What errors show where nothing else is asked for.
 pub(super) const ERRORS: [Column; 4] = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorMuDrag, Column::ErrorC];
@@ -26,15 +30,23 @@ pub(super) fn curves(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
     along_each(sweep, request, Kind::Curves, &columns(sweep, request))
 }
 
+/// The drag with its parts along the speed of an experiment: what its reader looks for first.
+pub(super) fn drag_with_parts(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
+    let along = Some(sweep.axis(Axis::Inner).name.clone());
+    let scale = if request.scale == AxisScale::Auto { AxisScale::Linear } else { request.scale };
+    let request = Request { together: true, bare: true, along, scale, ..request.clone() };
+    along_each(sweep, &request, Kind::Curves, &DRAG_AND_PARTS.map(Quantity::from))
+}
+
 /// The columns that curves show.
-pub(super) fn columns(sweep: &SweepData, request: &Request) -> Vec<Column> {
-    named_columns(request, &[&friction(sweep, request)[..], &[Column::C]].concat())
+pub(super) fn columns(sweep: &SweepData, request: &Request) -> Vec<Quantity> {
+    named_columns(sweep, request, &[&friction(sweep, request)[..], &[Column::C]].concat())
 }
 
 /// Errors along each axis: for sweeps that have no map of them.
 pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     let request = Request { together: true, ..request.clone() };
-    along_each(sweep, &request, Kind::Errors, &ERRORS)
+    along_each(sweep, &request, Kind::Errors, &ERRORS.map(Quantity::from))
 }
 
 /// The friction that is shown where nothing else is asked for: of an experiment the drag, which an instrument reads,
@@ -42,7 +54,7 @@ pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
 /// beside it.
 pub(super) fn friction(sweep: &SweepData, request: &Request) -> Vec<Column> {
     let mut columns = match sweep.data.laboratory {
-        true => vec![Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure],
+        true => DRAG_AND_PARTS.to_vec(),
         false => vec![Column::MuTot, Column::MuV, Column::MuH, Column::MuDrag],
     };
     columns.retain(|column| *column != Column::MuPressure || request.scale != AxisScale::Log);
@@ -50,34 +62,41 @@ pub(super) fn friction(sweep: &SweepData, request: &Request) -> Vec<Column> {
 }
 
 /// The columns asked for, or a choice.
-pub(super) fn named_columns(request: &Request, otherwise: &[Column]) -> Vec<Column> {
-    let named: Vec<Column> = request.of.iter().filter_map(|name| Column::named(name)).collect();
-    if named.is_empty() { otherwise.to_vec() } else { named }
+pub(super) fn named_columns(sweep: &SweepData, request: &Request, otherwise: &[Column]) -> Vec<Quantity> {
+    let named = |name: &String| Quantity::all(&sweep.data).find(|quantity| quantity.name == name);
+    let named: Vec<Quantity> = request.of.iter().filter_map(named).collect();
+    if named.is_empty() { otherwise.iter().copied().map(Quantity::from).collect() } else { named }
 }
 
 /// What all curves of a picture have in common.
-fn subtitle(sweep: &SweepData, family: &CurveFamily, columns: &[Column]) -> String {
+fn subtitle(sweep: &SweepData, family: &CurveFamily, columns: &[Quantity]) -> String {
     let held = sweep.held_along(family.along, family.start[family.along.dimension()]);
     let fixed = Some(sweep.list(&family.fixed, family.start)).filter(|words| !words.is_empty());
-    held.into_iter().chain(fixed).chain(sum_of_parts(sweep, family, columns)).collect::<Vec<_>>().join(", ")
+    sweep
+        .held()
+        .into_iter()
+        .chain(held)
+        .chain(fixed)
+        .chain(sum_of_parts(sweep, family, columns))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
-/// How the drag is made of its parts (T54), where all of them are drawn: the slide-to-roll ratio S stands before C.
-fn sum_of_parts(sweep: &SweepData, family: &CurveFamily, columns: &[Column]) -> Option<String> {
-    let parts = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure];
+/// How the drag is made of its parts (T54), where all of them are drawn: the ratio S stands before the shear.
+fn sum_of_parts(sweep: &SweepData, family: &CurveFamily, columns: &[Quantity]) -> Option<String> {
     let grid = &sweep.sweep.as_ref()?.grid;
-    if !parts.iter().all(|part| columns.contains(part)) {
+    if !DRAG_AND_PARTS.iter().all(|part| columns.contains(&(*part).into())) {
         return None;
     }
     let ratio = |member, point| grid.slide_roll(GridIndex::from(family.at(member, point)));
     let mut ratios = family.members.iter().flat_map(|member| family.points.iter().map(|point| ratio(*member, *point)));
     let first = ratios.next()?;
     let shear = match ratios.all(|ratio| ratio == first) {
-        true if first == 1.0 => "C".to_owned(),
-        true => format!("{} C", shortest(first)),
-        false => "S C".to_owned(),
+        true if first == 1.0 => String::new(),
+        true => format!("{} ", shortest(first)),
+        false => "S ".to_owned(),
     };
-    Some(format!("drag = μᵥ + {shear} − P"))
+    Some(format!("μ_{{drag}} = μᵥ + {shear}μ_{{shear}} − μ_{{pressure}}"))
 }
 
 /// The pictures of these columns along the axis asked for, or along each that has several values.
@@ -85,7 +104,7 @@ fn along_each(
     sweep: &SweepData,
     request: &Request,
     kind: Kind,
-    columns: &[Column],
+    columns: &[Quantity],
 ) -> Result<Vec<Picture>, PictureError> {
     let selection = Selection::of(sweep, request)?;
     let long = |axis: &Axis| selection.on(*axis).len() > 1;
@@ -108,10 +127,10 @@ fn along_each(
     }
     let mut pictures = Vec::new();
     for along in axes {
-        let groups: Vec<&[Column]> = if request.together { vec![columns] } else { columns.chunks(1).collect() };
+        let groups: Vec<&[Quantity]> = if request.together { vec![columns] } else { columns.chunks(1).collect() };
         for columns in groups {
             if let Some((one, other)) = Quantity::of_different_units(columns) {
-                let (one, other) = (one.name(), other.name());
+                let (one, other) = (one.name, other.name);
                 return Err(kind.missing(format!(
                     "{one} and {other} have different units and no axis together; leave out --together"
                 )));
@@ -120,7 +139,7 @@ fn along_each(
                 Kind::Errors => format!("errors-along-{}", sweep.axis(along).name),
                 _ => format!(
                     "{}-along-{}",
-                    columns.iter().map(|column| column.name()).collect::<Vec<_>>().join("-"),
+                    columns.iter().map(|column| column.name).collect::<Vec<_>>().join("-"),
                     sweep.axis(along).name
                 ),
             };
@@ -138,24 +157,32 @@ fn draw(
     sweep: &SweepData,
     request: &Request,
     family: &CurveFamily,
-    columns: &[Column],
+    columns: &[Quantity],
     name: String,
 ) -> Result<Option<Picture>, PictureError> {
     let mut table = Table::new(&[&["quantity", "kind"], &sweep.coordinate_names()[..], &["value"]].concat());
     let (mut solved, mut references, mut measured) = (Vec::new(), Vec::new(), Vec::new());
     for (place, column) in columns.iter().copied().enumerate() {
-        let colours = colours(family, columns, place);
-        let mut curves = solutions(sweep, family, column, &mut table)?;
-        for (curve, colour) in curves.iter_mut().zip(&colours) {
-            curve.colour = *colour;
-            if columns.len() > 1 {
-                curve.label = Quantity::from(column).words.to_owned();
+        let looks = looks(family, columns, place);
+        let mut curves = solutions(sweep, family, column, &looks, &mut table)?;
+        if columns.len() > 1 {
+            curves.iter_mut().for_each(|curve| curve.label = column.title());
+        }
+        let points = measured_points(sweep, family, column, &looks, &mut table);
+        // Lines among points have no marks of their own.
+        if !points.is_empty() {
+            let is_named = |label: &str| points.iter().any(|points| points.label == label);
+            for curve in &mut curves {
+                curve.mark = None;
+                // What is measured beside it has its name.
+                curve.label =
+                    Some(std::mem::take(&mut curve.label)).filter(|label| !is_named(label)).unwrap_or_default();
             }
         }
         solved.extend(curves);
-        measured.extend(measured_points(sweep, family, column, &colours, &mut table));
+        measured.extend(points);
         if !request.bare {
-            references.extend(reference_curves(sweep, family, column, &colours, &mut table)?);
+            references.extend(reference_curves(sweep, family, column, &looks, &mut table)?);
         }
     }
     let nothing = solved.iter().all(|curve| curve.failed.is_empty() && curve.points.iter().all(|p| p.1.is_nan()));
@@ -167,26 +194,50 @@ fn draw(
     let span = span(&solved, logarithmic);
     let mut bars = Vec::new();
     for (place, column) in columns.iter().copied().enumerate() {
-        let colours = colours(family, columns, place);
-        bars.extend(error_bars(sweep, (family, column), &colours, (span, logarithmic), &mut table)?);
+        let looks = looks(family, columns, place);
+        bars.extend(error_bars(sweep, (family, column), &looks, (span, logarithmic), &mut table)?);
     }
     let range = request.y.or_else(|| vertical_range(&wanted, &references, logarithmic));
-    let x_label = sweep.axis(family.along).label.clone();
-    let chart = Lines {
+    let mut chart = Lines {
         title: sweep.data.title.clone(),
         subtitle: subtitle(sweep, family, columns),
-        x: LineAxis { label: x_label, logarithmic: is_logarithmic(sweep, family), range: None },
-        y: LineAxis { label: Quantity::common_label(columns, sweep.data.laboratory), logarithmic, range },
+        x: LineAxis { label: String::new(), logarithmic: is_logarithmic(sweep, family), range: None },
+        y: LineAxis { label: Quantity::common_title(columns), logarithmic, range },
         curves: solved.into_iter().chain(bars).chain(references).chain(measured).collect(),
     };
+    let values = wanted.iter().flat_map(|curve| &curve.points);
+    let (unit, label) = sweep.axis(family.along).shown(values.clone().map(|point| point.0));
+    chart.x.label = label;
+    let largest = values.map(|point| point.1.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max);
+    in_units(&mut chart, &unit, &columns[0].unit(sweep.data.laboratory, largest));
     Ok(Some(Picture { name, chart: Chart::Lines(chart), table }))
 }
 
-/// The colours of the members of a family for the column at a place of those that are drawn together.
-fn colours(family: &CurveFamily, columns: &[Column], place: usize) -> Vec<Colour> {
+/// Shows the numbers of a chart in these units. The name of the vertical axis gets its unit.
+pub(super) fn in_units(chart: &mut Lines, x: &ShownUnit, y: &ShownUnit) {
+    chart.y.label = y.label(&chart.y.label);
+    chart.y.range = chart.y.range.map(|(from, to)| (y.shown(from), y.shown(to)));
+    for curve in &mut chart.curves {
+        curve.points.iter_mut().for_each(|point| *point = (x.shown(point.0), y.shown(point.1)));
+        curve.failed.iter_mut().for_each(|at| *at = x.shown(*at));
+    }
+}
+
+/// Colour and mark of the members of a family for the column at a place of those that are drawn together.
+fn looks(family: &CurveFamily, columns: &[Quantity], place: usize) -> Vec<Look> {
     let count = family.members.len();
-    let colour = |member| if columns.len() > 1 { Colour::Kind(place) } else { member_colour(member, count) };
-    (0..count).map(colour).collect()
+    let look = |member| match columns.len() {
+        1 => Look { colour: member_colour(member, count), mark: member },
+        _ => Look { colour: Colour::Kind(place), mark: place },
+    };
+    (0..count).map(look).collect()
+}
+
+/// By what a curve is known among others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Look {
+    pub(super) colour: Colour,
+    pub(super) mark: usize,
 }
 
 /// What curves span on a vertical axis: decades if it is logarithmic.
@@ -198,16 +249,17 @@ fn span(curves: &[Curve], logarithmic: bool) -> f64 {
     high - low
 }
 
-/// The curve of each member of a family, named by the member and black.
+/// The curve of each member of a family, named by the member.
 fn solutions(
     sweep: &SweepData,
     family: &CurveFamily,
-    column: Column,
+    column: Quantity,
+    looks: &[Look],
     table: &mut Table,
 ) -> Result<Vec<Curve>, PictureError> {
-    let (statuses, values) = (sweep.data.statuses()?, sweep.data.column(column)?);
+    let (statuses, values) = (sweep.data.statuses()?, column.values(&sweep.data)?);
     let mut curves = Vec::new();
-    for member in &family.members {
+    for (member, look) in family.members.iter().zip(looks) {
         let (mut points, mut failed) = (Vec::new(), Vec::new());
         for point in &family.points {
             let indices = family.at(*member, *point);
@@ -216,36 +268,38 @@ fn solutions(
             if statuses[place] == Status::Failed {
                 failed.push(x);
             }
-            table.row(&[column.name(), "solution"], &[&sweep.coordinates(indices)[..], &[values[place]]].concat());
+            table.row(&[column.name, "solution"], &[&sweep.coordinates(indices)[..], &[values[place]]].concat());
         }
         let label = match family.members.len() {
             1 => "solution".to_owned(),
             _ => sweep.words(family.varied, *member),
         };
-        let marked = points.len() <= MOST_MARKED;
-        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: Colour::Black, marked });
+        let is_alone = family.members.len() == 1 && look.mark == 0;
+        let mark = Some(look.mark).filter(|_| points.len() <= MOST_MARKED || !is_alone);
+        curves.push(Curve { label, points, failed, stroke: Stroke::Solid, colour: look.colour, mark });
     }
     Ok(curves)
 }
 
-/// The reference curves of a column beside the members of a family, which have these colours.
+/// The reference curves of a column beside the members of a family, which look so.
 fn reference_curves(
     sweep: &SweepData,
     family: &CurveFamily,
-    column: Column,
-    colours: &[Colour],
+    quantity: Quantity,
+    looks: &[Look],
     table: &mut Table,
 ) -> Result<Vec<Curve>, PictureError> {
     let mut curves = Vec::new();
+    let Some(column) = quantity.column else { return Ok(curves) };
     for reference in reference_curves::of_column(column) {
         let mut members = Vec::new();
-        for (member, colour) in family.members.iter().zip(colours) {
+        for (member, look) in family.members.iter().zip(looks) {
             let points = reference_points(sweep, reference, column, family, *member)?;
             for (point, (_, value)) in family.points.iter().zip(&points) {
                 let coordinates = sweep.coordinates(family.at(*member, *point));
                 table.row(&[column.name(), reference.label], &[&coordinates[..], &[*value]].concat());
             }
-            members.push((*colour, points));
+            members.push((look.colour, points));
         }
         curves.extend(beside(reference.label, reference.stroke, members));
     }
@@ -306,7 +360,11 @@ fn reference_points(
         Values::Columns(columns) => {
             let columns = columns.iter().map(|column| sweep.data.column(*column)).collect::<Result<Vec<_>, _>>()?;
             let sum = |place: usize| columns.iter().map(|column| column[place]).sum();
-            Ok(places.map(|(x, indices)| (x, sum(sweep.data.place(indices)))).collect())
+            let value = |indices| {
+                let is_known = sweep.parameters(indices).is_none_or(|case| reference.holds(&case));
+                if is_known { sum(sweep.data.place(indices)) } else { f64::NAN }
+            };
+            Ok(places.map(|(x, indices)| (x, value(indices))).collect())
         }
     }
 }

@@ -2,9 +2,11 @@
 
 use super::PictureError;
 use super::curve_family::CurveFamily;
+use super::curves::Look;
+use super::quantity::Quantity;
 use super::sweep_data::SweepData;
 use super::table::Table;
-use stribeck_charts::{Colour, Curve, Stroke};
+use stribeck_charts::{Curve, Stroke};
 use stribeck_sweep::Column;
 
 /// Half a bar over the height of the curves from which on it is drawn: about the width of a line.
@@ -17,8 +19,10 @@ const FLAT: f64 = 0.01;
 /// none.
 ///
 /// That of μ_v is over μ_v, or over a thousandth of μ_tot at S = 1 where μ_v is below that.
-pub(super) fn errors(sweep: &SweepData, column: Column) -> Result<Option<Vec<f64>>, PictureError> {
-    let Some(error) = column.error() else { return Ok(None) };
+pub(super) fn errors(sweep: &SweepData, quantity: Quantity) -> Result<Option<Vec<f64>>, PictureError> {
+    let Some((column, error)) = quantity.column.and_then(|column| Some((column, column.error()?))) else {
+        return Ok(None);
+    };
     let (errors, mut scales) = (sweep.data.column(error)?, sweep.data.column(column)?);
     if column == Column::MuV {
         let (shear, pressure) = (sweep.data.column(Column::MuShear)?, sweep.data.column(Column::MuPressure)?);
@@ -30,31 +34,31 @@ pub(super) fn errors(sweep: &SweepData, column: Column) -> Result<Option<Vec<f64
 }
 
 /// The largest estimated error of some columns, each over its largest value; `None` where none is known.
-pub(super) fn largest(sweep: &SweepData, columns: &[Column]) -> Result<Option<f64>, PictureError> {
+pub(super) fn largest(sweep: &SweepData, columns: &[Quantity]) -> Result<Option<f64>, PictureError> {
     let most = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let mut largest = 0.0;
     for column in columns {
         if let Some(errors) = errors(sweep, *column)? {
             // 0 over 0 is no error
-            largest = f64::max(largest, most(&errors) / most(&sweep.data.column(*column)?));
+            largest = f64::max(largest, most(&errors) / most(&column.values(&sweep.data)?));
         }
     }
     Ok(Some(largest).filter(|largest| *largest > 0.0))
 }
 
-/// The bars of the curves of a column, one curve for each member of the family in these colours, in a picture whose
+/// The bars of the curves of a column, one curve for each member of the family that look so, in a picture whose
 /// curves span `span` on its vertical axis. The table gets a row for each.
 pub(super) fn error_bars(
     sweep: &SweepData,
-    (family, column): (&CurveFamily, Column),
-    colours: &[Colour],
+    (family, column): (&CurveFamily, Quantity),
+    looks: &[Look],
     (span, logarithmic): (f64, bool),
     table: &mut Table,
 ) -> Result<Vec<Curve>, PictureError> {
     let Some(errors) = errors(sweep, column)? else { return Ok(Vec::new()) };
-    let values = sweep.data.column(column)?;
+    let values = column.values(&sweep.data)?;
     let mut bars = Vec::new();
-    for (member, colour) in family.members.iter().zip(colours) {
+    for (member, look) in family.members.iter().zip(looks) {
         for point in &family.points {
             let indices = family.at(*member, *point);
             let (x, place) = (sweep.value(family.along, *point), sweep.data.place(indices));
@@ -66,9 +70,9 @@ pub(super) fn error_bars(
             }
             let least = if logarithmic { (value - error).max(1e-3 * value) } else { value - error };
             let points = vec![(x, least), (x, value + error)];
-            let (label, failed, stroke, marked) = (String::new(), Vec::new(), Stroke::Solid, false);
-            bars.push(Curve { label, points, failed, stroke, colour: *colour, marked });
-            table.row(&[column.name(), "estimated error"], &[&sweep.coordinates(indices)[..], &[error]].concat());
+            let (label, failed, stroke, mark) = (String::new(), Vec::new(), Stroke::Solid, None);
+            bars.push(Curve { label, points, failed, stroke, colour: look.colour, mark });
+            table.row(&[column.name, "estimated error"], &[&sweep.coordinates(indices)[..], &[error]].concat());
         }
     }
     Ok(bars)

@@ -82,7 +82,8 @@ pub(super) fn loops(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>
             rounded(friction[sweep.data.place(*indices)] / sweep.factor(Column::MuV.units(), *indices)),
         );
         let points = solved.points();
-        curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, marked: false });
+        let mark = Some(i).filter(|_| cases.indices.len() > 1);
+        curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, mark });
         if let Some(case) = sweep.parameters(*indices).filter(|_| !request.bare)
             && let Some(contact) = DryContact::of(&case)
         {

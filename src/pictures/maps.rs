@@ -2,11 +2,10 @@
 
 use super::curves::{ERRORS, friction, named_columns};
 use super::picture::{Chart, Picture};
-use super::quantity::Quantity;
 use super::request::{Kind, Request, Selection, spread};
 use super::sweep_data::SweepData;
 use super::table::Table;
-use super::{Axis, PictureError};
+use super::{Axis, AxisWords, PictureError};
 use stribeck_charts::{Cell, ColourScale, Map, Panel};
 use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
@@ -25,6 +24,7 @@ struct Shown<'a> {
 impl<'a> Shown<'a> {
     fn of(sweep: &'a SweepData, request: &Request, kind: Kind) -> Result<Self, PictureError> {
         let selection = Selection::of(sweep, request)?;
+        check_plane(sweep, kind)?;
         for axis in [Axis::Middle, Axis::Inner] {
             if selection.on(axis).len() < 2 {
                 return Err(kind.missing(why_no_grid(sweep, axis, "map")));
@@ -66,15 +66,22 @@ impl<'a> Shown<'a> {
             _ => None,
         });
         let logarithmic = logarithmic(&mut values);
+        let subtitle = [name.to_owned()].into_iter().chain(self.sweep.held()).collect::<Vec<_>>().join("; ");
+        let on = |axis: Axis, indices: &[usize]| {
+            let values = || indices.iter().map(|i| self.sweep.value(axis, *i));
+            let (unit, label) = self.sweep.axis(axis).shown(values());
+            (label, values().map(|value| unit.shown(value)).collect::<Vec<f64>>())
+        };
+        let ((x_label, x), (y_label, y)) = (on(Axis::Middle, &self.alphas), on(Axis::Inner, &self.betas));
         Map {
             title: self.sweep.data.title.clone(),
-            subtitle: name.to_owned(),
-            x_label: self.sweep.axis(Axis::Middle).label.clone(),
-            y_label: self.sweep.axis(Axis::Inner).label.clone(),
+            subtitle,
+            x_label,
+            y_label,
             columns: self.strengths.iter().map(|i_f| self.sweep.words(Axis::F, *i_f)).collect(),
             rows: vec![String::new()],
-            x: self.alphas.iter().map(|i| self.sweep.value(Axis::Middle, *i)).collect(),
-            y: self.betas.iter().map(|i| self.sweep.value(Axis::Inner, *i)).collect(),
+            x,
+            y,
             panels,
             scale: ColourScale { label: label.to_owned(), logarithmic, range: None },
             contours,
@@ -102,20 +109,20 @@ pub(super) fn maps(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>,
     let shown = Shown::of(sweep, request, Kind::Maps)?;
     let statuses = sweep.data.statuses()?;
     let mut pictures = Vec::new();
-    for column in named_columns(request, &[&friction(sweep, request)[..], &[Column::FilmMin]].concat()) {
-        let quantity = Quantity::from(column);
-        let values = sweep.data.column(column)?;
-        let label = quantity.label(sweep.data.laboratory);
+    for quantity in named_columns(sweep, request, &[&friction(sweep, request)[..], &[Column::FilmMin]].concat()) {
+        let values = quantity.values(&sweep.data)?;
+        let largest = values.iter().filter(|it| it.is_finite()).fold(0.0, |most: f64, it| most.max(it.abs()));
+        let unit = quantity.unit(sweep.data.laboratory, largest);
         let map = shown.map(
-            (quantity.words, &label),
+            (&quantity.title(), &unit.label(&quantity.title())),
             true,
-            |place| cell(statuses[place], values[place]),
+            |place| cell(statuses[place], unit.shown(values[place])),
             |values| request.scale.is_logarithmic(values),
         );
         // Without a solution there is nothing to show; the map of status says so.
         if map.panels.iter().flat_map(|panel| &panel.cells).any(|cell| matches!(cell, Cell::Value(_))) {
-            let table = shown.table(column.name(), |place| (statuses[place].name().to_owned(), values[place]));
-            pictures.push(Picture { name: format!("map-{}", column.name()), chart: Chart::Map(map), table });
+            let table = shown.table(quantity.name, |place| (statuses[place].name().to_owned(), values[place]));
+            pictures.push(Picture { name: format!("map-{}", quantity.name), chart: Chart::Map(map), table });
         }
     }
     Ok(pictures)
@@ -132,18 +139,21 @@ pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
              [solver.relaxation]",
         ));
     }
-    let label = "largest estimated relative error of μᵥ, μₕ and c";
+    let label = "largest estimated relative error of μᵥ, μₕ, μ_{drag} and c";
     let map =
         shown.map((label, "estimated relative error"), false, |place| cell(statuses[place], largest[place]), |_| true);
     let table = shown.table("largest_error", |place| (statuses[place].name().to_owned(), largest[place]));
     Ok(vec![Picture { name: "map-errors".to_owned(), chart: Chart::Map(map), table }])
 }
 
-/// Which cases converged.
+/// Which cases converged; not shown unasked where all did.
 pub(super) fn status(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, PictureError> {
     let shown = Shown::of(sweep, request, Kind::Status)?;
     let statuses = sweep.data.statuses()?;
     let failed = statuses.iter().filter(|status| **status == Status::Failed).count();
+    if failed == 0 && request.kinds.is_empty() {
+        return Err(Kind::Status.missing("no case failed"));
+    }
     let converged = |status: Status| if status == Status::Failed { Cell::Failed } else { Cell::Solved };
     let words = format!("{} places of the sweep converged, {failed} failed", statuses.len() - failed);
     let map = shown.map((&words, ""), false, |place| converged(statuses[place]), |_| true);
@@ -155,6 +165,16 @@ pub(super) fn status(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
         (text, if statuses[place] == Status::Failed { 1.0 } else { 0.0 })
     });
     Ok(vec![Picture { name: "map-status".to_owned(), chart: Chart::Map(map), table }])
+}
+
+/// Checks that no axis of a plane stands for several quantities, whose combinations have no order.
+pub(super) fn check_plane(sweep: &SweepData, kind: Kind) -> Result<(), PictureError> {
+    let axis = sweep.axis(Axis::Middle);
+    if axis.name != AxisWords::COMBINATION {
+        return Ok(());
+    }
+    let names = sweep.dimension_names(Axis::Middle).join(", ");
+    Err(kind.missing(format!("{names} vary together; give one value of all but one with --at, as in --at load=100")))
 }
 
 /// Why there is no plane to draw on.

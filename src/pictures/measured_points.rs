@@ -1,6 +1,8 @@
 //! Measured points over the curves of a quantity.
 
 use super::curve_family::CurveFamily;
+use super::curves::Look;
+use super::quantity::Quantity;
 use super::sweep_data::SweepData;
 use super::table::Table;
 use stribeck_charts::{Colour, Curve, Stroke};
@@ -10,12 +12,12 @@ use stribeck_sweep::Column;
 /// The measured points of a column that belong to the curves of a family, with their standard errors: those that were
 /// measured along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
-/// Points that belong to one member of several have its colour. The table gets a row for each, and one for its error.
+/// Points that belong to one member of several have its colour and mark, which the legend shows. The table gets a row for each, and one for its error.
 pub(super) fn measured_points(
     sweep: &SweepData,
     family: &CurveFamily,
-    column: Column,
-    colours: &[Colour],
+    column: Quantity,
+    looks: &[Look],
     table: &mut Table,
 ) -> Vec<Curve> {
     let Some((measured, label)) =
@@ -31,14 +33,15 @@ pub(super) fn measured_points(
         if here.is_empty() {
             continue;
         }
-        let colour = if family.members.len() > 1 && family_is_known { colours[i] } else { Colour::Black };
-        let curve = |points: Vec<(f64, f64)>, label: &str, stroke, marked| Curve {
-            label: label.to_owned(),
+        let black = Look { colour: Colour::Black, mark: 0 };
+        let look = if family.members.len() > 1 && family_is_known { looks[i] } else { black };
+        let curve = |points: Vec<(f64, f64)>, stroke, mark| Curve {
+            label: String::new(),
             points,
             failed: vec![],
             stroke,
-            colour,
-            marked,
+            colour: look.colour,
+            mark,
         };
         for row in here.iter().copied() {
             let coordinates: Vec<f64> = sweep
@@ -56,25 +59,32 @@ pub(super) fn measured_points(
             }
             if let Some(errors) = &measured.errors {
                 let (x, mu, error) = (along[row], measured.friction[row], errors[row]);
-                curves.push(curve(vec![(x, mu - error), (x, mu + error)], "", Stroke::Solid, false));
+                curves.push(curve(vec![(x, mu - error), (x, mu + error)], Stroke::Solid, None));
             }
         }
         let points = here.iter().map(|row| (along[*row], measured.friction[*row])).collect();
-        let label = if curves.iter().any(|curve: &Curve| !curve.label.is_empty()) { "" } else { label };
-        curves.push(curve(points, label, Stroke::Points, true));
+        curves.push(curve(points, Stroke::Points, Some(look.mark)));
+        if look != black {
+            let label = sweep.words(family.varied, *member);
+            curves.push(Curve { label, points: vec![], ..curve(vec![], Stroke::Solid, Some(look.mark)) });
+        }
         if !family_is_known {
             break;
         }
+    }
+    if !curves.is_empty() {
+        let (label, points, failed) = (label.to_owned(), vec![], vec![]);
+        curves.push(Curve { label, points, failed, stroke: Stroke::Points, colour: Colour::Black, mark: Some(0) });
     }
     curves
 }
 
 /// What points are called in a picture of a column; none if they do not belong there. What an instrument reads is drawn
 /// over the paper's total as well, and called what it is.
-fn label(measured: &Measured, column: Column) -> Option<&'static str> {
+fn label(measured: &Measured, column: Quantity) -> Option<&'static str> {
     match measured.column {
-        own if own == column.name() => Some("measured"),
-        drag if drag == Column::MuDrag.name() && column == Column::MuTot => Some("measured drag"),
+        own if own == column.name => Some("measured"),
+        drag if drag == Column::MuDrag.name() && column.column == Some(Column::MuTot) => Some("measured drag"),
         _ => None,
     }
 }

@@ -7,7 +7,7 @@
 //! | `curve_family`, `surface_grid` | which curves stand in one picture; where surfaces are |
 //! | `cases` | which cases have their fields shown |
 //! | `reference_curves`, `measured_points` | limits and approximations beside solutions; measured points over curves |
-//! | `axis`, `quantity` | what axes and columns are called in pictures |
+//! | `axis`, `quantity`, `engineering` | what axes and columns are called in pictures, and numbers with units |
 //! | `sweep_data` | [`SweepData`]: the data set |
 //! | `picture`, `table` | [`Picture`]: a chart and its CSV |
 //!
@@ -18,6 +18,7 @@ mod cases;
 mod cost;
 mod curve_family;
 mod curves;
+mod engineering;
 mod error;
 mod error_bars;
 mod loops;
@@ -34,15 +35,14 @@ mod surfaces;
 mod sweep_data;
 mod table;
 
-pub use axis::{Axis, AxisWords};
+pub use axis::{Axis, AxisWords, held, symbol_and_words, typeset};
+pub use engineering::ShownUnit;
 pub use error::PictureError;
-pub use picture::{Chart, Format, Picture, is_picture};
+pub use picture::{Chart, Format, Picture, is_picture, made_with};
 pub use quantity::Quantity;
 pub use request::{AxisScale, Kind, Request, nearest};
 pub use sweep_data::SweepData;
 pub use table::Table;
-
-use stribeck_sweep::Column;
 
 /// The largest estimated error of the columns that curves of a request show, each over its largest value; `None` where
 /// none is known.
@@ -70,25 +70,25 @@ pub fn pictures(sweep: &SweepData, request: &Request) -> Result<Vec<Picture>, Pi
         }
         return Ok(all);
     }
-    const ALL: [Kind; 9] = [
-        Kind::Surfaces,
-        Kind::Maps,
-        Kind::Curves,
-        Kind::Profiles,
-        Kind::Loops,
-        Kind::Stress,
-        Kind::Errors,
-        Kind::Status,
-        Kind::Cost,
-    ];
     let mut all = Vec::new();
-    for kind in ALL {
-        match of_kind(sweep, request, kind) {
-            Ok(found) => all.extend(found),
-            // Nobody asked for this kind by name, and the sweep has nothing for it.
-            Err(PictureError::Missing { .. }) => {}
-            Err(error) => return Err(error),
+    let mut add = |found: Result<Vec<Picture>, PictureError>| match found {
+        Ok(found) => {
+            all.extend(found);
+            Ok(())
         }
+        // Nobody asked for this kind by name, and the sweep has nothing for it.
+        Err(PictureError::Missing { .. }) => Ok(()),
+        Err(error) => Err(error),
+    };
+    let is_experiment = sweep.data.laboratory;
+    if is_experiment && request.of.is_empty() {
+        add(curves::drag_with_parts(sweep, request))?;
+    }
+    const PLANES: [Kind; 2] = [Kind::Surfaces, Kind::Maps];
+    const LINES: [Kind; 4] = [Kind::Curves, Kind::Profiles, Kind::Loops, Kind::Stress];
+    let (first, then) = if is_experiment { (&LINES[..], &PLANES[..]) } else { (&PLANES[..], &LINES[..]) };
+    for kind in first.iter().chain(then).chain(&[Kind::Errors, Kind::Status, Kind::Cost]) {
+        add(of_kind(sweep, request, *kind))?;
     }
     Ok(all)
 }
@@ -113,14 +113,10 @@ fn of_kind(sweep: &SweepData, request: &Request, kind: Kind) -> Result<Vec<Pictu
 
 /// Every name must be that of a column or of a field that is there.
 fn check_names(sweep: &SweepData, request: &Request) -> Result<(), PictureError> {
-    let known =
-        |name: &String| Column::named(name).is_some() || sweep.data.fields.iter().any(|field| field.name() == name);
-    match request.of.iter().find(|name| !known(name)) {
+    let fields = || sweep.data.fields.iter().map(|field| field.name());
+    let names: Vec<&str> = Quantity::all(&sweep.data).map(|quantity| quantity.name).chain(fields()).collect();
+    match request.of.iter().find(|name| !names.contains(&name.as_str())) {
         None => Ok(()),
-        Some(name) => {
-            let columns = Column::ALL.map(Column::name).into_iter();
-            let allowed: Vec<&str> = columns.chain(sweep.data.fields.iter().map(|field| field.name())).collect();
-            Err(PictureError::Unknown { name: name.clone(), allowed: allowed.join(", ") })
-        }
+        Some(name) => Err(PictureError::Unknown { name: name.clone(), allowed: names.join(", ") }),
     }
 }

@@ -1,7 +1,7 @@
 //! A picture: a chart and the numbers behind it.
 
 use super::table::Table;
-use stribeck_charts::{ChartError, CrossSection, Curve, Lines, Map, Stroke, Surface3d, WIDTH, WorkPrecision};
+use stribeck_charts::{ChartError, CrossSection, Curve, Lines, MARK, Map, Paper, Stroke, Surface3d, WorkPrecision};
 
 /// A chart with its name and its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,8 @@ pub enum Format {
     Svg,
     /// Pixels.
     Png,
+    /// A page, for papers.
+    Pdf,
 }
 
 impl Format {
@@ -53,18 +55,36 @@ impl Format {
         match self {
             Format::Svg => "svg",
             Format::Png => "png",
+            Format::Pdf => "pdf",
         }
     }
 }
 
 /// True if a file that begins so is a picture of this program.
 pub fn is_picture(beginning: &[u8]) -> bool {
-    let svg = format!("<svg width=\"{WIDTH}\" ");
-    // The header of a PNG: its signature, then the width, and the depth and kind of the pixels behind the height.
-    let png = beginning.starts_with(b"\x89PNG\r\n\x1a\n")
-        && beginning.get(16..20) == Some(&WIDTH.to_be_bytes()[..])
+    made_with(beginning).is_some()
+}
+
+/// The options by which the picture in a file that begins so differs from the one that is drawn without any; `None` if
+/// it is no picture of this program.
+pub fn made_with(beginning: &[u8]) -> Option<String> {
+    // Of versions before 0.2, which kept no options: their width, and the depth and kind of pixels.
+    let is_earlier_png = beginning.starts_with(b"\x89PNG\r\n\x1a\n")
+        && beginning.get(16..20) == Some(&1600_u32.to_be_bytes()[..])
         && beginning.get(24..26) == Some(&[8, 3][..]);
-    png || beginning.starts_with(svg.as_bytes())
+    let begun = |head: &[u8]| beginning.starts_with(head);
+    if begun(b"<svg width=\"1600\" ") {
+        return Some(String::new());
+    }
+    let mark = beginning.windows(MARK.len()).position(|word| word == MARK.as_bytes());
+    let known = mark.filter(|_| begun(b"<svg data-made=") || begun(b"\x89PNG\r\n") || begun(b"%PDF-"));
+    let note = known.map(|place| {
+        let rest = beginning[place + MARK.len()..].iter();
+        rest.take_while(|byte| matches!(byte, b'a'..=b'z' | b'-' | b' '))
+            .map(|byte| char::from(*byte))
+            .collect::<String>()
+    });
+    note.map(|note| note.trim().to_owned()).or_else(|| is_earlier_png.then(String::new))
 }
 
 impl Chart {
@@ -72,7 +92,7 @@ impl Chart {
     ///
     /// # Errors
     /// [`ChartError`] if the chart cannot be drawn.
-    pub fn paint(&self, format: Format) -> Result<Vec<u8>, ChartError> {
+    pub fn paint(&self, format: Format, paper: &Paper) -> Result<Vec<u8>, ChartError> {
         let chart: &dyn stribeck_charts::Chart = match self {
             Chart::Lines(chart) => chart,
             Chart::Map(chart) => chart,
@@ -81,8 +101,21 @@ impl Chart {
             Chart::WorkPrecision(chart) => chart,
         };
         match format {
-            Format::Svg => chart.svg().map(String::into_bytes),
-            Format::Png => chart.png(),
+            Format::Svg => chart.svg(paper).map(String::into_bytes),
+            Format::Png => chart.png(paper),
+            Format::Pdf => chart.pdf(paper),
         }
+    }
+
+    /// Gives the chart another title.
+    pub fn set_title(&mut self, title: &str) {
+        let own = match self {
+            Chart::Lines(chart) => &mut chart.title,
+            Chart::Map(chart) => &mut chart.title,
+            Chart::Surface3d(chart) => &mut chart.title,
+            Chart::CrossSection(chart) => &mut chart.title,
+            Chart::WorkPrecision(chart) => &mut chart.title,
+        };
+        title.clone_into(own);
     }
 }

@@ -2,6 +2,8 @@
 
 use super::cases::Cases;
 use super::curve_family::{beside, member_colour};
+use super::curves::in_units;
+use super::engineering::ShownUnit;
 use super::picture::{Chart, Picture};
 use super::quantity::Quantity;
 use super::reference_curves;
@@ -56,18 +58,21 @@ fn profile(sweep: &SweepData, request: &Request, cases: &Cases, field: Field) ->
             members.push((colour, known));
         }
         let label = cases.label(sweep, *indices);
-        curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, marked: false });
+        let mark = Some(i).filter(|_| cases.indices.len() > 1);
+        curves.push(Curve { label, points, failed: vec![], stroke: Stroke::Solid, colour, mark });
     }
     let drawn = || curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
     let logarithmic = request.scale.is_logarithmic(drawn());
+    let largest = drawn().filter(|value| value.is_finite()).fold(0.0, |largest: f64, it| largest.max(it.abs()));
     curves.extend(beside(known_label, Stroke::Dashed, members));
-    let chart = Lines {
+    let mut chart = Lines {
         title: sweep.data.title.clone(),
         subtitle: cases.subtitle(sweep),
         x: LineAxis { label: X_LABEL.to_owned(), logarithmic: false, range: Some((from, to)) },
-        y: LineAxis { label: quantity.label(sweep.data.laboratory), logarithmic, range: request.y },
+        y: LineAxis { label: quantity.title(), logarithmic, range: request.y },
         curves,
     };
+    in_units(&mut chart, &ShownUnit::scale(""), &quantity.unit(sweep.data.laboratory, largest));
     Ok(Picture {
         name: format!("profile-{}{}", field.name(), suffix(sweep, request, cases)),
         chart: Chart::Lines(chart),

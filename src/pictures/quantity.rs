@@ -1,109 +1,158 @@
 //! What a column of the data set is called in a picture.
 
+use super::engineering::ShownUnit;
 use stribeck_lab::si_units;
+use stribeck_sweep::store::{DataSet, StoreError};
 use stribeck_sweep::{Column, Field};
 
 /// A column or a field as pictures show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
-    /// In words, with its symbol.
-    pub words: &'static str,
+    /// Name of the column, and of the variable of the data set.
+    pub name: &'static str,
+    /// What it is.
+    words: &'static str,
+    /// Its symbol, the one of its column; empty where words do.
+    symbol: &'static str,
     /// Its unit in dimensionless results.
     pub units: &'static str,
+    /// The column, if each sweep has it.
+    pub column: Option<Column>,
 }
 
 const FRICTION: &str = "a0/R";
 const LENGTH: &str = "a0";
 const HEIGHT: &str = "a0^2/R";
 const PRESSURE: &str = "2N/(pi a0)";
-const NUMBER: &str = "1";
 
-/// A column in words, with its symbol.
-const fn words(column: Column) -> &'static str {
+/// A column in words, and its symbol.
+const fn words(column: Column) -> (&'static str, &'static str) {
     match column {
-        Column::MuV => "viscoelastic friction μᵥ",
-        Column::MuH => "hydrodynamic friction μₕ",
-        Column::MuTot => "total friction μₜₒₜ",
-        Column::MuDrag => "drag",
-        Column::MuHCavity => "part of μₕ behind the outlet",
-        Column::C => "film thickness c where p′ = 0",
-        Column::FilmMin => "smallest film thickness uₘᵢₙ",
-        Column::PMax => "largest pressure pₘₐₓ",
-        Column::XOutlet => "outlet xₒᵤₜ",
-        Column::ErrorMuV => "estimated relative error of μᵥ",
-        Column::ErrorMuH => "estimated relative error of μₕ",
-        Column::ErrorC => "estimated relative error of c",
-        Column::LoadResidual => "residual of the load, |load/(π/2) − 1|",
-        Column::DryMuV => "dry friction",
-        Column::ApproxMuH => "large-β approximation of μₕ",
-        Column::XPMax => "place of the largest pressure",
-        Column::Centroid => "centroid of the pressure",
-        Column::Separation => "separation h₀",
-        Column::MuHFilm => "part of μₕ in the film",
-        Column::MuPressure => "friction by the pressure gradient, P",
-        Column::MuShear => "shear by sliding, C",
-        Column::MuVFlat => "viscoelastic friction of the flat",
-        Column::MuVRoller => "viscoelastic friction of the roller",
-        Column::MuTorque => "torque on the roller over N R",
-        Column::EnergyResidual => "residual of the balance of power",
-        Column::ErrorMuDrag => "estimated relative error of the drag",
-        Column::ErrorMuPressure => "estimated relative error of P",
-        Column::ErrorMuShear => "estimated relative error of C",
-        Column::ErrorFilmMin => "estimated relative error of uₘᵢₙ",
-        Column::ErrorPMax => "estimated relative error of pₘₐₓ",
-        Column::Dissipation => "dissipation of the pressure-driven flow",
+        Column::MuV => ("viscoelastic friction", "μᵥ"),
+        Column::MuH => ("hydrodynamic friction", "μₕ"),
+        Column::MuTot => ("total friction", "μₜₒₜ"),
+        Column::MuDrag => ("drag", "μ_{drag}"),
+        Column::MuHCavity => ("hydrodynamic friction behind the outlet", "μ_{h,cavity}"),
+        Column::C => ("film thickness where p′ = 0,", "c"),
+        Column::FilmMin => ("smallest film thickness", "uₘᵢₙ"),
+        Column::PMax => ("largest pressure", "pₘₐₓ"),
+        Column::XOutlet => ("outlet", "xₒᵤₜ"),
+        Column::ErrorMuV => ("estimated relative error of", "μᵥ"),
+        Column::ErrorMuH => ("estimated relative error of", "μₕ"),
+        Column::ErrorC => ("estimated relative error of", "c"),
+        Column::LoadResidual => ("residual of the load, |load/(π/2) − 1|", ""),
+        Column::DryMuV => ("dry friction", ""),
+        Column::ApproxMuH => ("large-β approximation of", "μₕ"),
+        Column::XPMax => ("place of the largest pressure", ""),
+        Column::Centroid => ("centroid of the pressure", ""),
+        Column::Separation => ("separation", "h₀"),
+        Column::MuHFilm => ("hydrodynamic friction in the film", "μ_{h,film}"),
+        Column::MuPressure => ("friction by pressure flow", "μ_{pressure}"),
+        Column::MuShear => ("friction by sliding shear", "μ_{shear}"),
+        Column::MuVFlat => ("viscoelastic friction of the flat", "μ_{v,flat}"),
+        Column::MuVRoller => ("viscoelastic friction of the roller", "μ_{v,roller}"),
+        Column::MuTorque => ("torque on the roller over N R", "μ_{torque}"),
+        Column::EnergyResidual => ("residual of the balance of power", ""),
+        Column::ErrorMuDrag => ("estimated relative error of", "μ_{drag}"),
+        Column::ErrorMuPressure => ("estimated relative error of", "μ_{pressure}"),
+        Column::ErrorMuShear => ("estimated relative error of", "μ_{shear}"),
+        Column::ErrorFilmMin => ("estimated relative error of", "uₘᵢₙ"),
+        Column::ErrorPMax => ("estimated relative error of", "pₘₐₓ"),
+        Column::Dissipation => ("dissipation of the pressure-driven flow", ""),
     }
+}
+
+/// Averages over runs with swapped bodies.
+const AVERAGES: [Quantity; 2] = [
+    average("mu_sliding", "friction by sliding, of both runs", "μ_{sliding}"),
+    average("mu_rolling", "friction by rolling, of both runs", "μ_{rolling}"),
+];
+
+const fn average(name: &'static str, words: &'static str, symbol: &'static str) -> Quantity {
+    Quantity { name, words, symbol, units: FRICTION, column: None }
 }
 
 impl From<Column> for Quantity {
     fn from(column: Column) -> Self {
-        Self { words: words(column), units: column.units() }
+        let (words, symbol) = words(column);
+        Self { name: column.name(), words, symbol, units: column.units(), column: Some(column) }
     }
 }
 
 impl From<Field> for Quantity {
     fn from(field: Field) -> Self {
-        let words = match field {
-            Field::Pressure => "pressure p",
-            Field::FilmThickness => "film thickness u",
-            Field::Displacement => "height of the surface w",
-            Field::ShearTraction => "shear on the roller",
-            Field::HysteresisTraction => "hysteresis (2/π) p w′",
+        let (words, symbol) = match field {
+            Field::Pressure => ("pressure", "p"),
+            Field::FilmThickness => ("film thickness", "u"),
+            Field::Displacement => ("height of the surface", "w"),
+            Field::ShearTraction => ("shear on the roller", ""),
+            Field::HysteresisTraction => ("hysteresis", "(2/π) p w′"),
         };
-        Self { words, units: field.units() }
+        Self { name: field.name(), words, symbol, units: field.units(), column: None }
     }
 }
 
 impl Quantity {
-    /// Two of these columns that cannot share an axis.
-    pub fn of_different_units(columns: &[Column]) -> Option<(Column, Column)> {
-        columns.iter().find(|other| other.units() != columns[0].units()).map(|other| (columns[0], *other))
+    /// The columns of a data set.
+    pub fn all(data: &DataSet) -> impl Iterator<Item = Self> {
+        let averages = AVERAGES.into_iter().filter(|_| data.is_swapped);
+        Column::ALL.into_iter().map(Self::from).chain(averages)
     }
 
-    /// What an axis that these columns share is called.
-    pub fn common_label(columns: &[Column], si: bool) -> String {
-        let first = Self::from(columns[0]);
-        let words = match (columns, first.units) {
-            ([_], _) => return first.label(si),
-            (_, FRICTION) => "friction coefficient",
+    /// Its values at all places.
+    ///
+    /// # Errors
+    /// [`StoreError`] if they cannot be read.
+    pub fn values(&self, data: &DataSet) -> Result<Vec<f64>, StoreError> {
+        match self.column {
+            Some(column) => data.column(column),
+            None => data.variable(self.name),
+        }
+    }
+
+    /// Words and symbol.
+    pub fn title(&self) -> String {
+        format!("{} {}", self.words, self.symbol).trim_end().to_owned()
+    }
+
+    /// The same as plain text, where no subscript can be set: "drag μ_drag".
+    pub fn plain(&self) -> String {
+        self.title().replace("_{", "_").replace('}', "")
+    }
+
+    /// Words and the name of the column, where no symbol can be written.
+    pub fn plain_title(&self) -> String {
+        format!("{} ({})", self.words, self.name)
+    }
+
+    /// Two of these columns that cannot share an axis.
+    pub fn of_different_units(columns: &[Self]) -> Option<(Self, Self)> {
+        columns.iter().find(|other| other.units != columns[0].units).map(|other| (columns[0], *other))
+    }
+
+    /// What an axis that these columns share is called, without its unit.
+    pub fn common_title(columns: &[Self]) -> String {
+        let words = match (columns, columns[0].units) {
+            ([only], _) => return only.title(),
+            (_, FRICTION) => "friction coefficient μ",
             (_, HEIGHT) => "height",
             (_, LENGTH) => "position x",
             (_, PRESSURE) => "pressure",
             _ => "relative error",
         };
-        Self { words, ..first }.label(si)
+        words.to_owned()
     }
 
-    /// Words and unit, for an axis; in SI data sets the SI unit.
-    pub fn label(&self, si: bool) -> String {
-        let unit = if si { si_units(self.units) } else { self.units };
-        let unit = match unit {
-            FRICTION => "a₀/R",
-            LENGTH => "a₀",
-            HEIGHT => "a₀²/R",
-            PRESSURE => "2N/(πa₀)",
-            other => other,
-        };
-        if unit == NUMBER { self.words.to_owned() } else { format!("{}  ({unit})", self.words) }
+    /// The unit of numbers up to the largest: in SI data sets with a prefix, else the scale.
+    pub fn unit(&self, si: bool, largest: f64) -> ShownUnit {
+        match self.units {
+            units if si => ShownUnit::of(si_units(units), largest),
+            FRICTION => ShownUnit::scale("a₀/R"),
+            LENGTH => ShownUnit::scale("a₀"),
+            HEIGHT => ShownUnit::scale("a₀²/R"),
+            PRESSURE => ShownUnit::scale("2N/(πa₀)"),
+            "1" => ShownUnit::scale(""),
+            other => ShownUnit::scale(other),
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use stribeck_charts::Stroke;
 use stribeck_solver::Parameters;
-use stribeck_solver::exact::{DryContact, LargeBeta, approx_elastic_film};
+use stribeck_solver::exact::{DryContact, LargeBeta, approx_elastic_film, fitted_c};
 use stribeck_sweep::{Column, Field};
 
 /// A curve that is known without solving anything.
@@ -21,10 +21,27 @@ pub struct ReferenceCurve {
 /// Where known values come from.
 #[derive(Clone, Copy)]
 pub enum Values {
-    /// The sum of columns of the data set.
+    /// The sum of columns of the data set, where the case is one for them.
     Columns(&'static [Column]),
     /// A formula; `None` where it does not hold.
     Formula(fn(&Parameters) -> Option<f64>),
+}
+
+impl ReferenceCurve {
+    /// True if its columns mean something for a case.
+    pub fn holds(&self, case: &Parameters) -> bool {
+        let is_approximate = matches!(self.values, Values::Columns(columns) if columns.contains(&Column::ApproxMuH));
+        !is_approximate || is_large_beta(case)
+    }
+}
+
+/// True where the large-β approximation is one: its c (Eq. 49) differs by less than a fifth from the formula for c
+/// (T34), which holds for any β. The windows are those of `docs/explanation/approximations.md`.
+pub fn is_large_beta(case: &Parameters) -> bool {
+    const NEAR: f64 = 0.2;
+    let formula = Some(case).filter(|case| case.beta.is_finite() && case.f.is_finite()).and_then(fitted_c);
+    let approximation = LargeBeta::new(case).zip(formula);
+    approximation.is_some_and(|(approximation, c)| (approximation.approx_c() / c - 1.0).abs() < NEAR)
 }
 
 /// c of the elastic film for β → ∞ ((T35) of `docs/explanation/theory.md`), with the modulus that counts.
@@ -89,6 +106,7 @@ pub fn of_field(field: Field, case: &Parameters) -> Option<(&'static str, Vec<(f
             let (x, pressure) = dry_pressure(&DryContact::of(case)?);
             Some(("dry limit", x.into_iter().zip(pressure).collect()))
         }
+        Field::FilmThickness if !is_large_beta(case) => None,
         Field::FilmThickness if case.f == 0.0 => {
             let x = contact_points(&DryContact::of(case)?);
             let film = |x: f64| (x, approx_elastic_film(case.beta, x));
@@ -127,4 +145,26 @@ fn contact_points(contact: &DryContact) -> Vec<f64> {
     let mut x: Vec<f64> = even.chain(layer).map(ahead).collect();
     x.sort_by(f64::total_cmp);
     x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stribeck_solver::Substrate;
+
+    /// Rows of the tables of `docs/explanation/approximations.md`: where c is good to 20 %.
+    #[test]
+    fn the_approximation_is_one_where_beta_is_large() {
+        for (f, alpha, from, to) in [
+            (0.0, 1.0, 16.0, 1.4e4),
+            (100.0, 1e-3, 4.5e4, 2e6),
+            (100.0, 0.1, 3200.0, 6.3e4),
+            (100.0, 1.0, 250.0, 710.0),
+            (100.0, 1000.0, 16.0, 1.3e4),
+        ] {
+            let at = |beta: f64| is_large_beta(&Parameters { alpha, beta, f, substrate: Substrate::default() });
+            assert!(at(1.15 * from) && at(to / 1.15), "f = {f}, α = {alpha}");
+            assert!(!at(from / 1.3) && !at(1.3 * to), "f = {f}, α = {alpha}");
+        }
+    }
 }

@@ -56,7 +56,7 @@ pub(super) fn stress(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
     let points = Points::between(sweep, first, last);
     let mut table =
         Table::new(&[&sweep.coordinate_names()[..], &["x", "depth", "surface", "cylinder", "stress"]].concat());
-    let (mut panels, mut highest) = (Vec::new(), 0.0_f64);
+    let mut panels: Vec<CrossSectionPanel> = Vec::new();
     for indices in &cases.indices {
         let panel = panel(sweep, *indices, &points, cases.label(sweep, *indices))?;
         let numbers = [&panel.values, &panel.surface, &panel.cylinder];
@@ -70,11 +70,15 @@ pub(super) fn stress(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
             let numbers = [panel.x[column], panel.depth[row], panel.surface[column], panel.cylinder[column], *value];
             table.row(&[], &[&coordinates[..], &numbers].concat());
         }
-        highest = panel.surface.iter().copied().fold(highest, f64::max);
         panels.push(panel);
     }
     let (from, to) = (sweep.data.x[first], sweep.data.x[last]);
+    let (low, high) = heights(&panels);
     let deepest = DEPTH * (to - from);
+    let (least, most) = pressures(&panels);
+    for value in panels.iter_mut().flat_map(|panel| &mut panel.values) {
+        *value = (-*value).max(least);
+    }
     let chart = CrossSection {
         title: sweep.data.title.clone(),
         subtitle: cases.subtitle(sweep),
@@ -82,12 +86,34 @@ pub(super) fn stress(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
         y_label: "depth y (a₀), surface w (a₀²/R)".to_owned(),
         panels,
         x_range: (from, to),
-        y_range: (-0.75 * deepest, highest + 0.25 * deepest),
-        scale: ColourScale { label: "normal stress σ_yy (2N/(πa₀))".to_owned(), logarithmic: false, range: None },
+        y_range: (low - 0.75 * deepest, high + 0.25 * deepest),
+        scale: ColourScale {
+            label: "compressive stress −σ_{yy}  (2N/(πa₀))".to_owned(),
+            logarithmic: true,
+            range: Some((least, most)),
+        },
         levels: BANDS,
     };
     let name = format!("stress{}", suffix(sweep, request, &cases));
     Ok(vec![Picture { name, chart: Chart::CrossSection(chart), table }])
+}
+
+/// The lowest place of surfaces, and the highest place of surfaces and of the lower side of each cylinder, so that all
+/// of them are in view.
+fn heights(panels: &[CrossSectionPanel]) -> (f64, f64) {
+    let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let low = panels.iter().map(|panel| least(&panel.surface)).fold(f64::INFINITY, f64::min);
+    let high = panels.iter().map(|panel| most(&panel.surface).max(least(&panel.cylinder)));
+    (low, high.fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// Ends of a logarithmic scale of pressures on which each panel is seen: a decade and a third of the weakest one.
+fn pressures(panels: &[CrossSectionPanel]) -> (f64, f64) {
+    const SEEN: f64 = 20.0;
+    let peaks = || panels.iter().map(|panel| panel.values.iter().fold(f64::MIN_POSITIVE, |most, it| most.max(-it)));
+    let weakest = peaks().fold(f64::INFINITY, f64::min);
+    (weakest / SEEN, peaks().fold(weakest, f64::max))
 }
 
 /// The cases asked for, or a choice of as many as there is room for.

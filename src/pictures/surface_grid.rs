@@ -1,6 +1,6 @@
 //! The plane of α and β of a sweep, as far as it has a place on logarithmic axes.
 
-use super::maps::why_no_grid;
+use super::maps::{check_plane, why_no_grid};
 use super::request::{Kind, Selection};
 use super::sweep_data::{SweepData, rounded};
 use super::{Axis, PictureError};
@@ -16,6 +16,7 @@ pub(super) struct SurfaceGrid {
 impl SurfaceGrid {
     /// The values chosen that are positive and finite, two or more on each axis.
     pub(super) fn of(sweep: &SweepData, selection: &Selection, kind: Kind) -> Result<Self, PictureError> {
+        check_plane(sweep, kind)?;
         let mut special = Vec::new();
         let mut with_a_place = |axis: Axis| -> Vec<usize> {
             let (there, others): (Vec<usize>, Vec<usize>) = selection.on(axis).iter().partition(|index| {
@@ -65,14 +66,14 @@ impl SurfaceGrid {
         })
     }
 
-    /// What is not shown, in words; empty if all is.
-    pub(super) fn left_out(&self, sweep: &SweepData) -> String {
+    /// What is not shown, in words, if something is not.
+    pub(super) fn left_out(&self, sweep: &SweepData) -> Option<String> {
         let on = |axis: Axis| -> Option<String> {
             let own = self.special.iter().filter(|(of, _)| *of == axis);
             let values: Vec<String> = own.map(|(_, index)| rounded(sweep.value(axis, *index))).collect();
             (!values.is_empty()).then(|| format!("{} = {}", sweep.axis(axis).symbol, values.join(", ")))
         };
         let all: Vec<String> = [Axis::Middle, Axis::Inner].into_iter().filter_map(on).collect();
-        if all.is_empty() { String::new() } else { format!("not shown: {}", all.join("; ")) }
+        (!all.is_empty()).then(|| format!("not shown: {}", all.join("; ")))
     }
 }

@@ -1,9 +1,8 @@
 //! What pictures are made of.
 
-use super::axis::AxisWords;
+use super::axis::{AxisWords, held};
 use super::{Axis, Kind, PictureError};
-use stribeck_lab::Measured;
-use stribeck_lab::Scales;
+use stribeck_lab::{LaboratoryQuantity, Measured, Scales};
 use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::store::{DataSet, StoreError};
 use stribeck_sweep::{Field, Sweep};
@@ -128,6 +127,16 @@ impl SweepData {
     pub(super) fn name_part(&self, axis: Axis, indices: [usize; 3]) -> String {
         let value = rounded(self.value(axis, indices[axis.dimension()])).replace('∞', "inf");
         format!("-{}-{value}", self.axis(axis).name)
+    }
+
+    /// "N = 400 N/m", "SRR = 0.5": what an experiment holds at one value and readers ask for first.
+    pub(super) fn held(&self) -> Vec<String> {
+        const ASKED_FOR: [LaboratoryQuantity; 3] =
+            [LaboratoryQuantity::Load, LaboratoryQuantity::SlideRollRatio, LaboratoryQuantity::Temperature];
+        let value = |name: &str| self.data.fixed.iter().find(|(fixed, _)| fixed == name).map(|(_, value)| *value);
+        let words =
+            |quantity: &LaboratoryQuantity| Some(held(quantity.name(), quantity.units(), value(quantity.name())?));
+        ASKED_FOR.iter().filter_map(words).collect()
     }
 
     /// "f = 100" of the quantities that an axis is made of but does not run along.

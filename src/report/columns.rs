@@ -14,7 +14,7 @@ use stribeck_sweep::{Column, Dimension};
 pub(super) struct ColumnPart {
     name: &'static str,
     /// What pictures call it.
-    words: &'static str,
+    words: String,
     units: &'static str,
     /// The column of its estimated relative error.
     error: Option<&'static str>,
@@ -37,7 +37,7 @@ const LEFT_OUT: [Column; 3] = [Column::MuVRoller, Column::MuTorque, Column::Ener
 /// Reads the columns of `summary.csv` in their order but those [left out](LEFT_OUT), the other estimated errors behind
 /// them, and for a laboratory α and β. The friction of the flat is there if the roller has some too.
 pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart>, StoreError> {
-    let part = |name, words, units: &'static str, error: Option<Column>| {
+    let part = |name, words: String, units: &'static str, error: Option<Column>| {
         let values = data.variable(name)?;
         let units = if data.laboratory { si_units(units) } else { units };
         let values = floats(places.iter().map(|place| values[*place]));
@@ -49,11 +49,11 @@ pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart
     let mut columns = Column::summary()
         .filter(|column| !LEFT_OUT.contains(column) && (is_roller_soft || *column != Column::MuVFlat))
         .chain(further_errors)
-        .map(|column| part(column.name(), Quantity::from(column).words, column.units(), column.error()))
+        .map(|column| part(column.name(), Quantity::from(column).plain(), column.units(), column.error()))
         .collect::<Result<Vec<_>, StoreError>>()?;
     if data.laboratory {
-        columns.push(part("alpha", Dimension::ALPHA, "1", None)?);
-        columns.push(part("beta", Dimension::BETA, "1", None)?);
+        columns.push(part("alpha", Dimension::ALPHA.to_owned(), "1", None)?);
+        columns.push(part("beta", Dimension::BETA.to_owned(), "1", None)?);
     }
     Ok(columns)
 }

@@ -36,7 +36,7 @@ pub(super) struct FieldsPart {
 #[derive(Debug, Serialize)]
 struct FieldPart {
     /// What pictures call it.
-    words: &'static str,
+    words: String,
     units: &'static str,
     /// For each case the lowest and the highest number; their decimal logarithms if the third is 1.
     low: String,
@@ -158,8 +158,8 @@ impl Thinned {
 
 impl FieldPart {
     fn of(data: &DataSet, field: Field, Steps { low, high, logarithmic, steps }: Steps) -> Self {
-        let Quantity { words, units } = field.into();
-        let units = if data.laboratory { si_units(units) } else { units };
-        Self { words, units, low: floats(low), high: floats(high), logarithmic, steps: shorts(steps) }
+        let quantity = Quantity::from(field);
+        let units = if data.laboratory { si_units(quantity.units) } else { quantity.units };
+        Self { words: quantity.plain(), units, low: floats(low), high: floats(high), logarithmic, steps: shorts(steps) }
     }
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::{Row, Study, Variant};
 use stribeck_charts::{
-    Cell, Chart, ChartError, ColourScale, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision,
+    Cell, Chart, ChartError, ColourScale, Map, MethodLine, Outcome, Panel, Paper, SettingPoint, WorkPrecision,
 };
 use stribeck_solver::shortest;
 use stribeck_sweep::Axes;
@@ -98,14 +98,14 @@ pub fn is_picture_name(name: &str) -> bool {
 /// # Errors
 /// [`ChartError`] if a picture cannot be drawn.
 pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, ChartError> {
-    let mut found = Vec::new();
+    let (paper, mut found) = (Paper::default(), Vec::new());
     if study.measure.error {
         for (quantity, (name, symbol)) in super::Errors::QUANTITIES.iter().zip(SYMBOLS).enumerate() {
             let chart = work_precision(study, rows, quantity, symbol);
             if chart.lines.iter().all(|line| line.points.iter().all(|point| point.cases.is_empty())) {
                 continue;
             }
-            found.push(Picture { name: format!("error_{name}"), svg: chart.svg()?, png: chart.png()? });
+            found.push(Picture { name: format!("error_{name}"), svg: chart.svg(&paper)?, png: chart.png(&paper)? });
         }
     }
     if let Some(axes) = study.axes.as_ref().filter(|_| study.measure.stability) {
@@ -113,7 +113,11 @@ pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, ChartError>
             for (page, variants) in (1..).zip(pages(study)) {
                 let map = map(study, axes, rows, variants, &quantity);
                 let page = if page == 1 { String::new() } else { format!("_{page}") };
-                found.push(Picture { name: format!("map_{}{page}", quantity.name), svg: map.svg()?, png: map.png()? });
+                found.push(Picture {
+                    name: format!("map_{}{page}", quantity.name),
+                    svg: map.svg(&paper)?,
+                    png: map.png(&paper)?,
+                });
             }
         }
     }

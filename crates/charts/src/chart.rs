@@ -1,27 +1,40 @@
 //! What all charts can do: be painted.
 
-use crate::ChartError;
-use crate::paint;
 use crate::paint::scene::Scene;
+use crate::paint::{pdf, png, svg};
+use crate::{ChartError, Paper};
 
-/// A chart that can be painted in both formats. The same chart has the same bytes.
+/// A chart that can be painted in each format. The same chart on the same paper has the same bytes.
 pub trait Chart: Drawing {
-    /// The chart as SVG, [`WIDTH`](crate::WIDTH) wide.
+    /// The chart as SVG.
     ///
     /// # Errors
     ///
-    /// [`ChartError`] if the chart has nothing to show, if lengths do not fit, or if a value has no place on its axis.
-    fn svg(&self) -> Result<String, ChartError> {
-        paint::svg(&self.scene()?)
+    /// [`ChartError`] if the chart has nothing to show, if lengths do not fit, if a value has no place on its axis, or
+    /// if letters do not fit the paper.
+    fn svg(&self, paper: &Paper) -> Result<String, ChartError> {
+        paper.check(self.side_by_side())?;
+        Ok(svg::svg(&self.scene(paper)?, paper))
     }
 
-    /// The chart as PNG, [`WIDTH`](crate::WIDTH) pixels wide.
+    /// The chart as PNG.
     ///
     /// # Errors
     ///
     /// As [`Chart::svg`].
-    fn png(&self) -> Result<Vec<u8>, ChartError> {
-        paint::png(&self.scene()?)
+    fn png(&self, paper: &Paper) -> Result<Vec<u8>, ChartError> {
+        paper.check(self.side_by_side())?;
+        png::png(&self.scene(paper)?, paper)
+    }
+
+    /// The chart as a page of PDF, with its letters as text.
+    ///
+    /// # Errors
+    ///
+    /// As [`Chart::svg`].
+    fn pdf(&self, paper: &Paper) -> Result<Vec<u8>, ChartError> {
+        paper.check(self.side_by_side())?;
+        Ok(pdf::pdf(&self.scene(paper)?, paper))
     }
 }
 
@@ -34,5 +47,10 @@ pub trait Drawing {
     /// # Errors
     ///
     /// As [`Chart::svg`].
-    fn scene(&self) -> Result<Scene, ChartError>;
+    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError>;
+
+    /// How many panels stand side by side.
+    fn side_by_side(&self) -> usize {
+        1
+    }
 }

@@ -37,6 +37,19 @@ pub enum ChartError {
         /// Number wanted.
         wanted: usize,
     },
+    /// Letters too small to be read, or too large for the paper.
+    #[error(
+        "letters of {found} points do not fit the width of the picture; give a size from {least} to {most}, or another \
+         width"
+    )]
+    Letters {
+        /// Points asked for.
+        found: f64,
+        /// The least that can be read.
+        least: f64,
+        /// The most that leaves room.
+        most: f64,
+    },
     /// The drawing library refused.
     #[error("the chart could not be painted: {0}")]
     Painting(String),

@@ -5,10 +5,12 @@ use proptest::prelude::*;
 
 use super::{
     Cell, Colour, ColourScale, CrossSection, CrossSectionPanel, Curve, LineAxis, Lines, Map, MethodLine, Outcome,
-    Panel, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WIDTH, WorkPrecision,
+    Panel, Paper, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WorkPrecision,
 };
 use crate::chart::Drawing;
+use crate::paint::font;
 use crate::paint::scene::{Area, Point, Scene, Shape, Text};
+use crate::paper::WIDTH;
 
 fn texts(scene: &Scene) -> Vec<&Text> {
     scene.shapes.iter().filter_map(|shape| if let Shape::Text(text) = shape { Some(text) } else { None }).collect()
@@ -27,7 +29,7 @@ fn collisions(scene: &Scene) -> Vec<(String, String)> {
 
 /// Points of shapes that lie outside the picture.
 fn outside(scene: &Scene) -> Vec<Point> {
-    let picture = Area { left: 0.0, top: 0.0, right: f64::from(WIDTH), bottom: scene.height };
+    let picture = Area { left: 0.0, top: 0.0, right: WIDTH, bottom: scene.height };
     let corners = |area: &Area| vec![(area.left, area.top), (area.right, area.bottom)];
     let points = |shape: &Shape| match shape {
         Shape::Rectangle { area, .. } => corners(area),
@@ -103,15 +105,16 @@ fn lines() -> impl Strategy<Value = Lines> {
         prop_oneof![2 => label(), 1 => Just(String::new())],
         prop::collection::vec((x, y), 0..9),
         prop::collection::vec(0.01..100.0f64, 0..3),
-        any::<[bool; 3]>(),
+        any::<[bool; 2]>(),
+        prop::option::of(0..12usize),
     );
-    let curve = curve.prop_map(|(label, points, failed, [dashed, kind, marked])| Curve {
+    let curve = curve.prop_map(|(label, points, failed, [dashed, kind], mark)| Curve {
         label,
         points,
         failed,
         stroke: if dashed { Stroke::Dashed } else { Stroke::Solid },
         colour: if kind { Colour::Kind(1) } else { Colour::Family(0.5) },
-        marked,
+        mark,
     });
     (label(), line_axis(), line_axis(), prop::collection::vec(curve, 1..9)).prop_map(|(title, x, y, mut curves)| {
         // One point at least has a place on any axis.
@@ -174,36 +177,41 @@ fn cross_section() -> impl Strategy<Value = CrossSection> {
     })
 }
 
+/// Letters over their size without options, and whether there is a heading.
+fn look() -> impl Strategy<Value = (f64, bool)> {
+    (prop_oneof![1 => Just(1.0), 1 => 0.4..1.5f64], any::<bool>())
+}
+
+/// The texts of a chart stand apart from each other, and all shapes lie inside.
+fn check(chart: &impl Drawing, (letters, heading): (f64, bool)) -> Result<(), TestCaseError> {
+    let width = 1600.0;
+    let font_size = Some(0.75 * letters * font::size(chart.side_by_side()));
+    let scene = chart.scene(&Paper { width, font_size, heading, ..Paper::default() }).unwrap();
+    prop_assert_eq!(collisions(&scene), vec![]);
+    prop_assert_eq!(outside(&scene), vec![]);
+    Ok(())
+}
+
 laws! {
     seed: 1600, cases: 128;
 
-    fn maps_keep_their_texts_apart_and_inside(map in map()) {
-        let scene = map.scene().unwrap();
-        prop_assert_eq!(collisions(&scene), vec![]);
-        prop_assert_eq!(outside(&scene), vec![]);
+    fn maps_keep_their_texts_apart_and_inside(chart in map(), look in look()) {
+        check(&chart, look)?;
     }
 
-    fn charts_of_lines_keep_their_texts_apart_and_inside(chart in lines()) {
-        let scene = chart.scene().unwrap();
-        prop_assert_eq!(collisions(&scene), vec![]);
-        prop_assert_eq!(outside(&scene), vec![]);
+    fn charts_of_lines_keep_their_texts_apart_and_inside(chart in lines(), look in look()) {
+        check(&chart, look)?;
     }
 
-    fn surfaces_keep_their_texts_apart_and_inside(chart in surface3d()) {
-        let scene = chart.scene().unwrap();
-        prop_assert_eq!(collisions(&scene), vec![]);
-        prop_assert_eq!(outside(&scene), vec![]);
+    fn surfaces_keep_their_texts_apart_and_inside(chart in surface3d(), look in look()) {
+        check(&chart, look)?;
     }
 
-    fn cross_sections_keep_their_texts_apart_and_inside(chart in cross_section()) {
-        let scene = chart.scene().unwrap();
-        prop_assert_eq!(collisions(&scene), vec![]);
-        prop_assert_eq!(outside(&scene), vec![]);
+    fn cross_sections_keep_their_texts_apart_and_inside(chart in cross_section(), look in look()) {
+        check(&chart, look)?;
     }
 
-    fn work_precision_charts_keep_their_texts_apart_and_inside(chart in work_precision()) {
-        let scene = chart.scene().unwrap();
-        prop_assert_eq!(collisions(&scene), vec![]);
-        prop_assert_eq!(outside(&scene), vec![]);
+    fn work_precision_charts_keep_their_texts_apart_and_inside(chart in work_precision(), look in look()) {
+        check(&chart, look)?;
     }
 }

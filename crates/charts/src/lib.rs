@@ -1,15 +1,15 @@
-//! Charts of scientific data: plain numbers in, SVG or PNG out, the same bytes for the same numbers.
+//! Charts of scientific data: plain numbers in, SVG, PDF or PNG out, the same bytes for the same numbers.
 //!
 //! ```
-//! use stribeck_charts::{Chart, Colour, Curve, LineAxis, Lines, Stroke};
+//! use stribeck_charts::{Chart, Colour, Curve, LineAxis, Lines, Paper, Stroke};
 //!
 //! let points = (1..50).map(f64::from).map(|x| (x, x.sqrt())).collect();
 //! let (stroke, colour) = (Stroke::Solid, Colour::Black);
-//! let curves = vec![Curve { label: "√x".into(), points, failed: vec![], stroke, colour, marked: false }];
+//! let curves = vec![Curve { label: "√x".into(), points, failed: vec![], stroke, colour, mark: None }];
 //! let axis = |label: &str| LineAxis { label: label.into(), logarithmic: true, range: None };
 //! let (title, subtitle) = ("A root".into(), String::new());
 //! let chart = Lines { title, subtitle, x: axis("x"), y: axis("y"), curves };
-//! assert!(chart.svg()?.starts_with("<svg"));
+//! assert!(chart.svg(&Paper::default())?.starts_with("<svg"));
 //! # Ok::<(), stribeck_charts::ChartError>(())
 //! ```
 //!
@@ -24,8 +24,8 @@
 //! | [`WorkPrecision`] | error against run time, one line for each method |
 //!
 //! Each chart has a folder, which says where its parts lie and draws them on a `frame` (heading, ticks, names of axes,
-//! panels, legend). It becomes a list of shapes, which does not depend on the format, so that SVG and PNG show the
-//! same; `paint` writes both. `axes` leads from values to places and labels, `geometry` cuts lines and areas and finds
+//! panels, legend). It becomes a list of shapes, which does not depend on the format, so that all formats show the
+//! same; `paint` writes them. `axes` leads from values to places and labels, `geometry` cuts lines and areas and finds
 //! them on a grid.
 
 mod axes;
@@ -47,6 +47,7 @@ mod median;
 #[path = "../tests/numbers/mod.rs"]
 mod numbers;
 mod paint;
+mod paper;
 mod surface3d;
 mod work_precision;
 
@@ -56,6 +57,6 @@ pub use error::ChartError;
 pub use lines::{Colour, Curve, LineAxis, Lines, Stroke};
 pub use map::{Cell, ColourScale, Map, Panel};
 pub use median::geometric_median;
-pub use paint::WIDTH;
+pub use paper::{MARK, Paper};
 pub use surface3d::{Surface3d, Surface3dCurve, Surface3dPanel};
 pub use work_precision::{MethodLine, Outcome, SettingPoint, WorkPrecision};

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use roxmltree::{Document, Node};
 use stribeck_charts::{
     Cell, Chart, Colour, ColourScale, CrossSection, CrossSectionPanel, Curve, LineAxis, Lines, Map, MethodLine,
-    Outcome, Panel, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WorkPrecision,
+    Outcome, Panel, Paper, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WorkPrecision,
 };
 
 /// Numbers that are none among others.
@@ -35,14 +35,14 @@ fn lines() -> impl Strategy<Value = Lines> {
     };
     let stroke = prop::sample::select(vec![Stroke::Solid, Stroke::Dashed, Stroke::Dotted, Stroke::Points]);
     let points = prop::collection::vec((anything(), anything()), 0..20);
-    let curve = (text(), points, prop::collection::vec(anything(), 0..3), stroke, any::<bool>());
-    let curve = curve.prop_map(|(label, points, failed, stroke, marked)| Curve {
+    let curve = (text(), points, prop::collection::vec(anything(), 0..3), stroke, prop::option::of(0..12usize));
+    let curve = curve.prop_map(|(label, points, failed, stroke, mark)| Curve {
         label,
         points,
         failed,
         stroke,
         colour: Colour::Kind(0),
-        marked,
+        mark,
     });
     (text(), text(), axis(), axis(), prop::collection::vec(curve, 1..5)).prop_map(
         |(title, subtitle, x, y, mut curves)| {
@@ -158,7 +158,7 @@ fn pixels(node: &Node) -> Vec<f64> {
 }
 
 fn check(chart: &impl Chart) {
-    let svg = chart.svg().unwrap();
+    let svg = chart.svg(&Paper::default()).unwrap();
     assert!(svg.len() < 3_000_000, "{} bytes", svg.len());
     let document = Document::parse(&svg).unwrap_or_else(|error| panic!("{error}"));
     for node in document.descendants() {
@@ -183,7 +183,7 @@ laws! {
 
 fn line(points: Vec<(f64, f64)>, stroke: Stroke) -> Curve {
     let (label, failed, colour) = ("curve".to_string(), vec![], Colour::Black);
-    Curve { label, points, failed, stroke, colour, marked: false }
+    Curve { label, points, failed, stroke, colour, mark: None }
 }
 
 fn linear(range: Option<(f64, f64)>) -> LineAxis {
@@ -222,7 +222,7 @@ fn a_dashed_curve_too_dense_for_dashes_has_none() {
         let points = (0..count).map(|i| (i as f64, (i % 2) as f64)).collect();
         let curves = vec![line(points, Stroke::Dotted)];
         let (title, subtitle) = (String::new(), String::new());
-        let svg = Lines { title, subtitle, x: linear(None), y: linear(None), curves }.svg().unwrap();
+        let svg = Lines { title, subtitle, x: linear(None), y: linear(None), curves }.svg(&Paper::default()).unwrap();
         with(&Document::parse(&svg).unwrap(), &[("stroke", "#222222")]).count()
     };
     assert!(strokes(10) > 100 && strokes(10_000) < 20);

@@ -2,7 +2,7 @@
 
 use crate::chart_files::{check_formats, number, points, polygons, texts, with};
 use roxmltree::{Document, Node};
-use stribeck_charts::{Cell, Chart, ChartError, ColourScale, CrossSection, CrossSectionPanel, Map, Panel};
+use stribeck_charts::{Cell, Chart, ChartError, ColourScale, CrossSection, CrossSectionPanel, Map, Panel, Paper};
 
 const WHITE: &str = "#FFFFFF";
 const GREY: &str = "#D0D0D0";
@@ -55,14 +55,17 @@ fn lines_of_equal_value_lie_between_the_values_of_cells() {
     assert_eq!(with(&document, &[("stroke", "#222222"), ("opacity", "0.75")]).count(), 10);
 
     let without = Map { contours: false, ..chart };
-    assert_eq!(with(&Document::parse(&without.svg().unwrap()).unwrap(), &[("stroke", WHITE)]).count(), 0);
+    assert_eq!(
+        with(&Document::parse(&without.svg(&Paper::default()).unwrap()).unwrap(), &[("stroke", WHITE)]).count(),
+        0
+    );
 }
 
 #[test]
 fn lines_of_equal_value_keep_out_of_cells_without_a_value_and_of_0_and_infinity() {
     let x = [vec![0.0], powers(0, 6), vec![f64::INFINITY]].concat();
     let whole = map(x.clone(), powers(0, 7), |_, j| Cell::Value(10.0 * j as f64));
-    let document = |map: &Map| map.svg().unwrap();
+    let document = |map: &Map| map.svg(&Paper::default()).unwrap();
     let svg = document(&whole);
     let parsed = Document::parse(&svg).unwrap();
     let (lines, _) = white_lines(&parsed, 5);
@@ -129,7 +132,7 @@ fn a_cross_section_has_its_axes_panels_and_bands() {
     let document = Document::parse(&svg).unwrap();
     let texts = texts(&document);
     for wanted in
-        ["Normal stress", "f = 100", "x (a₀)", "height (a₀)", "α = 0.3", "α = 1", "α = 3", "σ", "cylinder", "−0.2"]
+        ["Normal stress", "f = 100", "x (a0)", "height (a0)", "α = 0.3", "α = 1", "α = 3", "σ", "cylinder", "−0.2"]
     {
         assert!(texts.iter().any(|text| text == wanted), "{wanted} is not among {texts:?}");
     }
@@ -147,7 +150,7 @@ fn a_cross_section_has_its_axes_panels_and_bands() {
 #[test]
 fn a_cross_section_shows_material_and_cylinder_where_they_are() {
     let both = |surface_at: f64, cylinder: f64, deepest: f64| {
-        let svg = cross_section(surface_at, cylinder, deepest).svg().unwrap();
+        let svg = cross_section(surface_at, cylinder, deepest).svg(&Paper::default()).unwrap();
         let document = Document::parse(&svg).unwrap();
         let of = |grey: bool| bounds(polygons(&document).filter(|p| (p.attribute("fill") == Some(GREY)) == grey));
         (of(false), of(true))
@@ -173,7 +176,7 @@ fn cross_sections_that_do_not_fit_are_refused() {
     let refused = |change: &dyn Fn(&mut CrossSection), says: &str| {
         let mut chart = good.clone();
         change(&mut chart);
-        let error: ChartError = chart.png().unwrap_err();
+        let error: ChartError = chart.png(&Paper::default()).unwrap_err();
         assert!(error.to_string().contains(says), "{error}");
     };
     refused(&|chart| chart.panels.clear(), "no panel");

@@ -5,7 +5,7 @@ use crate::chart_files::{check_formats, number, texts, with};
 use roxmltree::{Document, Node};
 use stribeck_charts::Outcome::{Error, Failed, Unknown};
 use stribeck_charts::{
-    Cell, Chart, ChartError, ColourScale, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision,
+    Cell, Chart, ChartError, ColourScale, Map, MethodLine, Outcome, Panel, Paper, SettingPoint, WorkPrecision,
 };
 
 const BLUE: &str = "#0072B2";
@@ -76,7 +76,7 @@ fn every_label_is_in_the_picture() {
         "Error & time <of both>",
         "all cases",
         "seconds for a case",
-        "relative error of μᵥ",
+        "relative error of μv",
         "collocation",
         "relaxation",
         "1e-3",
@@ -96,7 +96,7 @@ fn every_label_is_in_the_picture() {
 #[test]
 fn each_case_is_a_marker_and_each_failed_case_a_cross() {
     let chart = two_methods();
-    let svg = chart.svg().unwrap();
+    let svg = chart.svg(&Paper::default()).unwrap();
     let document = Document::parse(&svg).unwrap();
     for (line, colour) in chart.lines.iter().zip([BLUE, VERMILLION]) {
         let cases = || line.points.iter().flat_map(|point| &point.cases);
@@ -106,21 +106,21 @@ fn each_case_is_a_marker_and_each_failed_case_a_cross() {
         assert_eq!(with(&document, &[("fill", colour), ("opacity", "0.35")]).count(), solved);
         // One more in the legend.
         assert_eq!(with(&document, &[("fill", colour), ("opacity", "1")]).count(), settings + 1);
-        let strokes = with(&document, &[("stroke", colour), ("stroke-width", "4")]).count();
+        let strokes = with(&document, &[("stroke", colour), ("stroke-width", "3.6")]).count();
         assert_eq!(strokes, 2 * cases().filter(|(_, error)| *error == Failed).count());
     }
 }
 
 #[test]
 fn failed_cases_lie_above_and_exact_ones_below_all_others() {
-    let svg = two_methods().svg().unwrap();
+    let svg = two_methods().svg(&Paper::default()).unwrap();
     let document = Document::parse(&svg).unwrap();
     let heights: Vec<f64> =
         with(&document, &[("fill", BLUE), ("opacity", "0.35")]).map(|marker| number(&marker, "cy")).collect();
     // The fifth case of the first method has no error at all.
     assert!((0..6).filter(|i| *i != 4).all(|i| heights[i] < heights[4]), "{heights:?}");
     let highest = heights.iter().copied().fold(f64::INFINITY, f64::min);
-    for cross in with(&document, &[("stroke", VERMILLION), ("stroke-width", "4")]) {
+    for cross in with(&document, &[("stroke", VERMILLION), ("stroke-width", "3.6")]) {
         let ends = cross.attribute("points").unwrap().split([' ', ',']).filter(|n| !n.is_empty()).collect::<Vec<_>>();
         assert!(ends[1].parse::<f64>().unwrap() < highest && ends[3].parse::<f64>().unwrap() < highest);
     }
@@ -129,7 +129,7 @@ fn failed_cases_lie_above_and_exact_ones_below_all_others() {
 #[test]
 fn places_follow_seconds_and_errors() {
     let cases: Vec<(f64, Outcome)> = (0..40).map(|i| (1e-3 * 1.2f64.powi(i), Error(1e-12 * 1.9f64.powi(i)))).collect();
-    let svg = work_precision(vec![("one", vec![setting("all", &cases)])]).svg().unwrap();
+    let svg = work_precision(vec![("one", vec![setting("all", &cases)])]).svg(&Paper::default()).unwrap();
     let document = Document::parse(&svg).unwrap();
     let places: Vec<(f64, f64)> = with(&document, &[("fill", BLUE), ("opacity", "0.35")])
         .map(|marker| (number(&marker, "cx"), number(&marker, "cy")))
@@ -144,7 +144,7 @@ fn the_order_of_cases_does_not_move_the_medians() {
     let mut other = cases;
     other.reverse();
     let medians = |cases: &[(f64, Outcome)]| {
-        let svg = work_precision(vec![("one", vec![setting("all", cases)])]).svg().unwrap();
+        let svg = work_precision(vec![("one", vec![setting("all", cases)])]).svg(&Paper::default()).unwrap();
         let document = Document::parse(&svg).unwrap();
         let places: Vec<(f64, f64)> = with(&document, &[("fill", BLUE), ("opacity", "1")])
             .map(|marker| (number(&marker, "cx"), number(&marker, "cy")))
@@ -165,7 +165,7 @@ fn cases_without_a_known_error_are_drawn_nowhere() {
             ("neither", vec![setting("d", &cases(&[(0.2, Failed)]))]),
         ])
     };
-    let without = with_unknown(&[]).svg().unwrap();
+    let without = with_unknown(&[]).svg(&Paper::default()).unwrap();
     let chart = with_unknown(&[(1e-3, Unknown), (1e3, Unknown)]);
     let svg = check_formats(&chart);
     let document = Document::parse(&svg).unwrap();
@@ -227,7 +227,7 @@ fn charts_with_next_to_nothing_are_drawn() {
     for chart in &charts {
         check_formats(chart);
     }
-    let failed = texts(&Document::parse(&charts[2].svg().unwrap()).unwrap());
+    let failed = texts(&Document::parse(&charts[2].svg(&Paper::default()).unwrap()).unwrap());
     assert!(failed.contains(&"no case was solved".to_string()) && failed.contains(&"all 2 failed".to_string()));
 }
 
@@ -238,7 +238,7 @@ fn a_line_may_be_one_of_many() {
         let at = |k: usize| (0.01 * 2f64.powi((i + k) as i32), Error(1e-3 / 5f64.powi((2 * k) as i32)));
         (*label, vec![setting("5", &[at(0)]), setting("6", &[at(1)])])
     };
-    let svg = work_precision(lines.iter().enumerate().map(one).collect()).svg().unwrap();
+    let svg = work_precision(lines.iter().enumerate().map(one).collect()).svg(&Paper::default()).unwrap();
     let document = Document::parse(&svg).unwrap();
     let texts = texts(&document);
     assert!(lines.iter().all(|line| texts.iter().any(|text| text == line)));
@@ -257,10 +257,13 @@ fn numbers_without_a_place_are_refused() {
         ((1.0, Error(-1e-3)), "an error is finite and not negative"),
         ((1.0, Error(f64::NAN)), "an error is finite and not negative"),
     ] {
-        let error = work_precision(vec![("one", vec![setting("801", &[case])])]).svg().unwrap_err().to_string();
+        let error = work_precision(vec![("one", vec![setting("801", &[case])])])
+            .svg(&Paper::default())
+            .unwrap_err()
+            .to_string();
         assert!(error.contains(says) && error.contains("\"801\" of \"one\""), "{error}");
     }
-    let empty = work_precision(vec![("one", vec![setting("801", &[])])]).png().unwrap_err();
+    let empty = work_precision(vec![("one", vec![setting("801", &[])])]).png(&Paper::default()).unwrap_err();
     assert!(matches!(empty, ChartError::Empty { .. }), "{empty}");
 }
 
@@ -307,7 +310,7 @@ fn maps_show_every_cell_and_say_what_the_marks_mean() {
 #[test]
 fn cells_of_a_map_follow_their_values() {
     let x = [0.0, 1e-3, 1e-2, 1.0, 1e3, f64::INFINITY];
-    let svg = map(&["f = 1"], &[""], &x, &[1.0], |_| Cell::Unknown).svg().unwrap();
+    let svg = map(&["f = 1"], &[""], &x, &[1.0], |_| Cell::Unknown).svg(&Paper::default()).unwrap();
     let document = Document::parse(&svg).unwrap();
     let spans: Vec<(f64, f64)> = with(&document, &[("fill", UNKNOWN)])
         .take(x.len())
@@ -341,7 +344,7 @@ fn maps_that_do_not_fit_are_refused() {
     let refused = |change: &dyn Fn(&mut Map), says: &str| {
         let mut chart = good.clone();
         change(&mut chart);
-        let error = chart.svg().unwrap_err().to_string();
+        let error = chart.svg(&Paper::default()).unwrap_err().to_string();
         assert!(error.contains(says), "{error}");
     };
     refused(&|map| map.columns.clear(), "no column of panels");

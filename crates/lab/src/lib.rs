@@ -50,7 +50,8 @@ mod viscosity_law;
 
 pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{
-    Bounds, Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown, Watch,
+    Bounds, Estimate, FittedCurve, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown,
+    Watch,
 };
 pub use material::{
     Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,

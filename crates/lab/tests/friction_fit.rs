@@ -58,6 +58,7 @@ fn points(speeds: &[f64], friction: Vec<f64>, errors: Option<Vec<f64>>) -> Measu
         coordinates: vec![("speed", speeds.to_vec())],
         is_averaged: false,
         is_computed: false,
+        without_unit: Vec::new(),
     }
 }
 
@@ -493,4 +494,36 @@ fn intervals_follow_the_profile_of_the_residuals() {
     let [viscosity] = &fit.estimates[..] else { panic!("{:?}", fit.estimates) };
     assert!(!fit.is_minimum && viscosity.error.is_nan() && viscosity.value == told.borrow()[0], "{viscosity:?}");
     assert!(fit.points.iter().all(|point| point.fitted.is_finite()) && fit.reduced_chi_squared > 1.0);
+}
+
+/// A curve of a fit leads through what was fitted at its points, and points at two loads are on two of them.
+#[test]
+fn curves_lead_through_the_fitted_points() {
+    let speeds = [speeds(4, 1e-3, 0.1), speeds(4, 1e-3, 0.1)].concat();
+    let truth = exact(&speeds, TRUTH, &Substrate::default());
+    let mut measured = points(&speeds, truth, None);
+    measured.coordinates.push(("load", [[119.0; 4], [60.0; 4]].concat()));
+    let task = FrictionTask {
+        measured: &measured,
+        experiment: Experiment { viscosity: 4.0, ..TRUTH },
+        substrate: &Substrate::default(),
+        roller_spectrum: &Substrate::default(),
+        cavity_shear: CavityShear::Full,
+        unknowns: unknowns(&["viscosity"]),
+        bounds: Vec::new(),
+        tolerance: 1e-7,
+    };
+    let fit = FrictionFit::new(&task).expect("a fit");
+    let curves = fit.curves(&task);
+    assert_eq!(curves.iter().map(|curve| curve.points.clone()).collect::<Vec<_>>(), [[0, 1, 2, 3], [4, 5, 6, 7]]);
+    for curve in &curves {
+        for point in &curve.points {
+            let (speed, fitted) = (speeds[*point], fit.points[*point].fitted);
+            let place = curve.line.partition_point(|(at, _)| *at < speed * (1.0 - 1e-9)).clamp(1, curve.line.len() - 1);
+            let (from, to) = (curve.line[place - 1], curve.line[place]);
+            let share = (speed / from.0).ln() / (to.0 / from.0).ln();
+            let on_line = from.1 + share * (to.1 - from.1);
+            assert!((on_line / fitted - 1.0).abs() < 2e-3, "{speed}: {on_line} and {fitted}");
+        }
+    }
 }

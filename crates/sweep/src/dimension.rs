@@ -19,7 +19,7 @@ impl Dimension {
     /// The long name of β.
     pub const BETA: &'static str = "inverse Hersey number";
 
-    /// The name of the slide-to-roll ratio S where it is a dimension.
+    /// The name of the slide-to-sum ratio S where it is a dimension.
     pub const SLIDE_ROLL: &'static str = "slide_roll";
 
     /// A dimension.

@@ -92,7 +92,7 @@ impl ColourRange {
             // Labels stand at boundaries.
             Some(count) => ticks::thinned_evenly(self.round(count + 1), most),
         };
-        ticks::fitting(candidates, ticks::extent(|value| self.share(value), length, em, true), 0.4 * em)
+        ticks::fitting_or_fewer(candidates, ticks::extent(|value| self.share(value), length, em, true), 0.4 * em)
     }
 
     /// Lines across a bar that is drawn there, at these values.

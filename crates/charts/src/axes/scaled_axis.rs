@@ -85,7 +85,7 @@ impl Axis for ScaledAxis {
                 ticks::linear(self.low, self.high, most)
             })
         };
-        ticks::fitting(candidates, extent, if upright { 0.4 * em } else { 0.6 * em })
+        ticks::fitting_or_fewer(candidates, extent, if upright { 0.4 * em } else { 0.6 * em })
     }
 }
 

@@ -146,6 +146,26 @@ pub(crate) fn fitting(ticks: impl Fn(usize) -> Ticks, extent: impl Fn(&Tick) -> 
     (3..=9).rev().map(&ticks).find(|ticks| fits(ticks, &extent, gap)).unwrap_or_else(|| ticks(2))
 }
 
+/// The same; where even two leave no room for each other those that come last keep their labels, and the others lose
+/// them.
+pub(crate) fn fitting_or_fewer(
+    ticks: impl Fn(usize) -> Ticks,
+    extent: impl Fn(&Tick) -> (f64, f64),
+    gap: f64,
+) -> Ticks {
+    let found = fitting(ticks, &extent, gap);
+    let mut kept = Ticks { major: Vec::new(), minor: found.minor };
+    for tick in found.major.into_iter().rev() {
+        let (from, to) = extent(&tick);
+        if kept.major.iter().map(&extent).all(|other| other.1 + gap <= from || to + gap <= other.0) {
+            kept.major.insert(0, tick);
+        } else {
+            kept.minor.push(tick.value);
+        }
+    }
+    kept
+}
+
 /// The same ticks with at most `most` labels, every second, fifth, … one.
 pub(crate) fn thinned_evenly(ticks: Ticks, most: usize) -> Ticks {
     let step = [1, 2, 5, 10, 20, 50, 100].into_iter().find(|step| ticks.major.len().div_ceil(*step) <= most);

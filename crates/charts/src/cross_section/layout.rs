@@ -12,9 +12,10 @@ use crate::geometry::contours::Grid;
 use crate::geometry::{polygon, polyline};
 use crate::paint::palette::{FRAME, PAPER, TEXT, UNKNOWN, faded};
 use crate::paint::scene::{Area, Point, Scene, Shape};
+use crate::paper::Paper;
 
 /// Most panels side by side.
-const MOST_COLUMNS: usize = 2;
+pub(crate) const MOST_COLUMNS: usize = 2;
 
 /// What all panels share.
 struct Layout {
@@ -27,7 +28,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(chart: &CrossSection) -> Self {
+    fn new(chart: &CrossSection, paper: &Paper) -> Self {
         let columns = chart.panels.len().min(MOST_COLUMNS);
         let values: Vec<f64> = chart.panels.iter().flat_map(|panel| &panel.values).copied().collect();
         let colours = ColourRange::of(&values, chart.scale.logarithmic, chart.scale.range)
@@ -36,7 +37,7 @@ impl Layout {
         let axis = |range| ScaledAxis::new(std::iter::empty(), false, Some(range), 0.0);
         let (x, y) = (axis(chart.x_range), axis(chart.y_range));
         let panels = Panels::fit(&Demand {
-            style: Style { baseline: 1.3, name_below: 1.7, above_legend: 0.3, ..Style::panels(columns) },
+            style: Style { baseline: 1.3, name_below: 1.7, above_legend: 0.3, ..Style::panels(columns, paper) },
             columns,
             axes: (&x, &y),
             y_name: &chart.y_label,
@@ -56,9 +57,9 @@ impl Layout {
 }
 
 /// Draws the chart, which has been checked.
-pub(crate) fn draw(chart: &CrossSection) -> Scene {
+pub(crate) fn draw(chart: &CrossSection, paper: &Paper) -> Scene {
     let mut scene = Scene::default();
-    let layout = Layout::new(chart);
+    let layout = Layout::new(chart, paper);
     let panels = &layout.panels;
     let style = panels.style;
     let top = style.heading(&mut scene, &chart.title, &chart.subtitle);

@@ -7,6 +7,7 @@ use crate::chart::Drawing;
 use crate::checks;
 use crate::map::ColourScale;
 use crate::paint::scene::Scene;
+use crate::paper::Paper;
 
 /// A field, a stress for instance, as bands of colour below a deformed surface under a cylinder, in panels.
 ///
@@ -52,9 +53,13 @@ pub struct CrossSectionPanel {
 }
 
 impl Drawing for CrossSection {
-    fn scene(&self) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self))
+        Ok(layout::draw(self, paper))
+    }
+
+    fn side_by_side(&self) -> usize {
+        self.panels.len().min(layout::MOST_COLUMNS)
     }
 }
 

@@ -8,12 +8,13 @@ use crate::axes::ticks::{Tick, Ticks};
 use crate::paint::font;
 use crate::paint::palette::{FRAME, GRID, QUIET_TEXT, TEXT};
 use crate::paint::scene::{Anchor, Area, Scene, thickness};
+use crate::paper::{Paper, WIDTH};
 use legend::Entry;
 
 /// What stays free at the left and at the right of a picture, in pixels.
 pub(crate) const MARGIN: f64 = 30.0;
 /// Where everything ends at the right.
-pub(crate) const RIGHT: f64 = crate::WIDTH as f64 - MARGIN;
+pub(crate) const RIGHT: f64 = WIDTH - MARGIN;
 /// Size of the names of axes over the size of labels.
 const NAME: f64 = 1.1;
 
@@ -24,6 +25,8 @@ pub(crate) struct Style {
     pub(crate) em: f64,
     /// Size of the title.
     pub(crate) title: f64,
+    /// Whether there is a heading.
+    pub(crate) heading: bool,
     /// What stays free below the heading.
     pub(crate) below_heading: f64,
     /// Length of a tick with a label.
@@ -51,25 +54,28 @@ pub(crate) struct Side<'a> {
 }
 
 impl Style {
-    /// A chart of one plot. Its font is 6 points high when the picture is 8.5 cm wide.
-    pub(crate) const PLOT: Self = Style {
-        em: 40.0,
-        title: 1.12,
-        below_heading: 0.5,
-        tick: 0.3,
-        minor_tick: 0.15,
-        tick_width: 3.0,
-        baseline: 1.4,
-        name_below: 1.5 + font::DESCENT,
-        beside_name: 0.3,
-        above_legend: 0.5,
-        below_all: 0.6,
-    };
+    /// A chart of one plot.
+    pub(crate) fn plot(paper: &Paper) -> Self {
+        Style {
+            em: paper.em(1),
+            title: 1.12,
+            heading: paper.heading,
+            below_heading: 0.5,
+            tick: 0.3,
+            minor_tick: 0.15,
+            tick_width: 3.0,
+            baseline: 1.4,
+            name_below: 1.5 + font::DESCENT,
+            beside_name: 0.3,
+            above_legend: 0.5,
+            below_all: 0.6,
+        }
+    }
 
     /// A chart of several panels, with this many side by side.
-    pub(crate) fn panels(side_by_side: usize) -> Self {
+    pub(crate) fn panels(side_by_side: usize, paper: &Paper) -> Self {
         Style {
-            em: font::size(side_by_side),
+            em: paper.em(side_by_side),
             title: 1.15,
             below_heading: 0.4,
             tick: 0.25,
@@ -77,13 +83,16 @@ impl Style {
             tick_width: 2.0,
             name_below: 1.8,
             above_legend: 0.4,
-            ..Style::PLOT
+            ..Style::plot(paper)
         }
     }
 
     /// Draws title and subtitle at the upper edge. Returns where the chart begins.
     pub(crate) fn heading(&self, scene: &mut Scene, title: &str, subtitle: &str) -> f64 {
         let (em, room) = (self.title * self.em, RIGHT - MARGIN);
+        if !self.heading {
+            return 0.8 * self.em;
+        }
         let top = scene.paragraph((MARGIN, 0.5 * em), Anchor::Start, em, TEXT, room, title);
         let bottom = scene.paragraph((MARGIN, top), Anchor::Start, 0.85 * em, QUIET_TEXT, room, subtitle);
         bottom + self.below_heading * self.em

@@ -10,10 +10,8 @@ use crate::geometry::polyline::{self, clipped, dashes};
 use crate::paint::marker::{self, Form};
 use crate::paint::palette::{self, FAILED_CROSS, FRAME, Ink, TEXT};
 use crate::paint::scene::{Area, Point, Scene};
+use crate::paper::Paper;
 
-const STYLE: Style = Style::PLOT;
-/// Size of the font of labels, in pixels.
-const EM: f64 = STYLE.em;
 /// Height of the plot.
 const HEIGHT: f64 = 960.0;
 /// Width of a curve.
@@ -22,9 +20,12 @@ const STROKE: f64 = 5.0;
 const MARKER: f64 = 9.0;
 /// All points of a curve are marked if they are at most this many, else about half as many of them.
 const MOST_MARKERS: usize = 24;
+/// So many curves have their markers at different points, if not all are marked.
+const STAGGERED: usize = 5;
 
 /// Where everything lies.
 struct Layout {
+    style: Style,
     plot: Area,
     x: ScaledAxis,
     y: ScaledAxis,
@@ -34,15 +35,16 @@ struct Layout {
 
 impl Layout {
     /// The largest plot below `top` that leaves room for its labels.
-    fn new(chart: &Lines, top: f64) -> Self {
+    fn new(chart: &Lines, style: Style, top: f64) -> Self {
         let (x, y) = axes(chart);
-        let y_ticks = y.ticks(HEIGHT, EM, true);
-        let left = STYLE.plot_left(&chart.y.label, HEIGHT, y_ticks.widest(EM));
-        let x_ticks = x.ticks(RIGHT - left, EM, false);
+        let em = style.em;
+        let y_ticks = y.ticks(HEIGHT, em, true);
+        let left = style.plot_left(&chart.y.label, HEIGHT, y_ticks.widest(em));
+        let x_ticks = x.ticks(RIGHT - left, em, false);
         // Half of the last label of the horizontal axis may stand out to the right.
-        let (_, out) = frame::overhang(&x, &x_ticks, RIGHT - left, EM);
-        let plot = Area { left, top, right: RIGHT - out.max(0.3 * EM), bottom: top + HEIGHT };
-        Layout { plot, x, y, x_ticks, y_ticks }
+        let (_, out) = frame::overhang(&x, &x_ticks, RIGHT - left, em);
+        let plot = Area { left, top, right: RIGHT - out.max(0.3 * em), bottom: top + HEIGHT };
+        Layout { style, plot, x, y, x_ticks, y_ticks }
     }
 
     fn x(&self, value: f64) -> f64 {
@@ -60,7 +62,7 @@ impl Layout {
 
 /// The axes that show all points.
 fn axes(chart: &Lines) -> (ScaledAxis, ScaledAxis) {
-    let x_room = if chart.curves.iter().any(|curve| curve.marked) { 0.02 } else { 0.0 };
+    let x_room = if chart.curves.iter().any(|curve| curve.mark.is_some()) { 0.02 } else { 0.0 };
     let x_values = chart.shown().map(|point| point.0).chain(chart.failed());
     let x = ScaledAxis::new(x_values, chart.x.logarithmic, chart.x.range, x_room);
     // What lies outside the horizontal range does not stretch the vertical one.
@@ -72,48 +74,42 @@ fn axes(chart: &Lines) -> (ScaledAxis, ScaledAxis) {
 }
 
 /// Draws the chart, which has been checked and has something to show.
-pub(crate) fn draw(chart: &Lines) -> Scene {
+pub(crate) fn draw(chart: &Lines, paper: &Paper) -> Scene {
     let mut scene = Scene::default();
-    let top = STYLE.heading(&mut scene, &chart.title, &chart.subtitle);
-    let layout = Layout::new(chart, top);
+    let style = Style::plot(paper);
+    let top = style.heading(&mut scene, &chart.title, &chart.subtitle);
+    let layout = Layout::new(chart, style, top);
     let plot = layout.plot;
     let x = Side { ticks: &layout.x_ticks, at: &|value| layout.x(value) };
     let y = Side { ticks: &layout.y_ticks, at: &|value| layout.y(value) };
-    STYLE.grid(&mut scene, plot, &x, &y);
+    style.grid(&mut scene, plot, &x, &y);
     // What is beyond the ends of the axis is set off.
     let (from, to) = layout.x.span();
     for border in [from, to].into_iter().filter(|share| (0.0 < *share) && (*share < 1.0)) {
         let x = plot.left + plot.width() * border;
         scene.line((x, plot.top), (x, plot.bottom), 2.0, FRAME);
     }
-    for (curve, form) in chart.curves.iter().zip(forms(chart)) {
+    for curve in &chart.curves {
         draw_line(&mut scene, &layout, chart, curve);
-        draw_markers(&mut scene, &layout, chart, (curve, form));
+    }
+    for curve in &chart.curves {
+        draw_markers(&mut scene, &layout, chart, curve);
     }
     scene.frame(plot, 3.0, FRAME);
-    STYLE.ticks_below(&mut scene, plot, &x, true);
-    STYLE.ticks_beside(&mut scene, plot, &y, true);
-    let below = STYLE.names(&mut scene, plot, &chart.x.label, &chart.y.label);
-    STYLE.finish(&mut scene, &entries(chart), (MARGIN, below));
+    style.ticks_below(&mut scene, plot, &x, true);
+    style.ticks_beside(&mut scene, plot, &y, true);
+    let below = style.names(&mut scene, plot, &chart.x.label, &chart.y.label);
+    style.finish(&mut scene, &entries(chart), (MARGIN, below));
     scene
 }
 
-/// The colour of a curve. The light end of viridis is left out: it is not seen on white.
+/// The colour of a curve.
 fn ink(colour: Colour) -> Ink {
     match colour {
         Colour::Kind(index) => palette::line_colour(index),
-        Colour::Family(share) => palette::viridis(0.88 * share.clamp(0.0, 1.0)),
+        Colour::Family(share) => palette::family_colour(share),
         Colour::Black => TEXT,
     }
-}
-
-/// The marker of each curve: those that are marked differ.
-fn forms(chart: &Lines) -> impl Iterator<Item = Form> {
-    chart.curves.iter().scan(0, |marked, curve| {
-        let form = Form::of(*marked);
-        *marked += usize::from(curve.marked);
-        Some(form)
-    })
 }
 
 /// Lengths of dash and gap.
@@ -148,17 +144,18 @@ fn draw_line(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
         }
         // A point alone is no line.
         if let [place] = places[..]
-            && !curve.marked
+            && curve.mark.is_none()
             && plot.contains(&Area::about(place, 0.0))
         {
-            marker::marker(scene, Form::Disc, place, 0.8 * MARKER, ink);
+            marker::marker(scene, Form::DISC, place, 0.8 * MARKER, ink);
         }
     }
 }
 
 /// Draws the markers of a curve: values at 0 and ∞, points if these are marked, cases that failed.
-fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, (curve, form): (&Curve, Form)) {
-    let (ink, plot) = (ink(curve.colour), layout.plot);
+fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
+    let (ink, plot, em) = (ink(curve.colour), layout.plot, layout.style.em);
+    let form = curve.mark.map_or(Form::DISC, Form::of);
     // A known value at 0 or ∞ is a dash there, a solution a marker.
     let inside = |at: &Point| plot.grown(1e-6).contains(&Area::about(*at, 0.0));
     let special = curve.points.iter().filter(|point| chart.has_place(**point) && layout.x.is_special(point.0));
@@ -169,29 +166,31 @@ fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, (curve, form)
             scene.line((x - 2.0 * MARKER, y), (x + 2.0 * MARKER, y), STROKE, ink);
         }
     }
-    if curve.marked {
+    if let Some(mark) = curve.mark {
         let thinned = curve.stroke != Stroke::Points && curve.points.len() > MOST_MARKERS;
         let step = if thinned { curve.points.len().div_ceil(MOST_MARKERS / 2) } else { 1 };
-        let shown = curve.points.iter().step_by(step).filter(|point| is_joined(chart, layout, point));
+        // Those of neighbours stand beside each other.
+        let first = step * (mark % STAGGERED) / STAGGERED;
+        let shown = curve.points.iter().skip(first).step_by(step).filter(|point| is_joined(chart, layout, point));
         for place in shown.map(|point| layout.at(*point)).filter(|place| plot.contains(&Area::about(*place, 0.0))) {
             marker::rimmed(scene, form, place, MARKER, ink);
         }
     }
-    let failed = curve.failed.iter().map(|x| (layout.x(*x), plot.bottom - 0.45 * EM));
+    let failed = curve.failed.iter().map(|x| (layout.x(*x), plot.bottom - 0.45 * em));
     for at in failed.filter(inside) {
-        marker::cross(scene, at, 0.2 * EM, 0.09 * EM, FAILED_CROSS);
+        marker::cross(scene, at, 0.2 * em, 0.09 * em, FAILED_CROSS);
     }
 }
 
 /// The legend: curves with names, and what a cross means if there is one.
 fn entries(chart: &Lines) -> Vec<Entry> {
-    let named = chart.curves.iter().zip(forms(chart)).filter(|(curve, _)| !curve.label.is_empty());
+    let named = chart.curves.iter().filter(|curve| !curve.label.is_empty());
     let mut entries: Vec<Entry> = named
-        .map(|(curve, form)| {
-            let (marker, ink) = (curve.marked.then_some(form), ink(curve.colour));
+        .map(|curve| {
+            let (form, ink) = (curve.mark.map(Form::of), ink(curve.colour));
             let swatch = match curve.stroke {
-                Stroke::Points => Swatch::Marker { form, ink },
-                stroke => Swatch::Stroke { pattern: pattern(stroke), form: marker, ink },
+                Stroke::Points => Swatch::Marker { form: form.unwrap_or(Form::DISC), ink },
+                stroke => Swatch::Stroke { pattern: pattern(stroke), form, ink },
             };
             Entry { swatch, label: curve.label.clone() }
         })

@@ -6,6 +6,7 @@ use crate::ChartError;
 use crate::chart::Drawing;
 use crate::checks;
 use crate::paint::scene::Scene;
+use crate::paper::Paper;
 
 /// Curves of one quantity over another.
 ///
@@ -49,8 +50,9 @@ pub struct Curve {
     pub stroke: Stroke,
     /// In which colour.
     pub colour: Colour,
-    /// Whether markers show some of the points, or all if there are few.
-    pub marked: bool,
+    /// Number of the form of markers, which show some of the points, or all if there are few; none without markers. Ten
+    /// forms differ.
+    pub mark: Option<usize>,
 }
 
 /// How a curve is drawn.
@@ -78,9 +80,9 @@ pub enum Colour {
 }
 
 impl Drawing for Lines {
-    fn scene(&self) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self))
+        Ok(layout::draw(self, paper))
     }
 }
 

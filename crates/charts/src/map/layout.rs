@@ -9,6 +9,7 @@ use crate::frame::panels::{Demand, Panels};
 use crate::paint::marker;
 use crate::paint::palette::{EXACT, FAILED, FAILED_CROSS, FRAME, PAPER, SOLVED, TEXT, UNKNOWN};
 use crate::paint::scene::{Anchor, Area, Scene};
+use crate::paper::Paper;
 
 /// More columns than this are folded into several lines of panels.
 const MOST_COLUMNS: usize = 4;
@@ -27,14 +28,14 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(map: &Map) -> Self {
+    fn new(map: &Map, paper: &Paper) -> Self {
         let folds = map.columns.len().div_ceil(MOST_COLUMNS);
-        let columns = map.columns.len().div_ceil(folds);
+        let columns = columns(map);
         let values: Vec<f64> = map.values().collect();
         let colours = ColourRange::of(&values, map.scale.logarithmic, map.scale.range);
         let (x, y) = (CellAxis::new(&map.x), CellAxis::new(&map.y));
         let panels = Panels::fit(&Demand {
-            style: Style { beside_name: 0.5, ..Style::panels(columns) },
+            style: Style { beside_name: 0.5, ..Style::panels(columns, paper) },
             columns,
             axes: (&x, &y),
             y_name: &map.y_label,
@@ -52,10 +53,16 @@ impl Layout {
     }
 }
 
+/// Panels in each line of panels.
+pub(crate) fn columns(map: &Map) -> usize {
+    let folds = map.columns.len().div_ceil(MOST_COLUMNS).max(1);
+    map.columns.len().div_ceil(folds)
+}
+
 /// Draws the chart, which has been checked.
-pub(crate) fn draw(map: &Map) -> Scene {
+pub(crate) fn draw(map: &Map, paper: &Paper) -> Scene {
     let mut scene = Scene::default();
-    let layout = Layout::new(map);
+    let layout = Layout::new(map, paper);
     let panels = &layout.panels;
     let style = panels.style;
     let top = style.heading(&mut scene, &map.title, &map.subtitle);

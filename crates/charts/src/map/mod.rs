@@ -7,6 +7,7 @@ use crate::ChartError;
 use crate::chart::Drawing;
 use crate::checks;
 use crate::paint::scene::Scene;
+use crate::paper::Paper;
 
 /// A quantity as colour over two logarithmic axes, in panels: a row for each method, say, and a column for each value
 /// of a third parameter.
@@ -76,9 +77,13 @@ pub struct ColourScale {
 }
 
 impl Drawing for Map {
-    fn scene(&self) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self))
+        Ok(layout::draw(self, paper))
+    }
+
+    fn side_by_side(&self) -> usize {
+        layout::columns(self)
     }
 }
 

@@ -1,4 +1,4 @@
-//! A chart as a list of shapes, in pixels of a picture [`WIDTH`](crate::WIDTH) wide, y downwards.
+//! A chart as a list of shapes, in pixels of a layout [`WIDTH`](crate::paper::WIDTH) wide, y downwards.
 
 use crate::paint::font::{self, DESCENT};
 use crate::paint::palette::Ink;
@@ -70,15 +70,19 @@ pub(crate) struct Text {
 }
 
 impl Text {
+    /// How much of the text stands before its point.
+    pub(crate) fn before(&self) -> f64 {
+        match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * font::width(&self.words, self.em),
+            Anchor::End => font::width(&self.words, self.em),
+        }
+    }
+
     /// The rectangle of the text, from the top of its capitals to the descenders.
     pub(crate) fn area(&self) -> Area {
         const CAPITALS: f64 = 0.73;
-        let width = font::width(&self.words, self.em);
-        let before = match self.anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => 0.5 * width,
-            Anchor::End => width,
-        };
+        let (width, before) = (font::width(&self.words, self.em), self.before());
         let (x, y) = self.at;
         if self.turned {
             let bottom = y + before;

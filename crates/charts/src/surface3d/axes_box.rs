@@ -46,8 +46,8 @@ impl Axes {
         };
         let high = space.at((0.0, 0.0, 0.0)).1 - space.at((0.0, 0.0, 1.0)).1;
         BoxTicks {
-            x: fitting(&self.x, x_extent, 0.4 * em),
-            y: fitting(&self.y, y_extent, 0.2 * em),
+            x: ticks::fitting_or_fewer(|most| self.x.ticks(most), x_extent, 0.4 * em),
+            y: ticks::fitting_or_fewer(|most| self.y.ticks(most), y_extent, 0.2 * em),
             z: self.z.ticks(high, em),
         }
     }
@@ -124,8 +124,7 @@ impl Axes {
             scene.line((x - 0.3 * em, y), (x, y), 2.0, FRAME);
             scene.text((x - BESIDE * em, y + 0.36 * em), Anchor::End, em, TEXT, tick.label.as_str());
         }
-        let text = |shape: &Shape| if let Shape::Text(text) = shape { Some(Text::area(text)) } else { None };
-        scene.shapes[first..].iter().filter_map(text).collect()
+        text_areas(&scene.shapes[first..])
     }
 
     /// Draws the names of the horizontal axes, clear of their labels, between `left` and `right`. Returns where they
@@ -185,16 +184,24 @@ impl Axes {
         }
     }
 
-    /// Draws the name of the height, left of everything.
-    pub(crate) fn draw_height_name(&self, scene: &mut Scene, space: &Space, room: f64, name: &str) {
+    /// Draws the name of the height, left of everything. Returns the areas of its lines.
+    pub(crate) fn draw_height_name(&self, scene: &mut Scene, space: &Space, room: f64, name: &str) -> Vec<Area> {
         let middle = 0.5 * (space.at((0.0, 0.0, 0.0)).1 + space.at((0.0, 0.0, 1.0)).1);
+        let first = scene.shapes.len();
         scene.upright((MARGIN, middle), TITLE * self.em, TEXT, room, name);
+        text_areas(&scene.shapes[first..])
     }
 
     /// How much room the name of the height takes across, beside a box of this width.
     pub(crate) fn height_name_width(&self, room: f64, name: &str) -> f64 {
         thickness(name, TITLE * self.em, room)
     }
+}
+
+/// The areas of the texts among shapes.
+fn text_areas(shapes: &[Shape]) -> Vec<Area> {
+    let area = |shape: &Shape| if let Shape::Text(text) = shape { Some(Text::area(text)) } else { None };
+    shapes.iter().filter_map(area).collect()
 }
 
 /// Texts that cover neither each other nor labels drawn before.
@@ -230,16 +237,6 @@ impl ClearTexts {
         self.taken.push(area(top).grown(0.3 * self.em));
         self.bottom = self.bottom.max(area(top).bottom);
     }
-}
-
-/// The ticks whose labels leave room for each other; the first alone has a label if two do not.
-fn fitting(axis: &LogAxis, extent: impl Fn(&Tick) -> (f64, f64), gap: f64) -> Ticks {
-    let mut found = ticks::fitting(|most| axis.ticks(most), &extent, gap);
-    if !ticks::fits(&found, &extent, gap) {
-        let unlabelled = found.major.split_off(1);
-        found.minor.extend(unlabelled.into_iter().map(|tick| tick.value));
-    }
-    found
 }
 
 fn major(ticks: &Ticks) -> Vec<f64> {

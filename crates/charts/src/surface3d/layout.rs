@@ -11,9 +11,13 @@ use crate::frame::legend::{Entry, Swatch};
 use crate::frame::{MARGIN, RIGHT, Style};
 use crate::paint::palette::{self, Ink, TEXT};
 use crate::paint::scene::{Anchor, Scene, thickness};
+use crate::paper::Paper;
 
 /// Lengths of dash and gap of a curve over the size of the font.
 const PATTERN: (f64, f64) = (0.5, 0.3);
+
+/// Most rounds in which the room for labels is found.
+const MOST_ROUNDS: usize = 12;
 
 /// Where everything lies.
 struct Layout {
@@ -36,22 +40,28 @@ impl Layout {
     /// The widest boxes that leave room for their labels.
     ///
     /// The height of a box follows from its width, and the room that labels take follows from both, so the width is
-    /// found in a few rounds. The first round starts with a guess of that room.
-    fn new(chart: &Surface3d) -> Self {
+    /// found in rounds, which start with a guess of that room. It grows from round to round until the labels of the
+    /// width that is left fit it.
+    fn new(chart: &Surface3d, paper: &Paper) -> Self {
         let count = chart.panels.len() as f64;
-        let style = Style { below_all: 0.5, ..Style::panels(chart.panels.len()) };
+        let style = Style { below_all: 0.5, ..Style::panels(chart.panels.len(), paper) };
         let em = style.em;
         let ends = |values: &[f64]| LogAxis::between(values[0], values[values.len() - 1]);
         let axes = Axes { x: ends(&chart.x), y: ends(&chart.y), z: range(chart), em };
         let mut width = (RIGHT - MARGIN - 8.0 * em) / count;
-        let (mut left, mut gap, mut beside, mut name_room, mut bar_length) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for _ in 0..4 {
-            let height = Space::height(width);
+        let (mut left, mut gap, mut beside, mut bar) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+        let (mut name_room, mut bar_length) = (0.0, 0.0);
+        for _ in 0..MOST_ROUNDS {
+            let (before, height) = ((left, gap, beside, bar), Space::height(width));
             (name_room, bar_length) = (height.max(8.0 * em), (0.9 * height).max(8.0 * em));
             let (of_heights, of_x, of_y) = axes.overhang(&axes.ticks(width));
-            left = MARGIN + (axes.height_name_width(name_room, &chart.z_label) + 0.3 * em + of_heights).max(of_x);
-            (gap, beside) = (of_y + of_x.max(0.4 * em) + 0.4 * em, of_y);
-            let bar = axes.z.width(bar_length, em, &chart.z_label) + 0.8 * em;
+            let names = axes.height_name_width(name_room, &chart.z_label) + 0.3 * em;
+            left = left.max(MARGIN + names + of_heights.max(of_x));
+            (gap, beside) = (gap.max(of_y + of_x.max(0.4 * em) + 0.4 * em), beside.max(of_y));
+            bar = bar.max(axes.z.width(bar_length, em, &chart.z_label) + 0.8 * em);
+            if (left, gap, beside, bar) == before {
+                break;
+            }
             // Where labels leave no room the box stays a box, and the picture is cut.
             width = ((RIGHT - bar - beside - left - (count - 1.0) * gap) / count).max(em);
         }
@@ -66,9 +76,9 @@ impl Layout {
 }
 
 /// Draws the chart, which has been checked and has a height to show.
-pub(crate) fn draw(chart: &Surface3d) -> Scene {
+pub(crate) fn draw(chart: &Surface3d, paper: &Paper) -> Scene {
     let mut scene = Scene::default();
-    let layout = Layout::new(chart);
+    let layout = Layout::new(chart, paper);
     let (em, width, bar_length) = (layout.style.em, layout.width, layout.bar_length);
     let top = layout.style.heading(&mut scene, &chart.title, &chart.subtitle);
     let label_height = |panel: &Surface3dPanel| thickness(&panel.label, em, width);
@@ -110,9 +120,9 @@ fn draw_panel(scene: &mut Scene, chart: &Surface3d, layout: &Layout, i: usize, t
         .flat_map(|(run, curve)| curve::pieces(&run, &surface, &space, style(curve)))
         .collect();
     surface.draw(scene, &space, &pieces);
-    let labels = axes.draw_labels(scene, &space, ticks, i == 0);
+    let mut labels = axes.draw_labels(scene, &space, ticks, i == 0);
     if i == 0 {
-        axes.draw_height_name(scene, &space, layout.name_room, &chart.z_label);
+        labels.extend(axes.draw_height_name(scene, &space, layout.name_room, &chart.z_label));
     }
     let right = |panel: usize| layout.left(panel) + layout.width + layout.beside;
     let sides = (if i == 0 { MARGIN } else { right(i - 1) + 0.2 * em }, right(i));

@@ -10,6 +10,7 @@ use crate::ChartError;
 use crate::chart::Drawing;
 use crate::checks;
 use crate::paint::scene::Scene;
+use crate::paper::Paper;
 
 /// A quantity as height over two logarithmic axes: a surface in space, in one panel or several side by side. Seen from
 /// a fixed angle, from the side of large x and small y, a little to the right of the y-axis's direction: a ridge along
@@ -70,9 +71,13 @@ pub struct Surface3dCurve {
 const MOST_PANELS: usize = 3;
 
 impl Drawing for Surface3d {
-    fn scene(&self) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self))
+        Ok(layout::draw(self, paper))
+    }
+
+    fn side_by_side(&self) -> usize {
+        self.panels.len()
     }
 }
 

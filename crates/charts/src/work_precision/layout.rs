@@ -11,16 +11,14 @@ use crate::paint::font;
 use crate::paint::marker::{self, Form};
 use crate::paint::palette::{self, EXACT, FAILED, FRAME, QUIET_TEXT, TEXT, faded};
 use crate::paint::scene::{Anchor, Area, Point, Scene, Shape};
+use crate::paper::Paper;
 
-const STYLE: Style = Style { name_below: 1.8, ..Style::PLOT };
-/// Size of the font of labels, in pixels.
-const EM: f64 = STYLE.em;
-/// Size of the font of the labels of settings.
-const LABEL_EM: f64 = 34.0;
+/// Size of the font of the labels of settings over that of all others.
+const LABEL: f64 = 0.85;
 /// Height of the part between the bands if no error is above zero.
 const EMPTY_HEIGHT: f64 = 360.0;
-/// Height of one method's row in a band.
-const ROW: f64 = 0.85 * EM;
+/// Height of one method's row in a band, over the size of the font.
+const ROW: f64 = 0.85;
 /// Names of the bands.
 const BANDS: [&str; 2] = ["failed", "0 (exact)"];
 
@@ -40,6 +38,7 @@ impl Band {
 
 /// Where everything lies.
 struct Layout {
+    style: Style,
     plot: Area,
     /// Upper and lower end of the scale of errors.
     scale: (f64, f64),
@@ -53,29 +52,30 @@ struct Layout {
 
 impl Layout {
     /// The widest plot below `top` that leaves room for its labels, with this height between the bands.
-    fn new(chart: &WorkPrecision, top: f64, height: f64) -> Self {
+    fn new(chart: &WorkPrecision, style: Style, top: f64, height: f64) -> Self {
+        let em = style.em;
         let (x_axis, y_axis) = axes(chart);
         let failing = lines_with(chart, |point| point.failures() > 0);
         let exact = lines_with(chart, |point| point.known().any(|(_, error)| error == 0.0));
-        let plot_top = top + band_height(&failing);
+        let plot_top = top + band_height(&failing, em);
         let plot_bottom = plot_top + if y_axis.is_some() { height } else { EMPTY_HEIGHT };
-        let bottom = plot_bottom + band_height(&exact);
+        let bottom = plot_bottom + band_height(&exact, em);
         // Beside a band the scale ends early, so that the label of its last tick stays clear of the label of the band.
-        let clear = |lines: &[usize]| if lines.is_empty() { 0.0 } else { 0.7 * EM };
+        let clear = |lines: &[usize]| if lines.is_empty() { 0.0 } else { 0.7 * em };
         let scale = (plot_top + clear(&failing), plot_bottom - clear(&exact));
         let y_ticks = y_axis.map_or_else(Ticks::default, |axis| {
-            let extent = ticks::extent(|value| axis.share(value), scale.1 - scale.0, EM, true);
-            ticks::fitting(|most| axis.ticks(most), extent, 0.3 * EM)
+            let extent = ticks::extent(|value| axis.share(value), scale.1 - scale.0, em, true);
+            ticks::fitting_or_fewer(|most| axis.ticks(most), extent, 0.3 * em)
         });
         let bands = BANDS.into_iter().zip([&failing, &exact]).filter(|(_, lines)| !lines.is_empty());
-        let widest = bands.map(|(name, _)| font::width(name, EM)).fold(y_ticks.widest(EM), f64::max);
-        let left = STYLE.plot_left(&chart.y_label, bottom - top, widest);
+        let widest = bands.map(|(name, _)| font::width(name, em)).fold(y_ticks.widest(em), f64::max);
+        let left = style.plot_left(&chart.y_label, bottom - top, widest);
         // Half of the last label of the horizontal axis may stand out to the right.
-        let right = RIGHT - (0.5 * x_ticks(&x_axis, RIGHT - left).widest(EM)).max(0.6 * EM);
+        let right = RIGHT - (0.5 * x_ticks(&x_axis, RIGHT - left, em).widest(em)).max(0.6 * em);
         let plot = Area { left, top: plot_top, right, bottom: plot_bottom };
         let failed = Band { area: Area { top, bottom: plot_top, ..plot }, lines: failing };
         let exact = Band { area: Area { top: plot_bottom, bottom, ..plot }, lines: exact };
-        Layout { plot, scale, failed, exact, x_axis, y_axis, y_ticks }
+        Layout { style, plot, scale, failed, exact, x_axis, y_axis, y_ticks }
     }
 
     fn x(&self, seconds: f64) -> f64 {
@@ -125,14 +125,14 @@ fn lines_with(chart: &WorkPrecision, is: impl Fn(&SettingPoint) -> bool) -> Vec<
     (0..chart.lines.len()).filter(|i| chart.lines[*i].points.iter().any(&is)).collect()
 }
 
-fn band_height(lines: &[usize]) -> f64 {
-    if lines.is_empty() { 0.0 } else { lines.len() as f64 * ROW + 0.3 * EM }
+fn band_height(lines: &[usize], em: f64) -> f64 {
+    if lines.is_empty() { 0.0 } else { (lines.len() as f64 * ROW + 0.3) * em }
 }
 
 /// Ticks of a horizontal axis of this length.
-fn x_ticks(axis: &LogAxis, length: f64) -> Ticks {
-    let extent = ticks::extent(|value| axis.share(value), length, EM, false);
-    ticks::fitting(|most| axis.ticks(most), extent, 0.6 * EM)
+fn x_ticks(axis: &LogAxis, length: f64, em: f64) -> Ticks {
+    let extent = ticks::extent(|value| axis.share(value), length, em, false);
+    ticks::fitting_or_fewer(|most| axis.ticks(most), extent, 0.6 * em)
 }
 
 /// How the number of cases that failed is written at a setting.
@@ -146,28 +146,30 @@ enum Wording {
 
 /// Draws the chart, which has been checked and has a case. Where labels crowd they become shorter, then the chart
 /// higher.
-pub(crate) fn draw(chart: &WorkPrecision) -> Scene {
+pub(crate) fn draw(chart: &WorkPrecision, paper: &Paper) -> Scene {
+    let style = Style { name_below: 1.8, ..Style::plot(paper) };
     let roomy = [(900.0, Wording::Full), (900.0, Wording::Short), (1200.0, Wording::Short)];
-    let scenes = roomy.into_iter().map(|(height, wording)| lay_out(chart, height, wording));
+    let scenes = roomy.into_iter().map(|(height, wording)| lay_out(chart, style, height, wording));
     let found = scenes.into_iter().find(|(_, crowded)| !crowded);
-    found.unwrap_or_else(|| lay_out(chart, 1600.0, Wording::Short)).0
+    found.unwrap_or_else(|| lay_out(chart, style, 1600.0, Wording::Short)).0
 }
 
 /// The chart with `height` pixels between the bands, and whether its labels crowd.
-fn lay_out(chart: &WorkPrecision, height: f64, wording: Wording) -> (Scene, bool) {
+fn lay_out(chart: &WorkPrecision, style: Style, height: f64, wording: Wording) -> (Scene, bool) {
+    let em = style.em;
     let mut scene = Scene::default();
-    let top = STYLE.heading(&mut scene, &chart.title, &chart.subtitle);
-    let layout = Layout::new(chart, top, height);
+    let top = style.heading(&mut scene, &chart.title, &chart.subtitle);
+    let layout = Layout::new(chart, style, top, height);
     draw_axes(&mut scene, &layout);
-    let below = STYLE.names(&mut scene, layout.whole(), &chart.x_label, &chart.y_label);
+    let below = style.names(&mut scene, layout.whole(), &chart.x_label, &chart.y_label);
     if layout.y_axis.is_none() {
-        let at = (layout.plot.centre().0, layout.plot.bottom - 0.5 * EM);
-        scene.text(at, Anchor::Middle, EM, QUIET_TEXT, why_empty(chart));
+        let at = (layout.plot.centre().0, layout.plot.bottom - 0.5 * em);
+        scene.text(at, Anchor::Middle, em, QUIET_TEXT, why_empty(chart));
     }
     draw_cases(&mut scene, chart, &layout);
     let crowded = draw_medians(&mut scene, chart, &layout, wording);
     scene.frame(layout.whole(), 3.0, FRAME);
-    STYLE.finish(&mut scene, &entries(chart, wording), (MARGIN, below));
+    style.finish(&mut scene, &entries(chart, wording), (MARGIN, below));
     (scene, crowded)
 }
 
@@ -185,19 +187,20 @@ fn why_empty(chart: &WorkPrecision) -> &'static str {
 
 /// Draws bands, grid and ticks with their labels.
 fn draw_axes(scene: &mut Scene, layout: &Layout) {
+    let style = layout.style;
     let (plot, whole) = (layout.plot, layout.whole());
     let bands = [(&layout.failed, FAILED, plot.top), (&layout.exact, EXACT, plot.bottom)];
     let bands = || bands.into_iter().zip(BANDS).filter(|((band, ..), _)| !band.lines.is_empty());
     for ((band, ink, _), name) in bands() {
         scene.rectangle(band.area, faded(ink, 0.6));
-        STYLE.label_beside(scene, (plot.left, band.area.centre().1), name);
+        style.label_beside(scene, (plot.left, band.area.centre().1), name);
     }
-    let x_ticks = x_ticks(&layout.x_axis, plot.width());
+    let x_ticks = x_ticks(&layout.x_axis, plot.width(), style.em);
     let x = Side { ticks: &x_ticks, at: &|value| layout.x(value) };
     let y = Side { ticks: &layout.y_ticks, at: &|value| layout.y(0, value) };
-    STYLE.grid(scene, whole, &x, &y);
-    STYLE.ticks_below(scene, whole, &x, true);
-    STYLE.ticks_beside(scene, whole, &y, true);
+    style.grid(scene, whole, &x, &y);
+    style.ticks_below(scene, whole, &x, true);
+    style.ticks_beside(scene, whole, &y, true);
     for ((_, _, edge), _) in bands() {
         scene.line((plot.left, edge), (plot.right, edge), 2.0, FRAME);
     }
@@ -205,6 +208,7 @@ fn draw_axes(scene: &mut Scene, layout: &Layout) {
 
 /// Draws a small marker or a cross for each case.
 fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
+    let em = layout.style.em;
     for (i, line) in chart.lines.iter().enumerate() {
         let ink = palette::line_colour(i);
         for (seconds, outcome) in line.points.iter().flat_map(|point| &point.cases) {
@@ -212,10 +216,10 @@ fn draw_cases(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout) {
             match outcome {
                 Outcome::Error(error) => {
                     let at = (x, layout.y(i, *error));
-                    marker::marker(scene, Form::of(i), at, SMALL_RADIUS * EM, faded(ink, SMALL_OPACITY));
+                    marker::marker(scene, Form::of(i), at, SMALL_RADIUS * em, faded(ink, SMALL_OPACITY));
                 }
                 Outcome::Unknown => {}
-                Outcome::Failed => marker::cross(scene, (x, layout.failed.row(i)), 0.2 * EM, 3.5, ink),
+                Outcome::Failed => marker::cross(scene, (x, layout.failed.row(i)), 0.2 * em, 0.09 * em, ink),
             }
         }
     }
@@ -234,6 +238,7 @@ fn words(point: &SettingPoint, wording: Wording) -> Vec<String> {
 
 /// Draws lines, median markers and the labels of settings. Returns whether labels crowd.
 fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wording: Wording) -> bool {
+    let em = layout.style.em;
     for (i, line) in chart.lines.iter().enumerate() {
         let path: Vec<Point> = layout.medians(i, line).into_iter().map(|(_, at)| at).collect();
         if path.len() > 1 {
@@ -241,14 +246,14 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wordi
         }
     }
     let mut obstacles = obstacles(chart, layout);
-    let reach = LARGE_RADIUS * EM + 8.0;
+    let reach = LARGE_RADIUS * em + 8.0;
     let texts: Vec<Shape> = setting_labels(chart, layout, wording)
         .iter()
-        .flat_map(|label| label.place(&mut obstacles, reach, LABEL_EM, scene))
+        .flat_map(|label| label.place(&mut obstacles, reach, LABEL * em, scene))
         .collect();
     for (i, line) in chart.lines.iter().enumerate() {
         for (_, at) in layout.medians(i, line) {
-            marker::rimmed(scene, Form::of(i), at, LARGE_RADIUS * EM, palette::line_colour(i));
+            marker::rimmed(scene, Form::of(i), at, LARGE_RADIUS * em, palette::line_colour(i));
         }
     }
     scene.shapes.extend(texts);
@@ -257,17 +262,18 @@ fn draw_medians(scene: &mut Scene, chart: &WorkPrecision, layout: &Layout, wordi
 
 /// What the labels of settings must not cover: median markers, lines, and as few cases as possible.
 fn obstacles(chart: &WorkPrecision, layout: &Layout) -> Obstacles {
+    let em = layout.style.em;
     let mut bounds = layout.whole().grown(-8.0);
     bounds.top = layout.plot.top + 8.0;
     if layout.y_axis.is_none() {
         // There the chart says why it is empty.
-        bounds.bottom = layout.plot.bottom - 1.5 * EM;
+        bounds.bottom = layout.plot.bottom - 1.5 * em;
     }
     let mut obstacles = Obstacles { bounds, solid: vec![], lines: vec![], faint: vec![], crowded: false };
     for (i, line) in chart.lines.iter().enumerate() {
         let medians = layout.medians(i, line);
         obstacles.lines.extend(medians.windows(2).map(|pair| (pair[0].1, pair[1].1)));
-        obstacles.solid.extend(medians.iter().map(|(_, at)| Area::about(*at, LARGE_RADIUS * EM + 4.0)));
+        obstacles.solid.extend(medians.iter().map(|(_, at)| Area::about(*at, LARGE_RADIUS * em + 4.0)));
         let cases = line.points.iter().flat_map(SettingPoint::known);
         obstacles.faint.extend(cases.map(|(seconds, error)| (layout.x(seconds), layout.y(i, error))));
     }
@@ -316,7 +322,7 @@ fn entries(chart: &WorkPrecision, wording: Wording) -> Vec<Entry> {
         .collect();
     if points(chart).any(|point| point.known().next().is_some()) {
         let label = "one case (large: median)".to_string();
-        entries.push(Entry { swatch: Swatch::Small { form: Form::Disc, ink: TEXT }, label });
+        entries.push(Entry { swatch: Swatch::Small { form: Form::DISC, ink: TEXT }, label });
     }
     if points(chart).any(|point| point.failures() > 0) {
         let label = match wording {

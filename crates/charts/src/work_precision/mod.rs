@@ -8,6 +8,7 @@ use crate::ChartError;
 use crate::chart::Drawing;
 use crate::median::geometric_median;
 use crate::paint::scene::Scene;
+use crate::paper::Paper;
 
 /// Error against run time on logarithmic axes, one line for each method.
 ///
@@ -94,9 +95,9 @@ impl SettingPoint {
 }
 
 impl Drawing for WorkPrecision {
-    fn scene(&self) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self))
+        Ok(layout::draw(self, paper))
     }
 }
 

@@ -1,15 +1,15 @@
 //! Reading charts, for the tests that draw them.
 
 use roxmltree::{Document, Node};
-use stribeck_charts::{Chart, WIDTH};
+use stribeck_charts::{Chart, MARK, Paper};
 
 /// All text of a picture, each text trimmed.
 pub fn texts(document: &Document) -> Vec<String> {
     document
         .descendants()
         .filter(|n| n.has_tag_name("text"))
-        .filter_map(|n| n.text())
-        .map(|t| t.trim().to_string())
+        .map(|n| n.descendants().filter(|part| part.is_text()).filter_map(|part| part.text()).collect())
+        .map(|text: String| text.trim().to_string())
         .collect()
 }
 
@@ -32,16 +32,26 @@ fn decoded(bytes: &[u8]) -> (u32, u32) {
     (frame.width, frame.height)
 }
 
-/// Both formats of a chart are well formed, of one size, and the same when drawn again.
+/// All formats of a chart are well formed, of one shape, known by their beginning, and the same when drawn again.
 pub fn check_formats(chart: &impl Chart) -> String {
-    let text = chart.svg().unwrap();
+    let paper = Paper::default();
+    let text = chart.svg(&paper).unwrap();
     let document = Document::parse(&text).unwrap();
-    let (width, height) = (number(&document.root_element(), "width"), number(&document.root_element(), "height"));
-    assert_eq!(width, f64::from(WIDTH));
-    let bytes = chart.png().unwrap();
-    assert_eq!(decoded(&bytes), (WIDTH, height as u32));
-    assert_eq!(chart.svg().unwrap(), text);
-    assert_eq!(chart.png().unwrap(), bytes);
+    let root = document.root_element();
+    let (width, height) = (number(&root, "width"), number(&root, "height"));
+    assert_eq!(width, paper.width);
+    let bytes = chart.png(&paper).unwrap();
+    let (across, down) = decoded(&bytes);
+    assert_eq!(across, paper.pixels);
+    assert!((height / width - f64::from(down) / f64::from(across)).abs() < 1e-3, "{width} {height} {across} {down}");
+    let page = chart.pdf(&paper).unwrap();
+    assert!(page.starts_with(b"%PDF-1.") && page.ends_with(b"%%EOF"));
+    for beginning in [text.as_bytes(), &bytes, &page].map(|file| &file[..1000]) {
+        assert!(beginning.windows(MARK.len()).any(|word| word == MARK.as_bytes()));
+    }
+    assert_eq!(chart.svg(&paper).unwrap(), text);
+    assert_eq!(chart.png(&paper).unwrap(), bytes);
+    assert_eq!(chart.pdf(&paper).unwrap(), page);
     text
 }
 

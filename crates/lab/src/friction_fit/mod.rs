@@ -7,12 +7,14 @@
 //! | `problem` | residuals and their Jacobian, for the Levenberg–Marquardt method |
 //! | `statistics` | standard errors and correlations |
 //! | `profile` | intervals of unknowns, while the others follow |
+//! | `curve` | [`FittedCurve`]: fitted friction along the speed |
 //!
 //! Unknowns are positive; the search runs in their logarithms. Residuals are (μ − μᵢ)/σᵢ where the file has standard
 //! errors σᵢ. For means of readings they are ln(μ/μᵢ) μᵢ/σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose
 //! size then follows from the residuals.
 
 mod bounds;
+mod curve;
 mod prediction;
 mod problem;
 mod profile;
@@ -23,6 +25,7 @@ use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 
 use crate::{Experiment, Measured};
 pub use bounds::Bounds;
+pub use curve::FittedCurve;
 use prediction::Predictor;
 use problem::{Found, Problem};
 pub use statistics::Inseparable;

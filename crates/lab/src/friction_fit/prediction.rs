@@ -3,8 +3,8 @@
 use super::{FrictionFitError, FrictionTask, Unknown};
 use crate::{Experiment, LaboratoryQuantity, Measured};
 use stribeck_solver::{
-    Failure, Interrupt, Method, Output, Parameters, Sensitivities, Settings, Solution, Substrate, collocation,
-    solve_points,
+    Failure, Friction, Interrupt, Method, Output, Parameters, Sensitivities, Settings, Solution, Substrate,
+    collocation, solve_points,
 };
 
 /// The largest relative error of a solution: a fit compares small differences.
@@ -48,15 +48,13 @@ impl<'a> Predictor<'a> {
     /// [`FrictionFitError::Task`] if the file does not go with the unknowns.
     pub(super) fn new(task: &'a FrictionTask<'_>) -> Result<Self, FrictionFitError> {
         check_columns(task).and_then(|()| check_unknowns(task)).map_err(|what| FrictionFitError::Task { what })?;
-        let output = Output { cavity_shear: task.cavity_shear, sensitivities: true, ..Output::numbers() };
-        let method = collocation::Settings::for_tolerance(task.tolerance.min(TOLERANCE));
         Ok(Self {
             measured: task.measured,
             beginning: task.experiment,
             experiments: (0..task.measured.friction.len()).map(|point| at_point(task, point)).collect(),
             unknowns: &task.unknowns,
             spectra: [task.substrate, task.roller_spectrum],
-            settings: Settings { method: Method::Collocation(method), time_limit: None, output },
+            settings: settings(task, true),
         })
     }
 
@@ -103,11 +101,12 @@ impl<'a> Predictor<'a> {
         let friction = solution.quantities.friction;
         let slide_roll = experiment.motion.slide_roll();
         // over a₀/R
-        let (force, derivatives) = match self.measured.column {
-            "mu_v" => (friction.viscoelastic, sensitivities.viscoelastic()),
-            "mu_h" => (friction.hydrodynamic_at(slide_roll), sensitivities.hydrodynamic_at(slide_roll)),
-            "mu_tot" => (friction.total_at(slide_roll), sensitivities.total_at(slide_roll)),
-            _ => (friction.drag_at(slide_roll), sensitivities.drag_at(slide_roll)),
+        let force = coefficient(self.measured.column, &friction, slide_roll);
+        let derivatives = match self.measured.column {
+            "mu_v" => sensitivities.viscoelastic(),
+            "mu_h" => sensitivities.hydrodynamic_at(slide_roll),
+            "mu_tot" => sensitivities.total_at(slide_roll),
+            _ => sensitivities.drag_at(slide_roll),
         };
         let scale = experiment.scales().friction;
         let along = |unknown: &Unknown| {
@@ -115,6 +114,23 @@ impl<'a> Predictor<'a> {
             scale * (powers.changes(derivatives).iter().sum::<f64>() + force * powers.friction)
         };
         (scale * force, self.unknowns.iter().map(along).collect())
+    }
+}
+
+/// How the cases of a task are solved.
+pub(super) fn settings(task: &FrictionTask<'_>, sensitivities: bool) -> Settings {
+    let output = Output { cavity_shear: task.cavity_shear, sensitivities, ..Output::numbers() };
+    let method = collocation::Settings::for_tolerance(task.tolerance.min(TOLERANCE));
+    Settings { method: Method::Collocation(method), time_limit: None, output }
+}
+
+/// The friction coefficient of a column, over a₀/R.
+pub(super) fn coefficient(column: &str, friction: &Friction, slide_roll: f64) -> f64 {
+    match column {
+        "mu_v" => friction.viscoelastic,
+        "mu_h" => friction.hydrodynamic_at(slide_roll),
+        "mu_tot" => friction.total_at(slide_roll),
+        _ => friction.drag_at(slide_roll),
     }
 }
 

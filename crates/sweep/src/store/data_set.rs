@@ -8,6 +8,7 @@ use hdf5::{Dataset, Hyperslab, SliceOrIndex};
 use super::claims::{Inspection, LogContent, fault, read_claims};
 use super::directory::{Directory, PUBLISHED};
 use super::files::open_file;
+use super::further_columns::AVERAGES;
 use super::hdf5_file::{get_text, open};
 use super::results::{DIMENSIONS, PARTIAL};
 use super::{Status, StoreError};
@@ -41,6 +42,8 @@ pub struct DataSet {
     pub dimensions: Vec<Dimension>,
     /// True if numbers are in SI units and quantities of the laboratory given.
     pub laboratory: bool,
+    /// True if bodies were swapped, and the averages over both runs are columns.
+    pub is_swapped: bool,
     /// The quantities of the laboratory that are no dimension, by their names.
     pub fixed: Vec<(String, f64)>,
     /// Where the fields are given, ascending, over a₀; empty if there are none.
@@ -139,6 +142,7 @@ impl DataSet {
             partial,
             dimensions,
             laboratory,
+            is_swapped: has(AVERAGES[0].0),
             fixed,
             x: if fields.is_empty() { Vec::new() } else { axis("x")? },
             fields,
