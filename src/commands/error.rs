@@ -291,30 +291,6 @@ pub enum CliError {
         /// Why they are none.
         source: MasterCurveError,
     },
-    /// Moduli at several temperatures, and none to shift them to.
-    #[error(
-        "{}: the moduli are at temperatures from {:.1} to {:.1} degC and no one material; say to which temperature they are \
-         to be shifted, as in --reference-temperature \"20 degC\"",
-        shown(data),
-        range.0 - 273.15,
-        range.1 - 273.15
-    )]
-    SeveralTemperatures {
-        /// The table of measurements.
-        data: PathBuf,
-        /// The lowest and the highest temperature, in K.
-        range: (f64, f64),
-    },
-    /// A temperature to shift moduli to that have none.
-    #[error(
-        "{}: no column has a temperature, so the moduli cannot be shifted to the reference temperature; leave the option \
-         out, or name the column, as in --columns \"temperature=#4\"",
-        shown(data)
-    )]
-    NoTemperatures {
-        /// The table of measurements.
-        data: PathBuf,
-    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -361,8 +337,6 @@ impl CliError {
             | CliError::Fit { .. }
             | CliError::Series { .. }
             | CliError::MasterCurve { .. }
-            | CliError::SeveralTemperatures { .. }
-            | CliError::NoTemperatures { .. }
             | CliError::NoTarget
             | CliError::IsInput { .. }
             | CliError::NoName { .. }

@@ -52,10 +52,10 @@ pub use friction_fit::{
     Bounds, Estimate, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown, Watch,
 };
 pub use material::{
-    Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
-    MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,
-    PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors,
-    ShiftFactorsError, TermChoice,
+    AtOneTemperature, Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material,
+    MaterialData, MaterialError, MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements,
+    ModulusKind, PronyError, PronyFile, PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError,
+    RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError, TermChoice,
 };
 pub use measured::Measured;
 pub use motion::Motion;

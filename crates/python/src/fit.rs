@@ -96,8 +96,8 @@ impl Request {
                 Some(bytes) => Measured::of(path, bytes, &choices),
                 None => Measured::read(path, &choices),
             };
-            let (part, understood) = read.map_err(errors::input)?;
-            told += &understood.to_string();
+            let (part, understood) = read.map_err(|error| errors::table(&error))?;
+            told += &errors::with_keywords(&understood.to_string());
             parts.push(part);
         }
         Ok((Measured::join(parts).map_err(errors::input)?, told))

@@ -17,6 +17,7 @@
 //! | `isotherms` | [`Isotherms`]: measurements sorted by temperature |
 //! | `master_curve`, `shift_factors` | [`MasterCurve`]: isotherms shifted to one temperature; given shift factors |
 //! | `shift_factor_file` | the reader of these |
+//! | `one_temperature` | [`AtOneTemperature`]: moduli as they are, or shifted |
 
 mod conversion;
 mod creep;
@@ -27,6 +28,7 @@ mod material_file;
 mod material_table;
 mod measurement;
 mod modulus_kind;
+mod one_temperature;
 mod prony;
 mod prony_file;
 mod relaxation;
@@ -43,6 +45,7 @@ pub use master_curve::{MasterCurve, MasterCurveError, Shift};
 pub use material_file::{MaterialData, MaterialFile, MaterialFileError, MaterialOptions};
 pub use measurement::{Measurement, Measurements};
 pub use modulus_kind::ModulusKind;
+pub use one_temperature::AtOneTemperature;
 pub use prony::{PronyError, PronyParts, PronySeries};
 pub use prony_file::PronyFile;
 pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};

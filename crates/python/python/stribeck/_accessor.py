@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray
 
 from ._errors import InputError
+from ._packages import axes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
-@xarray.register_dataset_accessor("stribeck")
 class Accessor:
     """Cases, curves and pictures of the results of `stribeck.solve`, `stribeck.open` and `Experiment.curve`."""
 
@@ -77,12 +80,12 @@ class Accessor:
             )
         return picked.isel(dict.fromkeys(dims[:-1], 0))
 
-    def plot_curve(self, *, ax: Any = None, **wanted: float) -> Any:
+    def plot_curve(self, *, ax: Axes | None = None, **wanted: float) -> Axes:
         """Draw friction and its parts along a curve, and return the axes of matplotlib.
 
         With several values of one more dimension, the drag of each.
         """
-        ax = _axes(ax)
+        ax = axes(ax)
         data = self.nearest(**wanted) if wanted else self._data
         data = data.squeeze([dim for dim in data["mu_drag"].dims[:-1] if data.sizes[dim] == 1])
         dims = [str(dim) for dim in data["mu_drag"].dims]
@@ -108,9 +111,9 @@ class Accessor:
         ax.legend()
         return ax
 
-    def plot_surface(self, quantity: str = "mu_drag", *, ax: Any = None, **wanted: float) -> Any:
+    def plot_surface(self, quantity: str = "mu_drag", *, ax: Axes | None = None, **wanted: float) -> Axes:
         """Draw a quantity over α and β, or over two other dimensions, as a map with contours; return the axes."""
-        ax = _axes(ax)
+        ax = axes(ax)
         data = (self.nearest(**wanted) if wanted else self._data)[quantity]
         data = data.squeeze([dim for dim in data.dims if data.sizes[dim] == 1])
         if data.ndim != 2:
@@ -127,7 +130,7 @@ class Accessor:
         ax.set(xscale="log", yscale="log", xlabel=_label(data[x]), ylabel=_label(data[y]))
         return ax
 
-    def plot_profile(self, *, ax: Any = None, **wanted: float) -> Any:
+    def plot_profile(self, *, ax: Axes | None = None, **wanted: float) -> Axes:
         """Draw pressure and film of the nearest case along x, and return the axes of matplotlib.
 
         Raises
@@ -135,7 +138,7 @@ class Accessor:
         InputError
             If the data set has no such fields, or several cases are left.
         """
-        ax = _axes(ax)
+        ax = axes(ax)
         case = self.nearest(**wanted) if wanted else self._data
         names = [name for name in ("pressure", "film_thickness", "displacement") if name in case]
         if not names:
@@ -150,20 +153,15 @@ class Accessor:
         return ax
 
 
-def _axes(ax: Any) -> Any:
-    if ax is not None:
-        return ax
-    import matplotlib.pyplot as plt  # noqa: PLC0415
-
-    return plt.subplots(figsize=(4.5, 3.2), layout="constrained")[1]
-
+register: Any = xarray.register_dataset_accessor
+register("stribeck")(Accessor)
 
 _SYMBOLS = {"alpha": "α", "beta": "β", "f": "f", "slide_roll": "S"}
 
 
 def _unit(array: xarray.DataArray) -> str:
     """What the numbers are in: a unit of SI, or what they are over."""
-    return array.attrs.get("scale", array.attrs.get("units", "1"))
+    return str(array.attrs.get("scale", array.attrs.get("units", "1")))
 
 
 def _label(array: xarray.DataArray) -> str:
