@@ -31,6 +31,16 @@ class Accessor:
         Distances are those of logarithms; 0 and inf are near to themselves alone. A dimension with one value need not
         be named.
 
+        Parameters
+        ----------
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        xarray.Dataset
+            What is left of the data set there.
+
         Raises
         ------
         InputError
@@ -53,6 +63,16 @@ class Accessor:
     def case(self, identity: str) -> xarray.Dataset:
         """Take a case by its id; of several places with it the first.
 
+        Parameters
+        ----------
+        identity : str
+            The id, as in the variable ``case`` or the column of summary.csv.
+
+        Returns
+        -------
+        xarray.Dataset
+            The case.
+
         Raises
         ------
         InputError
@@ -65,6 +85,16 @@ class Accessor:
 
     def curve(self, **wanted: float) -> xarray.Dataset:
         """Take a Stribeck curve: nearest in the named dimensions, along the last one that is left.
+
+        Parameters
+        ----------
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        xarray.Dataset
+            The curve, of one dimension, and x for fields.
 
         Raises
         ------
@@ -81,9 +111,26 @@ class Accessor:
         return picked.isel(dict.fromkeys(dims[:-1], 0))
 
     def plot_curve(self, *, ax: Axes | None = None, **wanted: float) -> Axes:
-        """Draw friction and its parts along a curve, and return the axes of matplotlib.
+        """Draw friction and its parts along a curve; with several values of one more dimension the drag of each.
 
-        With several values of one more dimension, the drag of each.
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        InputError
+            If more dimensions with several values are left.
+        ImportError
+            Without matplotlib.
         """
         ax = axes(ax)
         data = self.nearest(**wanted) if wanted else self._data
@@ -95,7 +142,7 @@ class Accessor:
         if len(dims) == 2:
             units = data[dims[0]].attrs.get("units", "1").replace("1", "")
             for value in data[dims[0]].values:
-                label = f"{_SYMBOLS.get(dims[0], dims[0].replace('_', ' '))} = {value:.4g} {units}".rstrip()
+                label = f"{_SYMBOLS.get(dims[0], dims[0].replace('_', ' '))} = {value:.5g} {units}".rstrip()
                 ax.plot(data[along], data["mu_drag"].sel({dims[0]: value}), ".-", ms=4, label=label)
         else:
             # The drag is the sum of the others, whatever the slide-to-roll ratio is.
@@ -108,12 +155,38 @@ class Accessor:
             for label, part in parts.items():
                 ax.plot(data[along], part, ".-", ms=4, label=label)
         ax.set(xscale="log", xlabel=_label(data[along]), ylabel=_friction(data["mu_drag"]))
-        ax.legend()
+        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), frameon=False, ncols=2)
         return ax
 
     def plot_surface(self, quantity: str = "mu_drag", *, ax: Axes | None = None, **wanted: float) -> Axes:
-        """Draw a quantity over α and β, or over two other dimensions, as a map with contours; return the axes."""
+        """Draw a quantity over α and β, or over two other dimensions, as a map with contours.
+
+        Cases that failed are crossed.
+
+        Parameters
+        ----------
+        quantity : str, default "mu_drag"
+            A column.
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        InputError
+            If there is no such column, or not two dimensions are left.
+        ImportError
+            Without matplotlib.
+        """
         ax = axes(ax)
+        if quantity not in self._data:
+            raise InputError(f"there is no column {quantity!r}: there are {', '.join(map(str, self._data.data_vars))}")
         data = (self.nearest(**wanted) if wanted else self._data)[quantity]
         data = data.squeeze([dim for dim in data.dims if data.sizes[dim] == 1])
         if data.ndim != 2:
@@ -131,7 +204,19 @@ class Accessor:
         return ax
 
     def plot_profile(self, *, ax: Axes | None = None, **wanted: float) -> Axes:
-        """Draw pressure and film of the nearest case along x, and return the axes of matplotlib.
+        """Draw pressure and film of the nearest case along x.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
 
         Raises
         ------

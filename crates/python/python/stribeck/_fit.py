@@ -67,7 +67,23 @@ class Fit:
     understood: str = field(repr=False)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw the measured points with their errors and the fitted ones, and return the axes of matplotlib."""
+        """Draw the measured points with their errors, and the fitted ones.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        ImportError
+            Without matplotlib.
+        """
         ax = axes(ax)
         speed, errors = self.points[self.along], self.points["error"]
         order = np.argsort(speed)
@@ -100,7 +116,7 @@ def fit(
     experiment : Experiment or path
         All else, with the value that each unknown begins at; or a sweep file with ``[laboratory]``.
     unknown : str or sequence of str
-        What is looked for: ``f``, ``relaxed_modulus``, ``viscosity``, ``retardation_time``, …
+        What is looked for: ``f``, ``relaxed_modulus``, ``viscosity``, ``retardation_time`` or others of `Experiment`.
     bounds : dict of str to (low, high), optional
         Where unknowns must stay: numbers in SI units, texts with units, or None for an open end.
     columns : str, optional
@@ -113,6 +129,7 @@ def fit(
     Returns
     -------
     Fit
+        Values, errors and covariance of the unknowns, the fitted points, and the experiment with the values.
 
     Raises
     ------

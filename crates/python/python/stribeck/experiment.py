@@ -83,7 +83,23 @@ class Experiment:
         return next((speed for beside, speed in _ALONG.items() if self._given.get(beside) is not None), "speed")
 
     def replace(self, **changes: Any) -> Experiment:
-        """Make an experiment with some arguments changed; None leaves one out."""
+        """Make an experiment with some arguments changed.
+
+        Parameters
+        ----------
+        **changes
+            Arguments of `Experiment`; None leaves one out.
+
+        Returns
+        -------
+        Experiment
+            The new one.
+
+        Raises
+        ------
+        InputError
+            As of `Experiment`.
+        """
         return Experiment(**{**self._given, **self._options, **changes})
 
     def to_toml(self, speed: Any = None) -> str:
@@ -94,6 +110,11 @@ class Experiment:
         speed : float, str, list or dict, optional
             The speeds: a list that ascends, or a range ``{"from": "1 um/s", "to": "1 m/s", "points": 31, "scale":
             "log"}``. By default those of the experiment, or 1 mm/s.
+
+        Returns
+        -------
+        str
+            The text of the file, TOML.
         """
         quantities = {name: it for name, it in self._given.items() if name not in ("flat", "roller") and it is not None}
         if speed is not None:
@@ -181,7 +202,29 @@ class Experiment:
         return values[place].reshape(speeds.shape)
 
     def plot(self, speed: Any = None, *, ax: Axes | None = None, threads: int | None = None) -> Axes:
-        """Draw friction against speed with its parts, and return the axes of matplotlib; see `curve`."""
+        """Draw friction against speed with its parts; of several values of one more quantity the drag of each.
+
+        Parameters
+        ----------
+        speed : array_like, list or dict, optional
+            As of `curve`.
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        threads : int, optional
+            Solver threads; one for each core by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        InputError
+            As of `curve`, or if more than one other quantity has several values.
+        ImportError
+            Without xarray or matplotlib.
+        """
         package("xarray", "a picture of a curve")
         drawn: Axes = self.curve(speed, threads=threads).stribeck.plot_curve(ax=ax)
         return drawn

@@ -209,20 +209,48 @@ class Material:
         return cls(**native, **more, moduli=terms[:, 0], times=terms[:, 1], modes=modes)
 
     def modulus(self, time: ArrayLike) -> NDArray[np.float64]:
-        """E(t) in Pa at times in s after a step of strain, of the shape of `time`."""
+        """Give the relaxation modulus E(t).
+
+        Parameters
+        ----------
+        time : array_like
+            Times after a step of strain in s, from 0.
+
+        Returns
+        -------
+        numpy.ndarray
+            E(t) in Pa, of the shape of `time`.
+        """
         time = np.asarray(time, dtype=float)[..., np.newaxis]
         relaxing: NDArray[np.float64] = (self.moduli * np.exp(-time / self.times)).sum(axis=-1)
         return self.relaxed_modulus + relaxing
 
     def storage_and_loss(self, omega: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Storage and loss modulus in Pa at angular frequencies in rad/s, of the shape of `omega`."""
+        """Give storage and loss modulus.
+
+        Parameters
+        ----------
+        omega : array_like
+            Angular frequencies in rad/s.
+
+        Returns
+        -------
+        storage, loss : numpy.ndarray
+            Both in Pa, of the shape of `omega`.
+        """
         x = np.asarray(omega, dtype=float)[..., np.newaxis] * self.times
         response = self.moduli * (x / (x - 1j))
         # x/(x − i) = (x² + ix)/(1 + x²)
         return self.relaxed_modulus + response.real.sum(axis=-1), response.imag.sum(axis=-1)
 
     def body(self) -> dict[str, Any]:
-        """Give the section of a body of a sweep file."""
+        """Give the section of a body of a sweep file.
+
+        Returns
+        -------
+        dict of str to object
+            The keys of ``[flat]`` or ``[roller]``.
+        """
         terms = zip(self.moduli.tolist(), self.times.tolist(), strict=True)
         return {
             "relaxed_modulus": self.relaxed_modulus,
@@ -232,7 +260,23 @@ class Material:
         }
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draw storage and loss modulus over frequency, with what was measured, and return the axes of matplotlib."""
+        """Draw storage and loss modulus over angular frequency, with what was measured.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        ImportError
+            Without matplotlib.
+        """
         ax = axes(ax)
         omega = np.geomspace(0.01 / self.times.max(), 100 / self.times.min(), 201)
         names = ("storage modulus", "loss modulus")
