@@ -1,7 +1,7 @@
 //! The columns of results: every number that is stored of a case, declared once.
 //!
 //! A line of the table below gives a column its name, its unit, its place in `summary.csv`, its description, and the
-//! number itself. Stored rows, tables, `results.h5`, pictures, the page and `docs/reference/output.md` all follow this
+//! number itself. Stored rows, tables, `results.h5`, pictures, the page and `docs/reference/columns.md` all follow this
 //! declaration.
 
 use std::ops::{Index, IndexMut};

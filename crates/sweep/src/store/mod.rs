@@ -15,8 +15,8 @@
 //! the directory brought to the disk, and only then a record is appended to the log and brought to the disk. Whatever
 //! the moment at which a run is killed, all chains with a record are whole, and all others are solved again.
 //!
-//! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file,
-//! data set and column is described in `docs/reference/output.md`.
+//! The store knows no equations: it gets plain numbers in the order of [`Column::ALL`](crate::Column::ALL). Every file
+//! and data set is described in `docs/reference/output.md`.
 
 mod catalog;
 mod chunks;
