@@ -85,7 +85,7 @@ fn the_command_names_what_is_wrong() {
     fs::write(directory.path().join("relaxation.toml"), format!("{SWEEP}[solver]\nmethod = \"relaxation\"\n")).unwrap();
     fs::write(directory.path().join("plain.toml"), "[axes]\nf = [1.0]\nalpha = [1.0]\nbeta = [10.0]\n").unwrap();
     for (arguments, expected) in [
-        (["points.csv", "sweep.toml", "viscosity,viscosity"], "--unknown has viscosity twice"),
+        (["points.csv", "sweep.toml", "viscosity,viscosity"], "viscosity is among the unknowns twice"),
         (["points.csv", "sweep.toml", "colour"], "give some of f, radius, load"),
         (["points.csv", "relaxation.toml", "viscosity"], "which the collocation method alone has"),
         (["points.csv", "plain.toml", "viscosity"], "plain.toml is dimensionless"),
@@ -216,7 +216,7 @@ fn a_fit_ends_when_its_time_is_up() {
     assert!(code(&said) == 5 && err(&said).contains("the time is up before"), "{}", err(&said));
     for (options, expected) in [
         (["--time-limit", "soon"], "write a time as in 90s, 10m or 1.5h"),
-        (["--bounds", "f=0:100"], "--bounds has f, which is not looked for"),
+        (["--bounds", "f=0:100"], "f has bounds and is not looked for"),
         (["--bounds", "viscosity=6:10"], "is not between its bounds"),
         (["--bounds", "viscosity=6"], "write bounds as in f=0:100"),
         (["--columns", "mu"], "write quantity=column"),

@@ -1,4 +1,4 @@
-//! The Python scripts on results with failed cases, an elastic row (f = 0) and an infinite α: what they draw and say.
+//! The Python scripts on results with failed cases, an elastic row (f = 0) and an infinite α: what they say and draw.
 //!
 //! Needs Python with the packages of `scripts/requirements.txt`; `./scripts/prerequisites --tests` installs them.
 
@@ -7,8 +7,7 @@ use std::process::{Command, Output};
 
 use crate::in_python::{check, file_of_python, run_python};
 use crate::synthetic::{ALPHA, BETA, F, SWEEP, case_id, chains, finished, output, publish_as, row};
-use stribeck_solver::FieldSelection;
-use stribeck_sweep::store::{CaseEntry, Status, Store};
+use stribeck_sweep::store::{CaseEntry, Status};
 use stribeck_sweep::{Column, Values};
 use tempfile::{TempDir, tempdir};
 
@@ -71,38 +70,12 @@ fn refuses(name: &str, results: &[&Path], options: &[&str]) -> String {
 }
 
 #[test]
-fn surfaces_are_drawn_from_any_directory_by_an_interpreter_of_its_own() {
+fn scripts_run_in_any_directory_by_an_interpreter_of_their_own() {
     let directory = results();
-    let mut command = file_of_python("scripts/surface.py");
-    let run = command.arg(".").current_dir(directory.path()).output().unwrap();
-    let said = expect_picture(&run, &directory.path().join("surface.png"));
-    assert!(said.contains("alpha = inf") && said.contains("f = 0"), "what is left out is named: {said}");
-    assert!(said.ends_with("wrote surface.png\n"), "{said}");
-}
-
-#[test]
-fn surfaces_are_drawn_in_space_and_say_what_they_leave_out() {
-    let directory = results();
-    for options in [&["--three-d"][..], &["--three-d", "--quantity", "mu_h"]] {
-        let said = draws("surface", &[directory.path()], options);
-        assert!(said.contains("alpha = inf") && said.contains("f = 0"), "what is left out is named: {said}");
-    }
-}
-
-#[test]
-fn a_surface_needs_two_values_of_each_axis() {
-    let directory = tempdir().unwrap();
-    let mut store = crate::synthetic::open(directory.path());
-    for chain in chains(&output()) {
-        store.commit(&chain).unwrap();
-    }
-    let one_row = |i_f: usize, _: usize| row(i_f, 1);
-    publish_as(&mut store, ["one α", SWEEP], [&F, &[1.0], &BETA], &one_row).unwrap();
-    let message = refuses("surface", &[directory.path()], &[]);
-    assert!(message.contains("alpha has 1 value") && message.contains("add values of alpha"), "{message}");
-    assert!(!directory.path().join("surface.png").exists());
-    // One profile needs no surface.
-    draws("profiles", &[directory.path()], &[]);
+    let mut command = file_of_python("scripts/compare.py");
+    let run = command.args([".", ".", "-o", "same.png"]).current_dir(directory.path()).output().unwrap();
+    let said = expect_picture(&run, &directory.path().join("same.png"));
+    assert!(said.contains("all places that both have are equal") && said.ends_with("wrote same.png\n"), "{said}");
 }
 
 #[test]
@@ -111,61 +84,21 @@ fn what_is_no_results_directory_is_refused_with_a_remedy() {
     let damaged = tempdir().unwrap();
     std::fs::write(damaged.path().join("results.h5"), "not HDF5").unwrap();
     let nowhere = Path::new("nowhere");
-    for name in ["surface", "profiles", "compare"] {
-        let both = |other| if name == "compare" { vec![directory.path(), other] } else { vec![other] };
-        let message = refuses(name, &both(nowhere), &["-o", "never.png"]);
-        assert!(message.contains("nowhere/results.h5: no such file") && message.contains("stribeck run"), "{message}");
-        let message = refuses(name, &both(damaged.path()), &["-o", "never.png"]);
-        assert!(message.contains("not readable") && message.contains("stribeck verify"), "{message}");
-        let message = refuses(name, &both(directory.path()), &["-o", "picture.xyz"]);
-        assert!(message.contains("end its name in .png, .pdf or .svg"), "{message}");
-        let message = refuses(name, &both(directory.path()), &["-o", "nowhere/picture.png"]);
-        assert!(message.contains("name a file in a directory that exists"), "{message}");
-    }
-}
-
-#[test]
-fn a_profile_is_drawn_of_the_nearest_case() {
-    let directory = results();
-    let said = draws("profiles", &[directory.path()], &["--alpha", "1.4", "--beta", "100", "--f", "100"]);
-    assert!(said.contains("α = 1.4 is not in the sweep; the nearest is 1\n"), "{said}");
-    assert!(said.contains("shows the case α = 1, β = 100, f = 100\n"), "{said}");
-    let said = draws("profiles", &[directory.path()], &["--alpha", "inf", "--beta", "1e9", "--f", "0"]);
-    assert!(said.contains("the nearest is 1000\nshows the case α = ∞, β = 1000, f = 0"), "{said}");
-    // The case that failed.
-    draws("profiles", &[directory.path()], &["--alpha", "0.1", "--beta", "1000", "--f", "100"]);
-}
-
-#[test]
-fn profiles_need_fields_a_window_or_a_file_and_numbers() {
-    let directory = tempdir().unwrap();
-    let none = FieldSelection::default();
-    let without = stribeck_solver::Output { fields: none, x: Vec::new().into(), ..output() };
-    let mut store = Store::open(directory.path(), SWEEP, &without).unwrap();
-    for chain in chains(&without) {
-        store.commit(&chain).unwrap();
-    }
-    crate::synthetic::publish(&mut store).unwrap();
-    let message = refuses("profiles", &[directory.path()], &["-o", "never.png"]);
-    assert!(message.contains("keeps no fields") && message.contains("fields = [\"pressure\""), "{message}");
-    let message = refuses("profiles", &[results().path()], &[]);
-    assert!(message.contains("no window") && message.contains("-o FILE.png"), "{message}");
-    for wrong in ["-1", "nan", "many"] {
-        let message = refuses("profiles", &[results().path()], &["-o", "never.png", &format!("--alpha={wrong}")]);
-        assert!(message.contains(&format!("'{wrong}' is no number of at least 0")), "{message}");
-    }
-}
-
-#[test]
-fn sliders_and_clicks_take_another_case() {
-    let directory = results();
-    check(&run_python("tests/python/browse_profiles.py", &[directory.path().to_str().unwrap()]));
+    let with = |other, picture| refuses("compare", &[directory.path(), other], &["-o", picture]);
+    let message = with(nowhere, "never.png");
+    assert!(message.contains("nowhere/results.h5: no such file") && message.contains("stribeck run"), "{message}");
+    let message = with(damaged.path(), "never.png");
+    assert!(message.contains("not readable") && message.contains("stribeck verify"), "{message}");
+    let message = with(directory.path(), "picture.xyz");
+    assert!(message.contains("end its name in .png, .pdf or .svg"), "{message}");
+    let message = with(directory.path(), "nowhere/picture.png");
+    assert!(message.contains("name a file in a directory that exists"), "{message}");
 }
 
 #[test]
 fn every_script_names_the_packages_that_it_imports() {
     let said = check(&run_python("tests/python/inline_metadata.py", &[]));
-    for name in ["surface.py", "profiles.py", "compare.py", "audit.py", "fit_film.py", "reference_dry.py"] {
+    for name in ["compare.py", "audit.py", "fit_film.py", "reference_dry.py"] {
         assert!(said.contains(name), "{name} was not looked at: {said}");
     }
 }

@@ -1,18 +1,12 @@
 """Logarithmic axes of a sweep: where its values stand, infinity and zero beside the rest, and how they are labelled."""
 
 import numpy as np
-from matplotlib.ticker import FixedLocator, LogFormatterMathtext, LogLocator, NullFormatter, NullLocator
+from matplotlib.ticker import LogLocator, NullLocator
 
 
 def format_value(value):
     """A value of an axis as text."""
     return "∞" if value == np.inf else f"{value:.6g}"
-
-
-def nearest(values, wanted):
-    """Index of the value nearest to the one wanted, by ratio; 0 and infinity are the ends."""
-    logs = np.log(np.clip([*values, wanted], 1e-300, 1e300))
-    return int(np.argmin(np.abs(logs[:-1] - logs[-1])))
 
 
 def positions(values):
@@ -44,24 +38,3 @@ def label_values(axis, values):
         far, labels = [low, high], [format_value(low), format_value(high)]
     axis.set_ticks([*far, *names], labels)
     axis.set_minor_locator(NullLocator())
-
-
-def label_decades(axis):
-    """Labels an axis at its decades alone."""
-    axis.set_major_locator(LogLocator(numticks=12))
-    axis.set_major_formatter(LogFormatterMathtext())
-    axis.set_minor_formatter(NullFormatter())
-
-
-def label_range(axis, low, high):
-    """Labels the decades of an axis from low to high, and 2 and 5 between them if there are few."""
-    if high / low > 300:
-        label_decades(axis)
-        return
-    ticks = np.outer(10.0 ** np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1), [1, 2, 5]).ravel()
-    ticks = ticks[(ticks >= low) & (ticks <= high)]
-    if ticks.size < 2:
-        ticks = np.array([low, np.sqrt(low * high), high])
-    axis.set_major_locator(FixedLocator(ticks))
-    axis.set_major_formatter(lambda value, _: f"{value:.3g}")
-    axis.set_minor_formatter(NullFormatter())

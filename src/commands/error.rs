@@ -300,30 +300,6 @@ pub enum CliError {
         /// Why they are none.
         source: MasterCurveError,
     },
-    /// Moduli at several temperatures, and none to shift them to.
-    #[error(
-        "{}: the moduli are at temperatures from {:.1} to {:.1} degC and no one material; say to which temperature they are \
-         to be shifted, as in --reference-temperature \"20 degC\"",
-        shown(data),
-        range.0 - 273.15,
-        range.1 - 273.15
-    )]
-    SeveralTemperatures {
-        /// The table of measurements.
-        data: PathBuf,
-        /// The lowest and the highest temperature, in K.
-        range: (f64, f64),
-    },
-    /// A temperature to shift moduli to that have none.
-    #[error(
-        "{}: no column has a temperature, so the moduli cannot be shifted to the reference temperature; leave the option \
-         out, or name the column, as in --columns \"temperature=#4\"",
-        shown(data)
-    )]
-    NoTemperatures {
-        /// The table of measurements.
-        data: PathBuf,
-    },
     /// A picture of shift factors where nothing was shifted.
     #[error(
         "{}: nothing was shifted, so there is no picture of shift factors; leave out --shift-picture, or give \
@@ -380,8 +356,6 @@ impl CliError {
             | CliError::Fit { .. }
             | CliError::Series { .. }
             | CliError::MasterCurve { .. }
-            | CliError::SeveralTemperatures { .. }
-            | CliError::NoTemperatures { .. }
             | CliError::NoShifts { .. }
             | CliError::NoTarget
             | CliError::IsInput { .. }

@@ -1,6 +1,6 @@
 //! `stribeck material`: a substrate from measured moduli, or from a Prony series.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
@@ -14,8 +14,8 @@ use super::{CliError, Exit, console, shifted};
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::shown;
 use stribeck_lab::{
-    Dimension, Isotherms, MasterCurve, MaterialData, MaterialFile, MaterialOptions, Measurements, RelaxationFit,
-    ShiftFactors, TermChoice, VerticalShift, parse_temperature,
+    AtOneTemperature, Dimension, MasterCurve, MaterialData, MaterialFile, MaterialOptions, RelaxationFit, ShiftFactors,
+    TermChoice, VerticalShift, parse_temperature,
 };
 
 #[derive(Clone, Debug, Args)]
@@ -151,9 +151,21 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             let drawn = Drawn { chart: material.chart(), master_curve: None };
             return finish(arguments, &material.table(), &material.json(), drawn);
         }
-        MaterialData::Moduli(measurements) => shifted_already(arguments, measurements)?,
-        MaterialData::Isotherms(isotherms) => at_one_temperature(arguments, isotherms)?,
+        MaterialData::Moduli(measurements) => {
+            let measurements = measurements.clone();
+            AtOneTemperature::of_moduli(measurements, factors(arguments)?.as_ref(), arguments.reference_temperature)
+        }
+        MaterialData::Isotherms(isotherms) => {
+            let vertical = match arguments.vertical_shift {
+                Vertical::None => VerticalShift::None,
+                Vertical::Fit => VerticalShift::Overlap,
+                Vertical::Density => VerticalShift::Density { expansion: arguments.expansion.unwrap_or(0.0) },
+            };
+            let factors = factors(arguments)?;
+            AtOneTemperature::of_isotherms(isotherms, factors.as_ref(), arguments.reference_temperature, vertical)
+        }
     };
+    let measured = measured.map_err(|source| CliError::MasterCurve { data: arguments.data.clone(), source })?;
     let fitted = |source| CliError::Fit { data: arguments.data.clone(), source };
     let (fit, offered, choice) = match arguments.terms {
         Terms::Number(terms) => (RelaxationFit::new(&measured.measurements, terms).map_err(fitted)?, terms, None),
@@ -174,55 +186,12 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     finish(arguments, &material.table(), &material.json(), drawn)
 }
 
-/// Measurements at one temperature, and how they came there.
-struct Measured {
-    measurements: Measurements,
-    master_curve: Option<MasterCurve>,
-}
-
-/// Moduli of which no temperature is told: shift factors beside them give the law alone.
-fn shifted_already(arguments: &Arguments, measurements: &Measurements) -> Result<Measured, CliError> {
-    let master_curve = match (&arguments.shift_factors, arguments.reference_temperature) {
-        (None, None) => None,
-        (None, Some(_)) => return Err(CliError::NoTemperatures { data: arguments.data.clone() }),
-        (Some(file), reference) => {
-            let refused = |source| CliError::MasterCurve { data: file.clone(), source };
-            let factors = read_factors(arguments, file)?;
-            Some(MasterCurve::of_shifted(measurements.clone(), &factors, reference).map_err(refused)?)
-        }
-    };
-    Ok(Measured { measurements: measurements.clone(), master_curve })
-}
-
-/// Reads shift factors, and tells what was understood of them.
-fn read_factors(arguments: &Arguments, file: &Path) -> Result<ShiftFactors, CliError> {
+/// Reads shift factors where they are given, and tells what was understood of them.
+fn factors(arguments: &Arguments) -> Result<Option<ShiftFactors>, CliError> {
+    let Some(file) = &arguments.shift_factors else { return Ok(None) };
     let (factors, understood) = ShiftFactors::read(file, &measured::all(&arguments.shift_columns))?;
     console::tell(understood.to_string().trim_end());
-    Ok(factors)
-}
-
-/// Shifts isotherms to the reference temperature; a single one without a reference stays as it is.
-fn at_one_temperature(arguments: &Arguments, isotherms: &Isotherms) -> Result<Measured, CliError> {
-    let refused = |source| CliError::MasterCurve { data: arguments.data.clone(), source };
-    let vertical = match arguments.vertical_shift {
-        Vertical::None => VerticalShift::None,
-        Vertical::Fit => VerticalShift::Overlap,
-        Vertical::Density => VerticalShift::Density { expansion: arguments.expansion.unwrap_or(0.0) },
-    };
-    let curve = match (&arguments.shift_factors, arguments.reference_temperature) {
-        (Some(file), reference) => {
-            let factors = read_factors(arguments, file)?;
-            MasterCurve::by_factors(isotherms, &factors, reference, vertical).map_err(refused)?
-        }
-        (None, Some(reference)) => MasterCurve::by_overlap(isotherms, reference, vertical).map_err(refused)?,
-        (None, None) => {
-            let [only] = isotherms.all() else {
-                return Err(CliError::SeveralTemperatures { data: arguments.data.clone(), range: isotherms.range() });
-            };
-            return Ok(Measured { measurements: only.measurements.clone(), master_curve: None });
-        }
-    };
-    Ok(Measured { measurements: curve.measurements.clone(), master_curve: Some(curve) })
+    Ok(Some(factors))
 }
 
 /// What pictures show of a material.

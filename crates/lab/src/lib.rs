@@ -54,10 +54,10 @@ pub use friction_fit::{
     Watch,
 };
 pub use material::{
-    Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material, MaterialData, MaterialError,
-    MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements, ModulusKind, PronyError, PronyFile,
-    PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError, RelaxationTerm, Shift, ShiftFactors,
-    ShiftFactorsError, TermChoice, VerticalShift,
+    AtOneTemperature, Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material,
+    MaterialData, MaterialError, MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements,
+    ModulusKind, PronyError, PronyFile, PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError,
+    RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError, TermChoice, VerticalShift,
 };
 pub use measured::Measured;
 pub use motion::Motion;

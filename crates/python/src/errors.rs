@@ -5,6 +5,7 @@ use std::fmt::Display;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
 use pyo3::PyErr;
 use stribeck_input::InputError as FileFault;
+use stribeck_lab::TableError;
 use stribeck_sweep::campaign::CampaignError;
 
 /// Exceptions of the package, which are defined in Python so that they can be pickled.
@@ -18,22 +19,22 @@ mod exceptions {
 
 /// What the caller gave is wrong.
 pub fn input(what: impl Display) -> PyErr {
-    exceptions::InputError::new_err(what.to_string())
+    exceptions::InputError::new_err(with_keywords(&what.to_string()))
 }
 
 /// Nothing was fitted.
 pub fn fit(what: impl Display) -> PyErr {
-    exceptions::FitError::new_err(what.to_string())
+    exceptions::FitError::new_err(with_keywords(&what.to_string()))
 }
 
 /// The disk, or a file of results, is not as it should be.
 pub fn storage(what: impl Display) -> PyErr {
-    exceptions::StorageError::new_err(what.to_string())
+    exceptions::StorageError::new_err(with_keywords(&what.to_string()))
 }
 
 /// A file or a text is wrong: the line is drawn, with the place and the remedy.
 pub fn fault(fault: &FileFault) -> PyErr {
-    input(drawn(fault))
+    exceptions::InputError::new_err(drawn(fault))
 }
 
 /// A value is wrong: what it is and what to do, in one line without a place, which a value has none of.
@@ -41,6 +42,11 @@ pub fn value(fault: &FileFault) -> PyErr {
     let text = fault.to_string();
     let what = text.splitn(4, ':').nth(3).map_or(text.as_str(), str::trim_start);
     input(fault.help().map_or_else(|| what.to_owned(), |help| format!("{what}: {help}")))
+}
+
+/// A table of a laboratory could not be read.
+pub fn table(error: &TableError) -> PyErr {
+    if error.is_of_disk() { storage(error) } else { input(error) }
 }
 
 /// A sweep could not be run.
@@ -69,4 +75,44 @@ fn drawn(fault: &dyn Diagnostic) -> String {
         Ok(()) => text.trim().trim_start_matches("× ").to_owned(),
         Err(_) => fault.to_string(),
     }
+}
+
+/// A text of the libraries with the options of the program that it names as keywords of Python: `--columns "speed=#3"`
+/// becomes `columns="speed=#3"`. What stands between backticks is a command or a name, and stays.
+pub fn with_keywords(text: &str) -> String {
+    let parts = text.split('`').enumerate();
+    let parts = parts.map(|(i, part)| if i % 2 == 0 { outside_of_commands(part) } else { part.to_owned() });
+    parts.collect::<Vec<_>>().join("`")
+}
+
+fn outside_of_commands(text: &str) -> String {
+    let text = text.replace(" with -o", " with output");
+    let mut pieces = text.split("--");
+    let mut changed = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let end = piece.find(|c: char| !(c.is_ascii_lowercase() || c == '-')).unwrap_or(piece.len());
+        let (name, rest) = piece.split_at(end);
+        let value = rest.strip_prefix(' ').map_or("", argument);
+        let rest = &rest[if value.is_empty() { 0 } else { 1 + value.len() }..];
+        let value = match value {
+            "" => "True".to_owned(),
+            pair if pair.contains('=') && !pair.starts_with('"') => format!("\"{pair}\""),
+            value => value.to_owned(),
+        };
+        changed += &format!("{}={value}{rest}", name.replace('-', "_"));
+    }
+    changed
+}
+
+/// The argument of an option at the beginning of a text: what is quoted, NAME=COLUMN up to a colon, a number or a word
+/// in capitals; else nothing.
+fn argument(text: &str) -> &str {
+    if let Some(quoted) = text.strip_prefix('"') {
+        return &text[..quoted.find('"').map_or(text.len(), |end| end + 2)];
+    }
+    let end = text.find([' ', ',', ';', ':', ')']).unwrap_or(text.len());
+    if text[..end].contains('=') {
+        return &text[..text.find(": ").unwrap_or(end)];
+    }
+    if text.starts_with(|c: char| c.is_ascii_digit() || c.is_ascii_uppercase()) { &text[..end] } else { "" }
 }

@@ -98,8 +98,8 @@ impl Request {
                 Some(bytes) => Measured::of(path, bytes, &choices, radius),
                 None => Measured::read(path, &choices, radius),
             };
-            let (part, understood) = read.map_err(errors::input)?;
-            told += &understood.to_string();
+            let (part, understood) = read.map_err(|error| errors::table(&error))?;
+            told += &errors::with_keywords(&understood.to_string());
             parts.push(part);
         }
         Ok((Measured::join(parts).map_err(errors::input)?, told))

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stribeck_lab::{
-    ColumnChoice, MasterCurve, MaterialData, MaterialFile, MaterialFileError, MaterialOptions, Measurement,
-    Measurements, Modulus, ModulusKind, PronyParts, PronySeries, Relaxation, RelaxationFit, TermChoice, VerticalShift,
-    parse_temperature,
+    AtOneTemperature, ColumnChoice, Doubt, MasterCurve, MaterialData, MaterialFile, MaterialFileError, MaterialOptions,
+    Measurement, Measurements, Modulus, ModulusKind, PronyParts, PronySeries, Relaxation, RelaxationFit,
+    RelaxationFitError, ShiftFactors, ShiftLaw, ShiftLawFit, TermChoice, VerticalShift,
 };
 
 use crate::errors;
@@ -35,86 +35,102 @@ pub fn prony<'py>(
 #[pyo3(from_item_all)]
 pub struct FileOptions {
     /// The number of terms of a fit; none for as many as the residuals ask for.
-    terms: Option<usize>,
+    terms: Option<i64>,
     shear: bool,
     poisson_ratio: Option<f64>,
     /// Pascals in the unit of moduli.
     modulus_unit: Option<f64>,
-    reference_temperature: Option<String>,
+    /// In K.
+    reference_temperature: Option<f64>,
+    shift_factors: Option<PathBuf>,
     columns: Option<String>,
 }
 
-/// A material from a file: that of [`prony`], with `understood`, and `measured` and `rms_residual` if it was fitted.
+impl FileOptions {
+    /// How the file is read.
+    fn of_file(&self) -> PyResult<MaterialOptions> {
+        let columns = self.columns.as_deref().map(ColumnChoice::list).transpose().map_err(errors::input)?;
+        Ok(MaterialOptions {
+            is_shear: self.shear,
+            poisson_ratio: self.poisson_ratio,
+            modulus_unit: self.modulus_unit,
+            columns: columns.unwrap_or_default(),
+        })
+    }
+
+    /// The fit to moduli.
+    fn fit(&self, measurements: &Measurements) -> Result<RelaxationFit, RelaxationFitError> {
+        match self.terms {
+            // What is below zero is refused as 0 is.
+            Some(terms) => RelaxationFit::new(measurements, usize::try_from(terms).unwrap_or_default()),
+            None => TermChoice::new(measurements).map(|choice| choice.fit),
+        }
+    }
+}
+
+/// A material from a file: that of [`prony`] with `understood`; if it was fitted also `measured`, `rms_residual` and
+/// `doubt`; of isotherms `shifts`, their `reference` and the `law` that they follow.
 ///
 /// # Errors
-/// `InputError` if the file describes no material.
+/// `InputError` if the file describes no material, `StorageError` if the disk does not give it.
 #[pyfunction]
 pub fn material_file<'py>(py: Python<'py>, path: PathBuf, options: FileOptions) -> PyResult<Bound<'py, PyDict>> {
-    let columns = options.columns.as_deref().map(ColumnChoice::list).transpose().map_err(errors::input)?;
-    let read = MaterialOptions {
-        is_shear: options.shear,
-        poisson_ratio: options.poisson_ratio,
-        modulus_unit: options.modulus_unit,
-        columns: columns.unwrap_or_default(),
-    };
-    let file = MaterialFile::read(&path, &read).map_err(|error| match error {
+    let file = MaterialFile::read(&path, &options.of_file()?).map_err(|error| match error {
         MaterialFileError::Series(fault) => errors::fault(&fault),
-        error => errors::input(error),
+        MaterialFileError::Table(error) => errors::table(&error),
     })?;
     let refused = |what: String| errors::input(format!("{}: {what}", stribeck_input::shown(&path)));
-    let measurements = match &file.data {
+    let (factors, mut understood) = (options.shift_factors.as_deref(), file.understood);
+    let factors =
+        factors.map(|file| ShiftFactors::read(file, &[])).transpose().map_err(|error| errors::table(&error))?;
+    understood += &factors.as_ref().map(|(_, understood)| understood.to_string()).unwrap_or_default();
+    let (factors, reference) = (factors.as_ref().map(|(factors, _)| factors), options.reference_temperature);
+    let measured = match file.data {
+        MaterialData::Series(_) if factors.is_some() || reference.is_some() => {
+            let what = "a Prony series is at one temperature, and cannot be shifted; leave out --reference-temperature T \
+                        and --shift-factors FILE, and give its law as shift";
+            return Err(refused(what.to_owned()));
+        }
         MaterialData::Series(series) => {
-            let relaxation = series.relaxation().map_err(|error| refused(error.to_string()))?;
-            let material = describe(py, &relaxation)?;
-            material.set_item("understood", &file.understood)?;
+            let material = describe(py, &series.relaxation().map_err(|error| refused(error.to_string()))?)?;
+            material.set_item("understood", errors::with_keywords(&understood))?;
             return Ok(material);
         }
-        data => at_one_temperature(data, options.reference_temperature.as_deref()).map_err(refused)?,
+        MaterialData::Moduli(measurements) => AtOneTemperature::of_moduli(measurements, factors, reference),
+        MaterialData::Isotherms(isotherms) => {
+            AtOneTemperature::of_isotherms(&isotherms, factors, reference, VerticalShift::None)
+        }
     };
-    let fit = match options.terms {
-        Some(terms) => RelaxationFit::new(&measurements, terms),
-        None => TermChoice::new(&measurements).map(|choice| choice.fit),
-    };
-    let fit = fit.map_err(|error| refused(error.to_string()))?;
+    let measured = measured.map_err(|error| refused(error.to_string()))?;
+    let fit = options.fit(&measured.measurements).map_err(|error| refused(error.to_string()))?;
     let material = describe(py, &fit.relaxation)?;
-    material.set_item("understood", &file.understood)?;
+    material.set_item("understood", errors::with_keywords(&understood))?;
     material.set_item("rms_residual", fit.rms_residual)?;
-    material.set_item("measured", measurements.rows().iter().map(row).collect::<Vec<_>>())?;
+    let doubt = Doubt::about(&fit.relaxation, &measured.measurements);
+    material.set_item("doubt", doubt.map(|doubt| doubt.to_string()))?;
+    material.set_item("measured", measured.measurements.rows().iter().map(row).collect::<Vec<_>>())?;
+    if let Some(curve) = &measured.master_curve {
+        describe_shifts(&material, curve)?;
+    }
     Ok(material)
 }
 
-/// Moduli of one material: at one temperature, or shifted there by their overlap.
-fn at_one_temperature(data: &MaterialData, reference: Option<&str>) -> Result<Measurements, String> {
-    let reference = match reference {
-        None => None,
-        Some(text) => Some(parse_temperature(text).ok_or_else(|| {
-            format!(
-                "reference_temperature is a temperature with its unit, as in \"20 degC\" or \"293 K\", not {text:?}"
-            )
-        })?),
-    };
-    match (data, reference) {
-        (MaterialData::Moduli(measurements), None) => Ok(measurements.clone()),
-        (MaterialData::Isotherms(isotherms), Some(reference)) => {
-            let curve = MasterCurve::by_overlap(isotherms, reference, VerticalShift::None);
-            curve.map(|it| it.measurements).map_err(|error| error.to_string())
+/// Adds where isotherms went, and the better one of the laws that this follows.
+fn describe_shifts(material: &Bound<'_, PyDict>, curve: &MasterCurve) -> PyResult<()> {
+    let shifts = curve.shifts.iter().map(|it| (it.temperature, it.log_factor, it.residual.unwrap_or(f64::NAN)));
+    material.set_item("shifts", shifts.collect::<Vec<_>>())?;
+    let Some(ShiftLawFit { law, rms_residual, .. }) = curve.laws.first() else { return Ok(()) };
+    let numbers = PyDict::new(material.py());
+    numbers.set_item("law", law.name())?;
+    match law {
+        ShiftLaw::Wlf { c1, c2, .. } => {
+            numbers.set_item("c1", c1)?;
+            numbers.set_item("c2", c2)?;
         }
-        (MaterialData::Isotherms(isotherms), None) => match isotherms.all() {
-            [only] => Ok(only.measurements.clone()),
-            _ => {
-                let (from, to) = isotherms.range();
-                Err(format!(
-                    "the moduli are at temperatures from {from:.1} K to {to:.1} K and no one material; give \
-                     reference_temperature=\"20 degC\", say, to which they are shifted"
-                ))
-            }
-        },
-        _ => {
-            Err("no column has a temperature, so nothing can be shifted; leave reference_temperature out, or name the \
-                  column, as in columns=\"temperature=#4\""
-                .to_owned())
-        }
+        ShiftLaw::Arrhenius { activation_energy, .. } => numbers.set_item("activation_energy", activation_energy)?,
     }
+    numbers.set_item("reference", law.reference())?;
+    material.set_item("law", (numbers, rms_residual))
 }
 
 /// (ω or t, storage or E(t), loss or NaN).

@@ -6,13 +6,11 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use stribeck_input::Quantity;
-use stribeck_solver::{
-    FieldSelection, Interrupt, Output, Parameters, RetardationMode, Substrate, collocation, solve_points,
-};
+use stribeck_solver::{FieldSelection, Interrupt, Output, RetardationMode, Substrate, collocation, solve_points};
 use stribeck_sweep::campaign::case_entry;
 use stribeck_sweep::engine::solver_threads;
 use stribeck_sweep::store::{CaseEntry, Point, further_columns};
-use stribeck_sweep::{Axes, Dimension, Field, Plan, SolverSettings, Sweep};
+use stribeck_sweep::{Axes, Dimension, Field, Grid, Plan, SolverSettings, Sweep};
 
 use crate::background::{threads, watched};
 use crate::errors;
@@ -26,8 +24,10 @@ pub struct Request<'py> {
     beta: PyReadonlyArray1<'py, f64>,
     f: PyReadonlyArray1<'py, f64>,
     slide_roll: PyReadonlyArray1<'py, f64>,
-    /// (share, time) of each mode.
+    /// (share, time) of each mode of the flat.
     modes: Option<Vec<(f64, f64)>>,
+    /// Those of the roller.
+    roller_modes: Option<Vec<(f64, f64)>>,
     tolerance: f64,
     fields: Vec<String>,
     x: Option<Vec<f64>>,
@@ -91,7 +91,14 @@ impl Request<'_> {
         // −0 is 0
         let place = |i: usize| (slide_roll[i] + 0.0, [f[i] + 0.0, alpha[i] + 0.0, beta[i]]);
         let places: Vec<Place> = (0..alpha.len()).map(place).collect();
-        if places.iter().any(|(slide_roll, [f, alpha, _])| *slide_roll == -1.0 && *f > 0.0 && alpha.is_finite()) {
+        let at_rest = |(slide_roll, [f, alpha, _]): &Place| *slide_roll == -1.0 && *f > 0.0 && alpha.is_finite();
+        if self.roller_modes.is_some() && places.iter().any(|(slide_roll, _)| *slide_roll == -1.0) {
+            return Err(errors::input(
+                "with slide_roll = -1 the flat is at rest, and alpha tells no time of a roller that has roller_modes: \
+                 describe both bodies in an Experiment",
+            ));
+        }
+        if places.iter().any(at_rest) {
             return Err(errors::input(
                 "with slide_roll = -1 the flat is at rest in the contact and has all the time there is to creep: give \
                  alpha = inf there",
@@ -102,6 +109,11 @@ impl Request<'_> {
 
     /// How the points are solved, as a sweep: a case has the id that it has in one.
     fn sweep(&self) -> PyResult<Sweep> {
+        if self.sensitivities && self.roller_modes.is_some() {
+            return Err(errors::input(
+                "sensitivities are derivatives for a rigid roller: leave them out, or roller_modes",
+            ));
+        }
         let settings = SolverSettings { tolerance: self.tolerance, ..SolverSettings::default() };
         let range = collocation::Settings::TOLERANCE;
         if !range.contains(&self.tolerance) {
@@ -123,10 +135,21 @@ impl Request<'_> {
         })
     }
 
+    /// The modes of both bodies; one time of the flat where none are given.
     fn substrate(&self) -> PyResult<Substrate> {
-        let Some(modes) = &self.modes else { return Ok(Substrate::default()) };
-        let modes = modes.iter().map(|&(share, time)| RetardationMode { share, time }).collect();
-        Substrate::new(modes).map_err(|error| errors::input(format!("modes: {error}")))
+        let modes = |modes: &Option<Vec<(f64, f64)>>| {
+            modes.iter().flatten().map(|&(share, time)| RetardationMode { share, time }).collect()
+        };
+        match (&self.modes, &self.roller_modes) {
+            (None, None) => Ok(Substrate::default()),
+            (flat, roller) => Substrate::of_two_bodies(modes(flat), modes(roller)).map_err(|error| {
+                errors::input(if roller.is_none() {
+                    format!("modes: {error}")
+                } else {
+                    format!("modes and roller_modes: {error}; the shares of both bodies add up to 1")
+                })
+            }),
+        }
     }
 
     fn output(&self) -> PyResult<Output> {
@@ -164,10 +187,11 @@ fn solve_all(
     threads: NonZeroUsize,
     interrupt: &Interrupt,
 ) -> PyResult<Vec<CaseEntry>> {
-    let parameters = |&(_, [f, alpha, beta]): &Place| -> Parameters {
-        Plan::canonical(&Parameters { alpha, beta, f, substrate: sweep.substrate.clone() })
+    let parameters = |&(slide_roll, numbers): &Place| match Grid::case_of(numbers, slide_roll, &sweep.substrate) {
+        Ok(parameters) => Ok(Plan::canonical(&parameters)),
+        Err(error) => Err(errors::input(format!("roller_modes at slide_roll = {slide_roll:?}: {error}"))),
     };
-    let parameters: Vec<Parameters> = places.iter().map(parameters).collect();
+    let parameters = places.iter().map(parameters).collect::<PyResult<Vec<_>>>()?;
     let pool = solver_threads(threads).map_err(errors::input)?;
     // An interrupted list is never looked at: what interrupts it is raised.
     let cases = pool.install(|| solve_points(&parameters, &sweep.solver_settings(), interrupt)).unwrap_or_default();

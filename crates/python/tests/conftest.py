@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import sysconfig
+import textwrap
 from pathlib import Path
 
 import matplotlib as mpl
@@ -32,6 +33,28 @@ def program():
         )
 
     run.path = path
+    return run
+
+
+HIDE = """
+import importlib.machinery
+find = importlib.machinery.PathFinder.find_spec
+def find_spec(cls, name, *rest):
+    return None if name.partition(".")[0] in {names} else find(name, *rest)
+importlib.machinery.PathFinder.find_spec = classmethod(find_spec)
+"""
+
+
+@pytest.fixture(scope="session")
+def said_without():
+    """Give what some code prints in an interpreter that finds no packages of these names."""
+
+    def run(names, code):
+        script = HIDE.format(names=tuple(names)) + textwrap.dedent(code)
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
     return run
 
 

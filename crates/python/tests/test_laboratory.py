@@ -3,6 +3,7 @@
 import pickle
 
 import numpy as np
+import pandas
 import pint
 import pytest
 
@@ -76,49 +77,6 @@ def test_rolling_goes_along_the_entrainment_speed(experiment):
     assert sliding.friction(0.5e-3) == pytest.approx(experiment.friction(1e-3), rel=1e-5)
 
 
-def test_a_prony_series_is_a_material_and_a_flat():
-    given = {"times": ["1 s", 10.0], "moduli": ["1607.1 kPa", 228.6e3], "relaxed_modulus": "1.2 MPa"}
-    material = stribeck.Material.from_prony(**given, poisson_ratio=0.5)
-    assert material.modulus(0.0) == pytest.approx(material.instantaneous_modulus)
-    assert material.modulus(1e6) == pytest.approx(1.2e6)
-    assert material.modes[:, 0].sum() == pytest.approx(1.0)
-    assert material.f == pytest.approx((1607.1 + 228.6) / 1200)
-    storage, loss = material.storage_and_loss([1e-9, 1e9])
-    np.testing.assert_allclose(storage, [1.2e6, material.instantaneous_modulus])
-    np.testing.assert_allclose(loss, 0.0, atol=0.1)
-    fractions = np.array([1607.1, 228.6]) / (1200 + 1607.1 + 228.6)
-    same = stribeck.Material.from_prony(times=[1, 10], fractions=fractions, relaxed_modulus=1.2e6)
-    np.testing.assert_allclose(same.moduli, material.moduli)
-    experiment = stribeck.Experiment(flat=material, radius="5 mm", load="200 N/m", viscosity="1 Pa s")
-    curve = experiment.curve([1e-4, 1e-2])
-    # In the units of the solver it is the same problem.
-    solved = stribeck.solve(curve.alpha.values.ravel(), curve.beta.values.ravel(), material.f, modes=material.modes)
-    drag = solved.mu_drag.values * curve.friction_scale.values.ravel()
-    np.testing.assert_allclose(curve.mu_drag.values.ravel(), drag, rtol=1e-5)
-    for wrong, told in [
-        ({**given, "times": [1.0]}, "as many times as terms"),
-        ({**given, "instantaneous_modulus": 1e7}, "one of both"),
-        ({**given, "moduli": None, "fractions": [0.7, 0.5]}, "1.2"),
-    ]:
-        with pytest.raises(stribeck.InputError, match=told):
-            stribeck.Material.from_prony(**wrong)
-
-
-def test_a_material_is_fitted_to_a_file(tmp_path):
-    material = stribeck.Material.from_prony(times=[0.01, 1.0], moduli=[1e6, 2e6], relaxed_modulus=1e6)
-    omega = np.geomspace(0.01, 1e4, 40)
-    rows = np.column_stack([omega, *material.storage_and_loss(omega)])
-    file = tmp_path / "rubber.csv"
-    np.savetxt(file, rows, delimiter=",", header="angular_frequency,storage_modulus,loss_modulus", comments="")
-    fitted = stribeck.Material.from_file(file, poisson_ratio=0.5)
-    assert fitted.rms_residual < 0.01 and fitted.measured.shape == (40, 3) and "storage" in fitted.understood
-    assert fitted.instantaneous_modulus == pytest.approx(4e6, rel=0.01)
-    with pytest.raises(stribeck.InputError, match="nowhere"):
-        stribeck.Material.from_file(tmp_path / "nowhere.csv")
-    with pytest.raises(stribeck.InputError, match="no column has a temperature"):
-        stribeck.Material.from_file(file, reference_temperature="20 degC")
-
-
 def test_a_fit_finds_what_the_points_were_made_with(experiment):
     speed = np.geomspace(1e-4, 0.1, 10)
     scatter = 1 + 0.01 * np.random.default_rng(1).normal(size=speed.size)
@@ -134,10 +92,8 @@ def test_a_fit_finds_what_the_points_were_made_with(experiment):
         {"speed (mm/s)": 1e3 * speed, "mu": mu}, start, "viscosity", bounds={"viscosity": (0, "4 Pa s")}
     )
     assert bounded.at_bound["viscosity"] and bounded.values["viscosity"] == pytest.approx(4.0)
-    with pytest.raises(stribeck.InputError, match="give some of f, radius"):
-        stribeck.fit({"speed": speed, "mu": mu}, start, "colour")
-    with pytest.raises(stribeck.InputError, match="different lengths"):
-        stribeck.fit({"speed": speed, "mu": mu[1:]}, start, "f")
+    table = pandas.DataFrame({"speed": speed, "mu": mu, "error": 0.01 * mu})
+    assert stribeck.fit(table, start, ["viscosity", "f"]).values == found.values
 
 
 def test_all_can_be_pickled(experiment):
@@ -148,3 +104,57 @@ def test_all_can_be_pickled(experiment):
     np.testing.assert_array_equal(pickle.loads(pickle.dumps(material)).modes, material.modes)
     for kind in (stribeck.FitError, stribeck.StorageError, stribeck.Error):
         assert str(pickle.loads(pickle.dumps(kind("why")))) == "why"
+
+
+def test_messages_name_arguments_of_python(experiment, tmp_path):
+    speed, mu = [1e-3, 1e-2, 1e-1], [0.1, 0.2, 0.3]
+    (tmp_path / "two.csv").write_text("speed,speed,mu\n1,2,3\n")
+    (tmp_path / "other.csv").write_text("V,F\n1,2\n2,3\n")
+    (tmp_path / "shear.csv").write_text("omega,G',G\"\n1,2,3\n2,3,4\n")
+    (tmp_path / "moduli.csv").write_text("omega,storage,los\n1,2,3\n2,3,4\n")
+    (tmp_path / "warm.csv").write_text(
+        "omega,storage,loss,temperature (degC)\n1,2,3,20\n2,3,4,20\n1,2,1,40\n2,3,2,40\n"
+    )
+    (tmp_path / "factors.csv").write_text("temperature (degC),log_aT\n20,3\n40,2\n")
+    (tmp_path / "series.inp").write_text("*viscoelastic, time=prony\n.1,,1\n")
+
+    def fit(data, unknown="f", **options):
+        data = tmp_path / data if isinstance(data, str) else data
+        return lambda: stribeck.fit(data, experiment, unknown, **options)
+
+    def material(name, **options):
+        return lambda: stribeck.Material.from_file(tmp_path / name, **options)
+
+    for call, told in [
+        (fit({"speed": speed, "mu": mu}, "colour"), "give some of f, radius"),
+        (fit({"speed": speed, "mu": mu[1:]}), "different lengths"),
+        (fit({"speed": speed, "mu": mu}, ["f", "f"]), "f is among the unknowns twice"),
+        (fit({"speed": speed, "mu": mu}, bounds={"load": (1, 2)}), "add it to the unknowns, or leave its bounds out"),
+        (fit({"speed": speed, "mu": mu}, bounds={"f": 1}), r"bounds of f are a pair \(low, high\)"),
+        (fit({"speed": speed, "mu": mu}, bounds={"f": (20, 30)}), "begins at 1e1, which is not between its bounds"),
+        (fit("two.csv"), 'choose with columns="speed=#1"'),
+        (fit("other.csv"), 'columns="'),
+        (fit("other.csv", columns="velocities=V"), 'columns="velocities=…": there are mu'),
+        (fit("other.csv", columns="speed=My V (m/s)"), r'columns="speed=My V \(m/s\)": there is no column'),
+        (fit("other.csv", columns="speed"), "write quantity=column"),
+        (fit("nowhere.csv"), r"nowhere\.csv.*check the path"),
+        (material("shear.csv"), r"give Poisson's ratio \(poisson_ratio=0.5\)"),
+        (material("moduli.csv"), 'as in columns="storage=los": `los`'),
+        (material("moduli.csv", terms=-1, columns="loss=los"), "from 1 to 100 terms, not 0"),
+        (material("moduli.csv", terms=2, columns="loss=los", reference_temperature=300), 'columns="temperature=#4"'),
+        (material("moduli.csv", modulus_unit="m", columns="loss=los"), "must be a modulus"),
+        (material("warm.csv"), 'as in reference_temperature="20 degC"'),
+        (
+            material("warm.csv", shift_factors=tmp_path / "factors.csv"),
+            'give it, as in reference_temperature="20 degC"',
+        ),
+        (material("warm.csv", reference_temperature="warm"), "a temperature has a unit"),
+        (material("warm.csv", shift_factors=tmp_path / "nowhere.csv"), r"nowhere\.csv.*check the path"),
+        (
+            material("series.inp", reference_temperature=300.0),
+            "leave out reference_temperature=T and shift_factors=FILE",
+        ),
+    ]:
+        with pytest.raises(stribeck.InputError, match=told) as error:
+            call()
+        assert "--" not in str(error.value)

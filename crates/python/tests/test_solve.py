@@ -2,8 +2,6 @@
 
 import json
 import pickle
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -91,10 +89,19 @@ def test_a_place_that_fails_is_nan_with_a_reason():
         ({"slide_roll": -1.0}, "the flat is at rest"),
         ({"modes": [(0.5, 1.0)]}, "must add up to 1, not 0.5"),
         ({"modes": [0.5]}, "modes are pairs"),
+        ({"roller_modes": [0.5]}, "roller_modes are pairs"),
+        ({"modes": [(1.0, 1.0)], "roller_modes": [(0.5, 1.0)]}, "must add up to 1, not 1.5; the shares of both bodies"),
+        ({"roller_modes": [(1.0, 1.0)], "slide_roll": -1.0, "alpha": np.inf}, "describe both bodies in an Experiment"),
+        (
+            {"roller_modes": [(1.0, 1e308)], "slide_roll": -0.999},
+            "roller_modes at slide_roll = -0.999: mode 1: the time",
+        ),
+        ({"roller_modes": [(1.0, 1.0)], "sensitivities": True}, "derivatives for a rigid roller"),
         ({"tolerance": 1.0}, "from 1e-10 to 1e-1"),
         ({"threads": 0}, "threads must be a whole number from 1"),
         ({"fields": "presure"}, 'no field "presure": fields are pressure'),
         ({"fields": True, "x": [1.0, 0.0]}, "finite numbers that ascend"),
+        ({"fields": True, "x": "wide"}, "x must be a number or an array of numbers"),
     ],
 )
 def test_wrong_input_is_told_with_what_is_allowed(given, told):
@@ -122,18 +129,38 @@ def test_rolling_shear_follows_from_the_film_that_is_there_too():
     assert not np.allclose(sliding.shear_traction, rolling.shear_traction)
 
 
-def test_results_are_pickled_and_without_xarray_they_are_arrays():
+def test_results_are_pickled_and_without_xarray_they_are_arrays(said_without):
     case = stribeck.solve(1.0, [10.0, 20.0], 1.0)
     assert pickle.loads(pickle.dumps(case)).identical(case)
-    code = (
-        "import sys, importlib.util as u; find = u.find_spec\n"
-        "u.find_spec = lambda name, *rest: None if name == 'xarray' else find(name, *rest)\n"
-        "import pickle, stribeck\n"
-        "case = stribeck.solve(1.0, [10.0, 20.0], 1.0)\n"
-        "again = pickle.loads(pickle.dumps(case))\n"
-        "assert 'xarray' not in sys.modules and again.dims['mu_v'] == ('beta',)\n"
-        "assert again.attrs['c']['units'] == '1' and again.attrs['c']['scale'] == 'a0^2/R'\n"
-        "print(repr(again['mu_v'].tolist()))"
+    said = said_without(
+        ["xarray"],
+        """
+        import pickle, sys, stribeck
+        case = stribeck.solve(1.0, [10.0, 20.0], 1.0)
+        again = pickle.loads(pickle.dumps(case))
+        assert "xarray" not in sys.modules and again.dims["mu_v"] == ("beta",)
+        assert again.attrs["c"]["units"] == "1" and again.attrs["c"]["scale"] == "a0^2/R"
+        print(again["mu_v"].tolist())
+        """,
     )
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert json.loads(said) == case.mu_v.values.tolist()
+
+
+def test_both_bodies_have_the_numbers_of_the_program_to_the_last_bit(program):
+    flat, roller = [(0.4, 1.0), (0.2, 10.0)], [(0.3, 1.0), (0.1, 20.0)]
+    options = ("--modes", "0.4:1,0.2:10", "--roller-modes", "0.3:1,0.1:20", "--alpha", 1, "--beta", 100, "--f", 10)
+    for slide_roll in (0.0, 0.5, 1.0):
+        case = stribeck.solve(1.0, 100.0, 10.0, modes=flat, roller_modes=roller, slide_roll=slide_roll)
+        told = json.loads(program("solve", *options, "--slide-roll", slide_roll, "--json").stdout)
+        assert case["case"].item() == told["case"]
+        for name in ("mu_v", "mu_v_roller", "mu_h", "mu_drag", "mu_torque", "c"):
+            assert case[name].item() == told[name], name
+    several = stribeck.solve(1.0, 100.0, 10.0, modes=flat, roller_modes=roller, slide_roll=[0.0, 0.5, 1.0])
+    assert len(set(several["case"].values)) == 3, "another speed of the roller is another problem"
+    assert several.mu_drag[1].item() == pytest.approx(
+        stribeck.solve(1.0, 100.0, 10.0, modes=flat, roller_modes=roller, slide_roll=0.5).mu_drag.item(), rel=1e-5
+    )
+    # A roller alone that is soft, in pure rolling, loses what the flat would.
+    of_flat = stribeck.solve(1.0, 100.0, 10.0, slide_roll=0.0, tolerance=1e-7)
+    of_roller = stribeck.solve(1.0, 100.0, 10.0, roller_modes=[(1.0, 1.0)], slide_roll=0.0, tolerance=1e-7)
+    assert of_roller.mu_v_roller.item() == pytest.approx(of_flat.mu_v.item(), rel=1e-5) and of_flat.mu_v_roller == 0.0

@@ -24,11 +24,13 @@ pub fn friction_task<'a>(
     bounds: &[Bounds],
 ) -> Result<FrictionTask<'a>, String> {
     if let Some(name) = repeated(unknowns) {
-        return Err(format!("--unknown has {name} twice"));
+        return Err(format!("{name} is among the unknowns twice; name it once"));
     }
     if let Some(other) = bounds.iter().find(|bounds| !unknowns.contains(&bounds.unknown)) {
         let name = other.unknown.name();
-        return Err(format!("--bounds has {name}, which is not looked for; add it to --unknown"));
+        return Err(format!(
+            "{name} has bounds and is not looked for; add it to the unknowns, or leave its bounds out"
+        ));
     }
     if sweep.solver.method != Method::Collocation {
         let what = "a fit needs sensitivities, which the collocation method alone has; write method = \

@@ -2,7 +2,7 @@
 
 use crate::{Axes, Dimension, GridIndex, GridShape, LaboratoryAxes};
 use stribeck_lab::{Experiment, LaboratoryQuantity};
-use stribeck_solver::{Parameters, RetardationMode, Substrate};
+use stribeck_solver::{Parameters, RetardationMode, Substrate, SubstrateError};
 
 /// The grid of a sweep.
 ///
@@ -102,22 +102,31 @@ impl Grid {
     /// If there is no such place.
     pub fn parameters(&self, index: GridIndex, substrate: &Substrate) -> Parameters {
         match self {
-            Grid::Dimensionless(_) => {
-                let [f, alpha, beta] = self.numbers(index);
-                let of_roller = substrate.of_roller();
-                if of_roller == 0 {
-                    return Parameters { alpha, beta, f, substrate: substrate.clone() };
-                }
-                let slide_roll = self.slide_roll(index);
-                let (flat, roller) = substrate.modes().split_at(substrate.modes().len() - of_roller);
-                // u₁/u₂
-                let slower = (1.0 - slide_roll) / (1.0 + slide_roll);
-                let roller: Vec<_> =
-                    roller.iter().map(|mode| RetardationMode { time: mode.time * slower, ..*mode }).collect();
-                Parameters::of_two_bodies([alpha, beta, f], flat, &roller).expect("the modes were a substrate")
-            }
+            Grid::Dimensionless(_) => Self::case_of(self.numbers(index), self.slide_roll(index), substrate)
+                .expect("the modes were a substrate"),
             Grid::Laboratory(axes) => axes.experiment(index).parameters_of_both(substrate, &axes.roller_spectrum),
         }
+    }
+
+    /// The problem at f, α of the flat and β with a slide-to-roll ratio, for a substrate of both bodies: the surface
+    /// of the roller moves at u₁/u₂ times the speed of the flat.
+    ///
+    /// # Errors
+    /// As [`Parameters::of_two_bodies`], where times of the roller become none.
+    pub fn case_of(
+        [f, alpha, beta]: [f64; 3],
+        slide_roll: f64,
+        substrate: &Substrate,
+    ) -> Result<Parameters, SubstrateError> {
+        let of_roller = substrate.of_roller();
+        if of_roller == 0 {
+            return Ok(Parameters { alpha, beta, f, substrate: substrate.clone() });
+        }
+        let (flat, roller) = substrate.modes().split_at(substrate.modes().len() - of_roller);
+        // u₁/u₂
+        let slower = (1.0 - slide_roll) / (1.0 + slide_roll);
+        let roller: Vec<_> = roller.iter().map(|mode| RetardationMode { time: mode.time * slower, ..*mode }).collect();
+        Parameters::of_two_bodies([alpha, beta, f], flat, &roller)
     }
 
     /// The experiment at a place, where quantities of the laboratory are given.

@@ -184,8 +184,30 @@ pub enum MasterCurveError {
         to: f64,
     },
     /// Given factors of which none is 1.
-    #[error("no shift factor is 1, so their reference temperature is not known; give it (--reference-temperature)")]
+    #[error(
+        "no shift factor is 1, so their reference temperature is not known; give it, as in --reference-temperature \"20 \
+         degC\""
+    )]
     NoReference,
+    /// Moduli at several temperatures, and none to shift them to.
+    #[error(
+        "the moduli are at temperatures from {:.1} to {:.1} degC and no one material; say to which temperature they are \
+         to be shifted, as in --reference-temperature \"20 degC\"",
+        from - 273.15,
+        to - 273.15
+    )]
+    SeveralTemperatures {
+        /// The lowest, in K.
+        from: f64,
+        /// The highest.
+        to: f64,
+    },
+    /// A temperature to shift moduli to that have none.
+    #[error(
+        "no column has a temperature, so the moduli cannot be shifted to the reference temperature; leave this out, or \
+         name the column, as in --columns \"temperature=#4\""
+    )]
+    NoTemperatures,
     /// The factors are none.
     #[error("the isotherms give no shift factors: {0}; give them (--shift-factors FILE)")]
     Factors(#[from] ShiftFactorsError),

@@ -63,7 +63,7 @@ pub(super) fn read(file: &TableFile, options: &MaterialOptions) -> Result<(Mater
     }
     if description.kind == ModulusKind::Young && !options.is_shear && columns.taken.iter().any(may_be_shear) {
         understood
-            .note("taken for Young's moduli; rheometers write shear moduli so: --shear --poisson-ratio 0.5 says it");
+            .note("taken for Young's moduli; rheometers write shear moduli so: --shear and --poisson-ratio 0.5 say it");
     }
     let mut reader = Reader { file, columns: &columns, options, understood };
     let data = match description.form {

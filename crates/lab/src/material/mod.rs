@@ -18,6 +18,7 @@
 //! | `master_curve`, `overlap` | [`MasterCurve`]: isotherms shifted to one temperature, by how neighbours lie on one another |
 //! | `shift_factors`, `vertical_shift` | given shift factors; [`VerticalShift`]: moduli that change with temperature |
 //! | `shift_factor_file` | the reader of these |
+//! | `one_temperature` | [`AtOneTemperature`]: moduli as they are, or shifted |
 
 mod conversion;
 mod creep;
@@ -28,6 +29,7 @@ mod material_file;
 mod material_table;
 mod measurement;
 mod modulus_kind;
+mod one_temperature;
 mod overlap;
 mod prony;
 mod prony_file;
@@ -46,6 +48,7 @@ pub use master_curve::{MasterCurve, MasterCurveError, Shift};
 pub use material_file::{MaterialData, MaterialFile, MaterialFileError, MaterialOptions};
 pub use measurement::{Measurement, Measurements};
 pub use modulus_kind::ModulusKind;
+pub use one_temperature::AtOneTemperature;
 pub use prony::{PronyError, PronyParts, PronySeries};
 pub use prony_file::PronyFile;
 pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray
 
 from ._errors import InputError
+from ._packages import axes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
-@xarray.register_dataset_accessor("stribeck")
 class Accessor:
     """Cases, curves and pictures of the results of `stribeck.solve`, `stribeck.open` and `Experiment.curve`."""
 
@@ -27,6 +30,16 @@ class Accessor:
 
         Distances are those of logarithms; 0 and inf are near to themselves alone. A dimension with one value need not
         be named.
+
+        Parameters
+        ----------
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        xarray.Dataset
+            What is left of the data set there.
 
         Raises
         ------
@@ -50,6 +63,16 @@ class Accessor:
     def case(self, identity: str) -> xarray.Dataset:
         """Take a case by its id; of several places with it the first.
 
+        Parameters
+        ----------
+        identity : str
+            The id, as in the variable ``case`` or the column of summary.csv.
+
+        Returns
+        -------
+        xarray.Dataset
+            The case.
+
         Raises
         ------
         InputError
@@ -62,6 +85,16 @@ class Accessor:
 
     def curve(self, **wanted: float) -> xarray.Dataset:
         """Take a Stribeck curve: nearest in the named dimensions, along the last one that is left.
+
+        Parameters
+        ----------
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        xarray.Dataset
+            The curve, of one dimension, and x for fields.
 
         Raises
         ------
@@ -77,12 +110,29 @@ class Accessor:
             )
         return picked.isel(dict.fromkeys(dims[:-1], 0))
 
-    def plot_curve(self, *, ax: Any = None, **wanted: float) -> Any:
-        """Draw friction and its parts along a curve, and return the axes of matplotlib.
+    def plot_curve(self, *, ax: Axes | None = None, **wanted: float) -> Axes:
+        """Draw friction and its parts along a curve; with several values of one more dimension the drag of each.
 
-        With several values of one more dimension, the drag of each.
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        InputError
+            If more dimensions with several values are left.
+        ImportError
+            Without matplotlib.
         """
-        ax = _axes(ax)
+        ax = axes(ax)
         data = self.nearest(**wanted) if wanted else self._data
         data = data.squeeze([dim for dim in data["mu_drag"].dims[:-1] if data.sizes[dim] == 1])
         dims = [str(dim) for dim in data["mu_drag"].dims]
@@ -92,7 +142,7 @@ class Accessor:
         if len(dims) == 2:
             units = data[dims[0]].attrs.get("units", "1").replace("1", "")
             for value in data[dims[0]].values:
-                label = f"{_SYMBOLS.get(dims[0], dims[0].replace('_', ' '))} = {value:.4g} {units}".rstrip()
+                label = f"{_SYMBOLS.get(dims[0], dims[0].replace('_', ' '))} = {value:.5g} {units}".rstrip()
                 ax.plot(data[along], data["mu_drag"].sel({dims[0]: value}), ".-", ms=4, label=label)
         else:
             # The drag is the sum of the others, whatever the slide-to-roll ratio is.
@@ -105,12 +155,38 @@ class Accessor:
             for label, part in parts.items():
                 ax.plot(data[along], part, ".-", ms=4, label=label)
         ax.set(xscale="log", xlabel=_label(data[along]), ylabel=_friction(data["mu_drag"]))
-        ax.legend()
+        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), frameon=False, ncols=2)
         return ax
 
-    def plot_surface(self, quantity: str = "mu_drag", *, ax: Any = None, **wanted: float) -> Any:
-        """Draw a quantity over α and β, or over two other dimensions, as a map with contours; return the axes."""
-        ax = _axes(ax)
+    def plot_surface(self, quantity: str = "mu_drag", *, ax: Axes | None = None, **wanted: float) -> Axes:
+        """Draw a quantity over α and β, or over two other dimensions, as a map with contours.
+
+        Cases that failed are crossed.
+
+        Parameters
+        ----------
+        quantity : str, default "mu_drag"
+            A column.
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        InputError
+            If there is no such column, or not two dimensions are left.
+        ImportError
+            Without matplotlib.
+        """
+        ax = axes(ax)
+        if quantity not in self._data:
+            raise InputError(f"there is no column {quantity!r}: there are {', '.join(map(str, self._data.data_vars))}")
         data = (self.nearest(**wanted) if wanted else self._data)[quantity]
         data = data.squeeze([dim for dim in data.dims if data.sizes[dim] == 1])
         if data.ndim != 2:
@@ -127,15 +203,27 @@ class Accessor:
         ax.set(xscale="log", yscale="log", xlabel=_label(data[x]), ylabel=_label(data[y]))
         return ax
 
-    def plot_profile(self, *, ax: Any = None, **wanted: float) -> Any:
-        """Draw pressure and film of the nearest case along x, and return the axes of matplotlib.
+    def plot_profile(self, *, ax: Axes | None = None, **wanted: float) -> Axes:
+        """Draw pressure and film of the nearest case along x.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        **wanted : float
+            A value of each dimension, as in ``alpha=1``; the nearest one is taken.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
 
         Raises
         ------
         InputError
             If the data set has no such fields, or several cases are left.
         """
-        ax = _axes(ax)
+        ax = axes(ax)
         case = self.nearest(**wanted) if wanted else self._data
         names = [name for name in ("pressure", "film_thickness", "displacement") if name in case]
         if not names:
@@ -150,20 +238,15 @@ class Accessor:
         return ax
 
 
-def _axes(ax: Any) -> Any:
-    if ax is not None:
-        return ax
-    import matplotlib.pyplot as plt  # noqa: PLC0415
-
-    return plt.subplots(figsize=(4.5, 3.2), layout="constrained")[1]
-
+register: Any = xarray.register_dataset_accessor
+register("stribeck")(Accessor)
 
 _SYMBOLS = {"alpha": "α", "beta": "β", "f": "f", "slide_roll": "S"}
 
 
 def _unit(array: xarray.DataArray) -> str:
     """What the numbers are in: a unit of SI, or what they are over."""
-    return array.attrs.get("scale", array.attrs.get("units", "1"))
+    return str(array.attrs.get("scale", array.attrs.get("units", "1")))
 
 
 def _label(array: xarray.DataArray) -> str:

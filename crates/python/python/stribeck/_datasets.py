@@ -4,20 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib.util import find_spec
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import xarray
 
 
 class Variable(NamedTuple):
     """An array with the names of its dimensions and its attributes."""
 
     dims: tuple[str, ...]
-    values: np.ndarray
+    values: NDArray[Any]
     attrs: dict[str, Any]
 
 
-class Arrays(dict):
+class Arrays(dict[str, NDArray[Any]]):
     """A mapping of names to arrays: what stands in for a data set where xarray is not installed.
 
     Attributes
@@ -33,13 +37,15 @@ class Arrays(dict):
         self.dims = {name: variable.dims for name, variable in variables.items()}
         self.attrs = {name: variable.attrs for name, variable in variables.items()}
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type[Arrays], tuple[dict[str, Variable]]]:
         """Pickle the arrays with their descriptions."""
         parts = {name: Variable(self.dims[name], self[name], self.attrs[name]) for name in self.dims}
         return type(self), (parts,)
 
 
-def variables(native: Mapping[str, tuple], dims: dict[str, int], places_along_x: int) -> dict[str, Variable]:
+def variables(
+    native: Mapping[str, tuple[Any, dict[str, Any], bool]], dims: dict[str, int], places_along_x: int
+) -> dict[str, Variable]:
     """Give the flat arrays of the extension module the dimensions of the places, and x to fields."""
     made = {}
     for name, (values, attrs, has_x) in native.items():
@@ -49,10 +55,13 @@ def variables(native: Mapping[str, tuple], dims: dict[str, int], places_along_x:
     return made
 
 
-def dataset(data: Mapping[str, Variable], coordinates: Mapping[str, Variable], attrs: Mapping[str, Any]):
+def dataset(
+    data: Mapping[str, Variable], coordinates: Mapping[str, Variable], attrs: Mapping[str, Any]
+) -> xarray.Dataset:
     """Make an ``xarray.Dataset``, or `Arrays` where xarray is not installed."""
     if find_spec("xarray") is None:
-        return Arrays({**coordinates, **data})
+        arrays: Any = Arrays({**coordinates, **data})
+        return arrays  # type: ignore[no-any-return]
     import xarray  # noqa: PLC0415
 
     from . import _accessor  # noqa: F401, PLC0415

@@ -6,13 +6,18 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native, _toml
 from ._errors import InputError
+from ._packages import axes
 from .experiment import Experiment
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,9 +56,9 @@ class Fit:
     start: dict[str, float] = field(repr=False)
     at_bound: dict[str, bool] = field(repr=False)
     intervals: dict[str, tuple[float, float]] | None = field(repr=False)
-    covariance: np.ndarray = field(repr=False)
-    correlation: np.ndarray = field(repr=False)
-    points: dict[str, np.ndarray] = field(repr=False)
+    covariance: NDArray[np.float64] = field(repr=False)
+    correlation: NDArray[np.float64] = field(repr=False)
+    points: dict[str, NDArray[np.float64]] = field(repr=False)
     along: str = field(repr=False)
     reduced_chi_squared: float
     degrees_of_freedom: int
@@ -61,11 +66,25 @@ class Fit:
     experiment: Experiment | None = field(repr=False)
     understood: str = field(repr=False)
 
-    def plot(self, ax: Any = None) -> Any:
-        """Draw the measured points with their errors and the fitted ones, and return the axes of matplotlib."""
-        import matplotlib.pyplot as plt  # noqa: PLC0415
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw the measured points with their errors, and the fitted ones.
 
-        ax = plt.subplots(figsize=(4.5, 3.2), layout="constrained")[1] if ax is None else ax
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        ImportError
+            Without matplotlib.
+        """
+        ax = axes(ax)
         speed, errors = self.points[self.along], self.points["error"]
         order = np.argsort(speed)
         known = None if np.isnan(errors).all() else errors
@@ -97,7 +116,7 @@ def fit(
     experiment : Experiment or path
         All else, with the value that each unknown begins at; or a sweep file with ``[laboratory]``.
     unknown : str or sequence of str
-        What is looked for: ``f``, ``relaxed_modulus``, ``viscosity``, ``retardation_time``, …
+        What is looked for: ``f``, ``relaxed_modulus``, ``viscosity``, ``retardation_time`` or others of `Experiment`.
     bounds : dict of str to (low, high), optional
         Where unknowns must stay: numbers in SI units, texts with units, or None for an open end.
     columns : str, optional
@@ -110,6 +129,7 @@ def fit(
     Returns
     -------
     Fit
+        Values, errors and covariance of the unknowns, the fitted points, and the experiment with the values.
 
     Raises
     ------
@@ -121,13 +141,13 @@ def fit(
         Soon after Ctrl-C.
     """
     unknown = [unknown] if isinstance(unknown, str) else list(unknown)
-    is_experiment = isinstance(experiment, Experiment)
+    described = experiment if isinstance(experiment, Experiment) else None
     answer = _native.fit(
         {
             "files": _files(data),
             "columns": columns,
-            "sweep": None if is_experiment else Path(experiment),
-            "text": experiment.to_toml() if is_experiment else "",
+            "sweep": None if isinstance(experiment, Experiment) else Path(experiment),
+            "text": "" if described is None else described.to_toml(),
             "unknown": unknown,
             "bounds": [(name, *_ends(name, ends)) for name, ends in (bounds or {}).items()],
             "profile": profile,
@@ -154,7 +174,7 @@ def fit(
         covariance=correlation * np.outer(deviations, deviations),
         correlation=correlation,
         points={name: np.array(numbers, dtype=float) for name, numbers in answer.pop("points").items()},
-        experiment=experiment.replace(**values) if is_experiment else None,
+        experiment=None if described is None else described.replace(**values),
         **answer,
     )
 

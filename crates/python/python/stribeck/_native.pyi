@@ -4,6 +4,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+__all__ = [
+    "FIELDS",
+    "QUANTITIES",
+    "__version__",
+    "check_sweep",
+    "fit",
+    "main",
+    "material_file",
+    "prony",
+    "run",
+    "si",
+    "solve",
+    "solve_sweep",
+]
 __version__: str
 FIELDS: list[str]
 QUANTITIES: list[tuple[str, str]]

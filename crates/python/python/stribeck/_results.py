@@ -5,12 +5,16 @@ from __future__ import annotations
 import os
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ._errors import StorageError
+from ._packages import package
+
+if TYPE_CHECKING:
+    import xarray
 
 
-def open(directory: str | os.PathLike[str]) -> Any:
+def open(directory: str | os.PathLike[str]) -> xarray.Dataset:
     """Open the published data set of a results directory.
 
     Parameters
@@ -34,8 +38,15 @@ def open(directory: str | os.PathLike[str]) -> Any:
     return open_results(Path(directory))
 
 
-def open_results(directory: Path) -> Any:
+def require_reader() -> None:
+    """Refuse to go on without the packages that read results.h5."""
+    for name in ("xarray", "h5netcdf"):
+        package(name, "a stored data set")
+
+
+def open_results(directory: Path) -> xarray.Dataset:
     """Open results.h5 of a directory."""
+    require_reader()
     import xarray  # noqa: PLC0415
 
     from . import _accessor  # noqa: F401, PLC0415

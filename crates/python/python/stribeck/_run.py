@@ -6,10 +6,13 @@ import os
 import sys
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._results import open_results
+from ._results import open_results, require_reader
+
+if TYPE_CHECKING:
+    import xarray
 
 
 def run(
@@ -18,7 +21,7 @@ def run(
     *,
     progress: bool = True,
     threads: int | None = None,
-) -> Any:
+) -> xarray.Dataset:
     """Run a sweep into a results directory, or resume it, and open what it publishes.
 
     Parameters
@@ -45,7 +48,10 @@ def run(
         If the disk or a file fails; what was solved before is stored.
     KeyboardInterrupt
         Soon after Ctrl-C. What is finished is stored, and the same call resumes the sweep.
+    ImportError
+        Without xarray, h5netcdf and h5py, before anything is solved; the program `stribeck run` needs none of these.
     """
+    require_reader()
     sweep = Path(sweep)
     directory = Path("results") / sweep.stem if output is None else Path(output)
     with _Progress(progress) as shown:
@@ -83,7 +89,7 @@ class _Progress:
 
 def _bar(cases: int) -> Any:
     try:
-        from tqdm.auto import tqdm  # noqa: PLC0415
+        from tqdm.auto import tqdm  # type: ignore[import-untyped, unused-ignore] # noqa: PLC0415
     except ImportError:
         return _Line(cases)
     with warnings.catch_warnings():

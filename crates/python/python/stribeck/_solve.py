@@ -4,30 +4,35 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._datasets import Variable, dataset, variables
 from ._errors import InputError
 
+if TYPE_CHECKING:
+    import xarray
+
 _INPUTS = ("slide_roll", "f", "alpha", "beta")
 
 
 def solve(
-    alpha: Any,
-    beta: Any,
-    f: Any,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    f: ArrayLike,
     *,
     modes: Iterable[Sequence[float]] | None = None,
-    slide_roll: Any = 1.0,
+    roller_modes: Iterable[Sequence[float]] | None = None,
+    slide_roll: ArrayLike = 1.0,
     tolerance: float = 1e-5,
     fields: bool | str | Sequence[str] = False,
-    x: Any = None,
+    x: ArrayLike | None = None,
     sensitivities: bool = False,
     threads: int | None = None,
-):
+) -> xarray.Dataset:
     """Solve the lubricated sliding of a cylinder on a viscoelastic half space.
 
     The numbers are broadcast as numpy does it, and every place of the result is solved by the collocation method, in
@@ -45,6 +50,9 @@ def solve(
         Strength of retardation E0/Einf - 1, finite and at least 0.
     modes : sequence of (share, time), optional
         Retardation spectrum: parts of f, which add up to 1, and times over the one in alpha. One time by default.
+    roller_modes : sequence of (share, time), optional
+        Those of the roller; shares of both bodies add up to 1. A rigid or elastic roller by default. Times are over
+        the one in alpha, too, which is that of the flat as it moves; the roller moves by as `slide_roll` says.
     slide_roll : array_like or xarray.DataArray, default 1.0
         Slide-to-roll ratio (u2 - u1)/(u1 + u2) of flat and roller, from -1 to 1: 1 is a roller that does not turn.
     tolerance : float, default 1e-5
@@ -92,10 +100,11 @@ def solve(
     answer = _native.solve(
         {
             **request,
-            "modes": None if modes is None else _modes(modes),
+            "modes": None if modes is None else _modes("modes", modes),
+            "roller_modes": None if roller_modes is None else _modes("roller_modes", roller_modes),
             "tolerance": float(tolerance),
             "fields": _fields(fields),
-            "x": None if x is None else [float(place) for place in np.atleast_1d(x)],
+            "x": None if x is None else _numbers("x", x).ravel().tolist(),
             "sensitivities": bool(sensitivities),
             "threads": threads,
         }
@@ -110,7 +119,7 @@ def solve(
     return dataset(data, coordinates, {"Conventions": "CF-1.10", "source": f"stribeck.solve, tolerance {tolerance:g}"})
 
 
-def _broadcast(given: dict[str, Any]) -> tuple[tuple[str, ...] | None, dict[str, np.ndarray]]:
+def _broadcast(given: dict[str, Any]) -> tuple[tuple[str, ...] | None, dict[str, NDArray[np.float64]]]:
     """Give all inputs one shape; the dimensions have names if xarray's arrays are among them."""
     xarray = sys.modules.get("xarray")
     if xarray is not None and any(isinstance(values, xarray.DataArray) for values in given.values()):
@@ -129,7 +138,7 @@ def _broadcast(given: dict[str, Any]) -> tuple[tuple[str, ...] | None, dict[str,
     return None, dict(zip(arrays, same, strict=True))
 
 
-def _numbers(name: str, values: Any) -> np.ndarray:
+def _numbers(name: str, values: Any) -> NDArray[np.float64]:
     try:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError):
@@ -153,7 +162,7 @@ def _dims(given: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _coordinate(name: str, array: np.ndarray, dims: tuple[str, ...], attrs: dict[str, Any]) -> Variable:
+def _coordinate(name: str, array: NDArray[np.float64], dims: tuple[str, ...], attrs: dict[str, Any]) -> Variable:
     """Make an input a coordinate: along its own dimension, or as one number, or at each place."""
     if name in dims:
         axis = dims.index(name)
@@ -166,11 +175,11 @@ def _coordinate(name: str, array: np.ndarray, dims: tuple[str, ...], attrs: dict
     return Variable(dims, np.array(array), attrs)
 
 
-def _modes(modes: Iterable[Sequence[float]]) -> list[tuple[float, float]]:
+def _modes(name: str, modes: Iterable[Sequence[float]]) -> list[tuple[float, float]]:
     try:
         return [(float(share), float(time)) for share, time in modes]
     except (TypeError, ValueError):
-        raise InputError("modes are pairs of a share of f and a time, as in [(0.7, 1.0), (0.3, 100.0)]") from None
+        raise InputError(f"{name} are pairs of a share of f and a time, as in [(0.7, 1.0), (0.3, 100.0)]") from None
 
 
 def _fields(fields: bool | str | Sequence[str]) -> list[str]:

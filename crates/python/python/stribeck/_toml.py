@@ -7,11 +7,17 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
 from ._errors import InputError
 
-_UNITS = {**dict(_native.QUANTITIES), "roughness": "m", "thickness": "m", "modulus": "Pa", "time": "s"}
+_UNITS = (
+    dict(_native.QUANTITIES)
+    | {"roughness": "m", "thickness": "m", "modulus": "Pa", "time": "s"}
+    # Keys of the laws of temperature.
+    | {"activation_energy": "J/mol", "reference": "K", "c2": "K", "b": "K", "c": "K", "value": "Pa s"}
+)
 
 
 def section(name: str, values: Mapping[str, Any]) -> str:
@@ -58,7 +64,7 @@ def _magnitude(key: str, quantity: Any) -> Any:
         raise InputError(f"{key} must be in {units} or a unit of that kind, found {quantity}: {error}") from error
 
 
-def si(kind: str, it: Any) -> np.ndarray:
+def si(kind: str, it: Any) -> NDArray[np.float64]:
     """Read a number, or an array of numbers or texts, in SI units.
 
     Parameters

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native, _toml
 from ._datasets import Variable, dataset, variables
 from ._errors import InputError
+from ._packages import package
 from .material import Material
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
 
 _NAME = "Experiment"
 #: The speed along which curves run, by what is given beside it.
@@ -77,7 +83,23 @@ class Experiment:
         return next((speed for beside, speed in _ALONG.items() if self._given.get(beside) is not None), "speed")
 
     def replace(self, **changes: Any) -> Experiment:
-        """Make an experiment with some arguments changed; None leaves one out."""
+        """Make an experiment with some arguments changed.
+
+        Parameters
+        ----------
+        **changes
+            Arguments of `Experiment`; None leaves one out.
+
+        Returns
+        -------
+        Experiment
+            The new one.
+
+        Raises
+        ------
+        InputError
+            As of `Experiment`.
+        """
         return Experiment(**{**self._given, **self._options, **changes})
 
     def to_toml(self, speed: Any = None) -> str:
@@ -88,6 +110,11 @@ class Experiment:
         speed : float, str, list or dict, optional
             The speeds: a list that ascends, or a range ``{"from": "1 um/s", "to": "1 m/s", "points": 31, "scale":
             "log"}``. By default those of the experiment, or 1 mm/s.
+
+        Returns
+        -------
+        str
+            The text of the file, TOML.
         """
         quantities = {name: it for name, it in self._given.items() if name not in ("flat", "roller") and it is not None}
         if speed is not None:
@@ -108,7 +135,7 @@ class Experiment:
             ]
         )
 
-    def curve(self, speed: Any = None, *, threads: int | None = None) -> Any:
+    def curve(self, speed: Any = None, *, threads: int | None = None) -> xarray.Dataset:
         """Solve the Stribeck curve: friction, film and pressure against speed.
 
         Parameters
@@ -138,7 +165,7 @@ class Experiment:
             speed = np.unique(_toml.si(self.along, speed)).tolist()
         return solve_text(self.to_toml(speed), threads)
 
-    def friction(self, speed: Any, *, quantity: str = "mu_drag", threads: int | None = None) -> np.ndarray:
+    def friction(self, speed: Any, *, quantity: str = "mu_drag", threads: int | None = None) -> NDArray[np.float64]:
         """Solve friction at speeds.
 
         Parameters
@@ -163,25 +190,51 @@ class Experiment:
         speeds = _toml.si(self.along, speed)
         if speeds.size == 0:
             return np.empty(speeds.shape)
-        curve = self.curve(speeds, threads=threads)
-        several = [name for name, size in curve.sizes.items() if name != self.along and size > 1]
+        ascending, place = np.unique(speeds, return_inverse=True)
+        solved = _native.solve_sweep(_NAME, self.to_toml(ascending.tolist()), threads)
+        several = [name for name, values, _ in solved["dimensions"] if name != self.along and len(values) > 1]
         if several:
             raise InputError(f"{several[0]} has several values, and friction is of one: take curve, or replace(...)")
-        if quantity not in curve:
-            raise InputError(f"there is no column {quantity!r}")
-        _, place = np.unique(speeds, return_inverse=True)
-        return curve[quantity].values.ravel()[place].reshape(speeds.shape)
+        columns = [name for name, (values, *_) in solved["variables"].items() if isinstance(values, np.ndarray)]
+        if quantity not in columns:
+            raise InputError(f"there is no column {quantity!r}: there are {', '.join(columns)}")
+        values = np.asarray(solved["variables"][quantity][0], dtype=float)
+        return values[place].reshape(speeds.shape)
 
-    def plot(self, speed: Any = None, *, ax: Any = None, threads: int | None = None) -> Any:
-        """Draw friction against speed with its parts, and return the axes of matplotlib; see `curve`."""
-        return self.curve(speed, threads=threads).stribeck.plot_curve(ax=ax)
+    def plot(self, speed: Any = None, *, ax: Axes | None = None, threads: int | None = None) -> Axes:
+        """Draw friction against speed with its parts; of several values of one more quantity the drag of each.
+
+        Parameters
+        ----------
+        speed : array_like, list or dict, optional
+            As of `curve`.
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+        threads : int, optional
+            Solver threads; one for each core by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        InputError
+            As of `curve`, or if more than one other quantity has several values.
+        ImportError
+            Without xarray or matplotlib.
+        """
+        package("xarray", "a picture of a curve")
+        drawn: Axes = self.curve(speed, threads=threads).stribeck.plot_curve(ax=ax)
+        return drawn
 
 
 def _body(body: Material | Mapping[str, Any]) -> Mapping[str, Any]:
     return body.body() if isinstance(body, Material) else body
 
 
-def solve_text(text: str, threads: int | None) -> Any:
+def solve_text(text: str, threads: int | None) -> xarray.Dataset:
     """Solve the sweep that a text describes, in memory."""
     answer = _native.solve_sweep(_NAME, text, threads)
     sizes = {name: len(values) for name, values, _ in answer["dimensions"]}

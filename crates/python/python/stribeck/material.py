@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _toml
 from ._errors import InputError
+from ._packages import axes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+#: A residual of a law of temperature, in decades, that is worth a word: times are wrong by a factor of 2.
+_FAR = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,12 +44,18 @@ class Material:
     poisson_ratio : float or None
         Poisson's ratio, which an `Experiment` with this material has.
     shift : dict or None
-        How the times change with temperature, as ``shift`` of a sweep file.
+        How the times change with temperature, as ``shift`` of a sweep file: the law that was given, or the better one
+        of those fitted to `shifts`.
     measured : numpy.ndarray, shape (rows, 3), or None
         What the material was fitted to: angular frequency in rad/s with storage and loss modulus in Pa, or time in s
         with the modulus in Pa and NaN.
     rms_residual : float or None
         The relative residual of that fit.
+    shifts : numpy.ndarray, shape (isotherms, 3), or None
+        Where isotherms went: temperature in K, log10 of the shift factor a_T, and the relative residual over the next
+        colder one, NaN where there is none.
+    shift_residual : float or None
+        How far the fitted law `shift` is from these, in decades, root mean square.
     understood : str
         What was understood of a file.
     """
@@ -48,13 +64,15 @@ class Material:
     instantaneous_modulus: float
     f: float
     retardation_time: float
-    moduli: np.ndarray = field(repr=False)
-    times: np.ndarray = field(repr=False)
-    modes: np.ndarray = field(repr=False)
+    moduli: NDArray[np.float64] = field(repr=False)
+    times: NDArray[np.float64] = field(repr=False)
+    modes: NDArray[np.float64] = field(repr=False)
     poisson_ratio: float | None = None
     shift: dict[str, Any] | None = None
-    measured: np.ndarray | None = field(default=None, repr=False)
+    measured: NDArray[np.float64] | None = field(default=None, repr=False)
     rms_residual: float | None = None
+    shifts: NDArray[np.float64] | None = field(default=None, repr=False)
+    shift_residual: float | None = None
     understood: str = field(default="", repr=False)
 
     @classmethod
@@ -103,7 +121,8 @@ class Material:
         kind = "relaxed_modulus" if is_relaxed else "instantaneous_modulus"
         modulus = float(_toml.si(kind, relaxed_modulus if is_relaxed else instantaneous_modulus))
         terms = list(zip(parts.tolist(), times.tolist(), strict=True))
-        return cls._of(_native.prony(moduli is None, terms, is_relaxed, modulus), poisson_ratio, shift)
+        native = _native.prony(moduli is None, terms, is_relaxed, modulus)
+        return cls._of(native, poisson_ratio=_ratio(poisson_ratio), shift=shift)
 
     @classmethod
     def from_file(
@@ -114,7 +133,8 @@ class Material:
         shear: bool = False,
         poisson_ratio: float | None = None,
         modulus_unit: str | None = None,
-        reference_temperature: str | None = None,
+        reference_temperature: float | str | None = None,
+        shift_factors: str | os.PathLike[str] | None = None,
         columns: str | None = None,
         shift: dict[str, Any] | None = None,
     ) -> Material:
@@ -132,60 +152,105 @@ class Material:
             From 0 to 0.5.
         modulus_unit : str, optional
             The unit of moduli in a file that names none, as in "MPa".
-        reference_temperature : str, optional
-            Where moduli at several temperatures are shifted to by their overlap, as in "20 degC".
+        reference_temperature : float, str or pint quantity, optional
+            Where moduli at several temperatures are shifted to, as in "20 degC"; K without a unit.
+        shift_factors : path, optional
+            A table of the factors by which they are shifted, in place of those found from their overlap. Beside moduli
+            that were shifted before it gives the law.
         columns : str, optional
             What columns hold whose names do not tell, as in ``"storage=#2,loss=#3"``.
         shift : dict, optional
-            A law of temperature, as for `from_prony`.
+            A law of temperature as for `from_prony`, in place of the one fitted to the shift factors.
 
         Raises
         ------
         InputError
-            If the file cannot be read, or describes no material.
+            If a file is not there, or describes no material.
+        StorageError
+            If the disk does not give a file.
+
+        Warns
+        -----
+        UserWarning
+            If the measurements do not tell the relaxed modulus, or no law follows the shift factors.
         """
         unit = None if modulus_unit is None else float(_toml.si("modulus", f"1 {modulus_unit}"))
         options = {
             "terms": terms,
             "shear": bool(shear),
-            "poisson_ratio": poisson_ratio,
+            "poisson_ratio": _ratio(poisson_ratio),
             "modulus_unit": unit,
-            "reference_temperature": reference_temperature,
+            "reference_temperature": None
+            if reference_temperature is None
+            else float(_toml.si("temperature", reference_temperature)),
+            "shift_factors": None if shift_factors is None else os.fspath(shift_factors),
             "columns": columns,
         }
-        return cls._of(_native.material_file(os.fspath(path), options), poisson_ratio, shift)
-
-    @classmethod
-    def _of(cls, native: dict[str, Any], poisson_ratio: float | None, shift: dict[str, Any] | None) -> Material:
-        if poisson_ratio is not None:
-            poisson_ratio = float(_toml.si("poisson_ratio", poisson_ratio))
-        terms = np.array(native.pop("terms"), dtype=float).reshape(-1, 2)
-        modes = np.array(native.pop("modes"), dtype=float).reshape(-1, 2)
-        measured = native.pop("measured", None)
-        return cls(
-            **native,
-            moduli=terms[:, 0],
-            times=terms[:, 1],
-            modes=modes,
-            poisson_ratio=poisson_ratio,
-            shift=shift,
-            measured=None if measured is None else np.array(measured, dtype=float),
+        read = _native.material_file(os.fspath(path), options)
+        law, shift_residual = read.pop("law", (None, None))
+        doubts = [read.pop("doubt", None)]
+        if shift is None and shift_residual is not None and shift_residual > _FAR:
+            doubts.append(f"no law follows the shift factors: the best one misses them by {shift_residual:.2f} decades")
+        for doubt in filter(None, doubts):
+            warnings.warn(f"{os.fspath(path)}: {doubt}", stacklevel=2)
+        return cls._of(
+            read,
+            poisson_ratio=options["poisson_ratio"],
+            shift=law if shift is None else shift,
+            shift_residual=shift_residual if shift is None else None,
         )
 
-    def modulus(self, time: Any) -> np.ndarray:
-        """E(t) in Pa at times in s after a step of strain, of the shape of `time`."""
-        time = np.asarray(time, dtype=float)[..., np.newaxis]
-        return self.relaxed_modulus + (self.moduli * np.exp(-time / self.times)).sum(axis=-1)
+    @classmethod
+    def _of(cls, native: dict[str, Any], **more: Any) -> Material:
+        for name in ("measured", "shifts"):
+            if name in native:
+                native[name] = np.array(native[name], dtype=float)
+        terms, modes = (np.array(native.pop(name), dtype=float).reshape(-1, 2) for name in ("terms", "modes"))
+        return cls(**native, **more, moduli=terms[:, 0], times=terms[:, 1], modes=modes)
 
-    def storage_and_loss(self, omega: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Storage and loss modulus in Pa at angular frequencies in rad/s, of the shape of `omega`."""
+    def modulus(self, time: ArrayLike) -> NDArray[np.float64]:
+        """Give the relaxation modulus E(t).
+
+        Parameters
+        ----------
+        time : array_like
+            Times after a step of strain in s, from 0.
+
+        Returns
+        -------
+        numpy.ndarray
+            E(t) in Pa, of the shape of `time`.
+        """
+        time = np.asarray(time, dtype=float)[..., np.newaxis]
+        relaxing: NDArray[np.float64] = (self.moduli * np.exp(-time / self.times)).sum(axis=-1)
+        return self.relaxed_modulus + relaxing
+
+    def storage_and_loss(self, omega: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Give storage and loss modulus.
+
+        Parameters
+        ----------
+        omega : array_like
+            Angular frequencies in rad/s.
+
+        Returns
+        -------
+        storage, loss : numpy.ndarray
+            Both in Pa, of the shape of `omega`.
+        """
         x = np.asarray(omega, dtype=float)[..., np.newaxis] * self.times
         response = self.moduli * (x / (x - 1j))
         # x/(x − i) = (x² + ix)/(1 + x²)
         return self.relaxed_modulus + response.real.sum(axis=-1), response.imag.sum(axis=-1)
 
     def body(self) -> dict[str, Any]:
-        """Give the section of a body of a sweep file."""
+        """Give the section of a body of a sweep file.
+
+        Returns
+        -------
+        dict of str to object
+            The keys of ``[flat]`` or ``[roller]``.
+        """
         terms = zip(self.moduli.tolist(), self.times.tolist(), strict=True)
         return {
             "relaxed_modulus": self.relaxed_modulus,
@@ -194,11 +259,25 @@ class Material:
             "shift": self.shift,
         }
 
-    def plot(self, ax: Any = None) -> Any:
-        """Draw storage and loss modulus over frequency, with what was measured, and return the axes of matplotlib."""
-        import matplotlib.pyplot as plt  # noqa: PLC0415
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw storage and loss modulus over angular frequency, with what was measured.
 
-        ax = plt.subplots(figsize=(4.5, 3.2), layout="constrained")[1] if ax is None else ax
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where it is drawn; a new picture by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What it is drawn into.
+
+        Raises
+        ------
+        ImportError
+            Without matplotlib.
+        """
+        ax = axes(ax)
         omega = np.geomspace(0.01 / self.times.max(), 100 / self.times.min(), 201)
         names = ("storage modulus", "loss modulus")
         for i, (name, values) in enumerate(zip(names, self.storage_and_loss(omega), strict=True)):
@@ -208,3 +287,8 @@ class Material:
         ax.set(xlabel="angular frequency (rad/s)", ylabel="modulus (Pa)")
         ax.legend()
         return ax
+
+
+def _ratio(poisson_ratio: float | None) -> float | None:
+    """Check Poisson's ratio."""
+    return None if poisson_ratio is None else float(_toml.si("poisson_ratio", poisson_ratio))

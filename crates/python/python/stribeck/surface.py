@@ -10,15 +10,19 @@ import json
 import math
 import os
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, TypeAlias, overload
 
 import numpy as np
 from numpy.polynomial import chebyshev
+from numpy.typing import ArrayLike, NDArray
 
 try:
     from ._errors import InputError, StorageError
 except ImportError:  # a copy, without the package
-    InputError, StorageError = ValueError, OSError
+    InputError, StorageError = ValueError, OSError  # type: ignore[misc, assignment]
+
+_Array: TypeAlias = NDArray[Any]
+_Values: TypeAlias = dict[str, _Array]
 
 #: What the key `format` of a file says that is known here.
 FORMAT = "stribeck surface 1"
@@ -88,7 +92,17 @@ class Surface:
             what = f"it has no key {error}" if isinstance(error, KeyError) else error
             raise InputError(f"{path}: {what}; the file is damaged, make it again with `stribeck surface`") from None
 
-    def __call__(self, *coordinates: Any, derivatives: bool = False, **named: Any) -> Any:
+    @overload
+    def __call__(self, *coordinates: ArrayLike, derivatives: Literal[False] = ..., **named: ArrayLike) -> _Values: ...
+
+    @overload
+    def __call__(
+        self, *coordinates: ArrayLike, derivatives: Literal[True], **named: ArrayLike
+    ) -> tuple[_Values, dict[str, _Values]]: ...
+
+    def __call__(
+        self, *coordinates: ArrayLike, derivatives: bool = False, **named: ArrayLike
+    ) -> _Values | tuple[_Values, dict[str, _Values]]:
         """Evaluate the surface at points.
 
         Parameters
@@ -167,7 +181,7 @@ class Surface:
                 f"file says {values[number, place]}"
             )
 
-    def _points(self, coordinates: tuple[Any, ...], named: dict[str, Any]) -> list[np.ndarray]:
+    def _points(self, coordinates: tuple[Any, ...], named: dict[str, Any]) -> list[_Array]:
         """Coordinates on the axes, of one shape."""
         by_order = dict(zip(self.axes, coordinates, strict=False))
         given = by_order | named
@@ -194,19 +208,19 @@ class Surface:
             shapes = ", ".join(f"{name} {x.shape}" for name, x in zip(self.axes, arrays, strict=True) if x.ndim)
             raise InputError(f"shapes do not go together: {shapes}") from None
 
-    def _evaluate(self, points: list[np.ndarray], values: np.ndarray, slopes: np.ndarray | None) -> None:
+    def _evaluate(self, points: list[_Array], values: _Array, slopes: _Array | None) -> None:
         """Fill in the values and slopes of a block of points, the last dimension of all arrays."""
         axes = list(zip(self._axes, points, self._degrees, strict=True))
         # Polynomials by points.
         bases = [chebyshev.chebvander(axis.t(x), degrees - 1).T for axis, x, degrees in axes]
-        dt = [] if slopes is None else [axis.slope(x) for axis, x, _ in axes]
         for place, series in enumerate(self._series):
             weights = _weights(series.factors, bases)
             changes = [] if slopes is None else _weights(series.slopes, bases)
             y, dy = _contract(series.core, weights, changes)
             values[place] = series.value(y, values)
-            for m, slope in enumerate(dt):
-                slopes[place, m] = series.slope(y, dy[m] * slope, values[: place + 1], slopes[:, m])
+            if slopes is not None:
+                for m, (axis, x, _) in enumerate(axes):
+                    slopes[place, m] = series.slope(y, dy[m] * axis.slope(x), values[: place + 1], slopes[:, m])
 
 
 class _Axis:
@@ -218,11 +232,11 @@ class _Axis:
         if self.map not in ("linear", "log", "compact"):
             raise ValueError(f"{self.name} has the map `{self.map}`, which is none")
         self.center = float(record["center"]) if self.map == "compact" else 1.0
-        self.z_start, self.z_end = (float(self.z(np.float64(end))) for end in (self.start, self.end))
+        self.z_start, self.z_end = (float(self.z(np.array(end))) for end in (self.start, self.end))
         if not (self.z_start < self.z_end and math.isfinite(self.z_end - self.z_start)):
             raise ValueError(f"{self.name} from {self.start} to {self.end} is no range")
 
-    def z(self, x: np.ndarray) -> np.ndarray:
+    def z(self, x: _Array) -> _Array:
         """Give z, which reaches x = 0 and infinity on a compact axis."""
         if self.map != "compact":
             return np.log(x) if self.map == "log" else x
@@ -230,15 +244,15 @@ class _Axis:
         with np.errstate(invalid="ignore"):
             return np.where(np.isinf(s), 1.0, s / (1.0 + s))
 
-    def s(self, x: np.ndarray) -> np.ndarray:
+    def s(self, x: _Array) -> _Array:
         """Give the fourth root of x over the center."""
         return np.sqrt(np.sqrt(x / self.center))
 
-    def t(self, x: np.ndarray) -> np.ndarray:
+    def t(self, x: _Array) -> _Array:
         """Give t; rounding may lead beyond the ends."""
         return np.clip(2.0 * (self.z(x) - self.z_start) / (self.z_end - self.z_start) - 1.0, -1.0, 1.0)
 
-    def slope(self, x: np.ndarray) -> np.ndarray:
+    def slope(self, x: _Array) -> _Array:
         """Give dt/dx; NaN at x = 0 of a compact axis, where it is infinite."""
         if self.map == "linear":
             slope = np.ones_like(x)
@@ -272,20 +286,20 @@ class _Series:
         # Chebyshev series of the derivatives with respect to t.
         self.slopes = [chebyshev.chebder(factor) for factor in self.factors]
 
-    def value(self, y: np.ndarray, values: np.ndarray) -> np.ndarray:
+    def value(self, y: _Array, values: _Array) -> _Array:
         """Give the quantity from y and the quantities before it."""
         if self.whole is not None:
-            return self.share * values[self.whole] * np.sinh(y)
+            return np.asarray(self.share * values[self.whole] * np.sinh(y))
         return np.exp(y) if self.transform == "exp" else y
 
-    def slope(self, y: np.ndarray, dy: np.ndarray, values: np.ndarray, slopes: np.ndarray) -> np.ndarray:
+    def slope(self, y: _Array, dy: _Array, values: _Array, slopes: _Array) -> _Array:
         """Give the derivative of the quantity, the last of the values, from that of y."""
         if self.whole is not None:
-            return self.share * (slopes[self.whole] * np.sinh(y) + values[self.whole] * np.cosh(y) * dy)
+            return np.asarray(self.share * (slopes[self.whole] * np.sinh(y) + values[self.whole] * np.cosh(y) * dy))
         return values[-1] * dy if self.transform == "exp" else dy
 
 
-def _decode(name: str, text: str, numbers: str, shape: list[int]) -> np.ndarray:
+def _decode(name: str, text: str, numbers: str, shape: list[int]) -> _Array:
     """Read numbers in base64."""
     found = np.frombuffer(base64.b64decode(text, validate=True), dtype=numbers).astype(float)
     if found.size != math.prod(shape) or not found.size or not np.isfinite(found).all():
@@ -293,12 +307,12 @@ def _decode(name: str, text: str, numbers: str, shape: list[int]) -> np.ndarray:
     return found.reshape(shape)
 
 
-def _weights(factors: list[np.ndarray], bases: list[np.ndarray]) -> list[np.ndarray]:
+def _weights(factors: list[_Array], bases: list[_Array]) -> list[_Array]:
     """Give ranks by points of each axis."""
     return [_product(factor.T, basis[: len(factor)]) for factor, basis in zip(factors, bases, strict=True)]
 
 
-def _product(matrix: np.ndarray, columns: np.ndarray) -> np.ndarray:
+def _product(matrix: _Array, columns: _Array) -> _Array:
     """Multiply in slices: threads that start and wait for each other take longer, much longer if cores are busy."""
     out = np.empty((len(matrix), columns.shape[-1]))
     step = max(1, _PRODUCT // matrix.size)
@@ -308,16 +322,14 @@ def _product(matrix: np.ndarray, columns: np.ndarray) -> np.ndarray:
     return out
 
 
-def _contract(
-    core: np.ndarray, weights: list[np.ndarray], changes: list[np.ndarray]
-) -> tuple[np.ndarray, list[np.ndarray]]:
+def _contract(core: _Array, weights: list[_Array], changes: list[_Array]) -> tuple[_Array, list[_Array]]:
     """Contract the core with the weights of one axis after the other; also with each change in place of its weight."""
 
-    def first(weight: np.ndarray) -> np.ndarray:
+    def first(weight: _Array) -> _Array:
         return _product(core.reshape(len(core), -1).T, weight).reshape(*core.shape[1:], -1)
 
-    def then(part: np.ndarray, weight: np.ndarray) -> np.ndarray:
-        return np.einsum("a...n,an->...n", part, weight)
+    def then(part: _Array, weight: _Array) -> _Array:
+        return np.asarray(np.einsum("a...n,an->...n", part, weight))
 
     y, slopes = first(weights[0]), [first(change) for change in changes[:1]]
     for m, weight in enumerate(weights[1:], start=1):

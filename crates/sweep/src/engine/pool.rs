@@ -27,7 +27,7 @@ pub struct Engine {
 
 /// The threads of an [`Engine`] could not be started.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot start {threads} solver threads: {source}; ask for fewer with `--threads`")]
+#[error("cannot start {threads} solver threads: {source}; ask for fewer threads")]
 pub struct ThreadsError {
     /// How many were wanted.
     pub threads: NonZeroUsize,
