@@ -346,7 +346,7 @@ fn sensitivities_to_the_roller_come_back() {
     let mut store = Store::open(directory.path(), SWEEP, &more).unwrap();
     store.commit(&cases).unwrap();
     drop(store);
-    let mut store = Store::open(directory.path(), SWEEP, &more).unwrap();
+    let store = Store::open(directory.path(), SWEEP, &more).unwrap();
     for expected in &cases {
         let held = store.entry(expected.id).unwrap().unwrap();
         assert_eq!(held.sensitivities, expected.sensitivities);
