@@ -498,20 +498,19 @@ fn sensitivities_are_shown_where_they_are_asked_for() {
     let solved = solve_chain(&solver, &[Parameters::new(1.0, 300.0, 100.0)], &output, &Interrupt::new());
     let solution = solved.expect("not interrupted").remove(0).outcome.expect("solved");
     let known = solution.sensitivities.expect("asked for");
-    for (name, value) in Sensitivities::NAMES.into_iter().zip(known.row()) {
+    for (name, value) in Sensitivities::NAMES.into_iter().zip(known.named()) {
         assert_eq!(object[name].as_f64(), Some(value), "{name}");
         assert!(plain.get(name).is_none());
     }
     let errors = solution.sensitivity_errors.expect("asked for");
-    for (name, error) in Sensitivities::NAMES.into_iter().zip(errors.row()) {
+    for (name, error) in Sensitivities::NAMES.into_iter().zip(errors.named()) {
         assert_eq!(object["sensitivity_errors"][name].as_f64(), Some(error), "{name}");
     }
     let directory = tempdir().expect("a temporary directory");
     let arguments = format!("solve {case} --sensitivities");
     let table = out(&say(directory.path(), &arguments.split_whitespace().collect::<Vec<_>>()));
-    for value in
-        known.viscoelastic().into_iter().chain(known.hydrodynamic).chain(known.total_at(1.0)).chain(known.drag_at(1.0))
-    {
+    let shown = [known.viscoelastic(), known.hydrodynamic, known.total_at(1.0), known.drag_at(1.0)];
+    for value in shown.map(Sensitivities::of_case).into_iter().flatten() {
         assert!(table.contains(&format!("{value:.6e}")), "{table}");
     }
 }
