@@ -95,6 +95,12 @@ pub fn filled(text: &str, indent: &str) -> String {
     lines
 }
 
+/// A list in lines of at most 80 characters, whose pieces stay whole.
+pub fn filled_list(pieces: &[String], indent: &str) -> String {
+    let whole: Vec<String> = pieces.iter().map(|piece| piece.replace(' ', "\u{a0}")).collect();
+    filled(&format!("{indent}{}", whole.join(", ")), indent).replace('\u{a0}', " ")
+}
+
 /// A line with a name and what it is, which goes on below itself where it is long.
 pub fn entry(name: &str, words: &str) -> String {
     filled(&format!("{name:<10} {words}"), &" ".repeat(11)) + "\n"
@@ -145,6 +151,8 @@ mod tests {
         assert_eq!(filled("a  table   cell", ""), "a  table   cell");
         assert_eq!(filled(&"x".repeat(100), ""), "x".repeat(100));
         assert_eq!(entry("state", "3 reused"), "state      3 reused\n");
+        let list = filled_list(&vec!["load = 200 N/m".to_owned(); 9], "  ");
+        assert!(list.lines().all(|line| line.starts_with("  load = ") && line.chars().count() <= 80), "{list}");
     }
 
     #[test]

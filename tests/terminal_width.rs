@@ -20,8 +20,10 @@ const STUDY: &str = "[[case]]\nalpha = 1.0\nbeta = 100.0\nf = 10.0\n[[method]]\n
 /// Words that may be longer than a line: paths, and what stands in a command.
 fn may_be_long(line: &str) -> bool {
     let is_command = line.trim_start().starts_with("stribeck ") || line.starts_with("  alone ");
+    // An inline table of TOML stands in one line.
+    let is_copied = is_command || line.starts_with("shift = {");
     let longest = line.split_whitespace().map(|word| word.chars().count()).max().unwrap_or(0);
-    is_command || longest > 60
+    is_copied || longest > 60
 }
 
 /// The lines of a command's output that are too long.

@@ -11,7 +11,7 @@ use super::output_file::{OutputFiles, or_empty};
 use super::run_report::note_line;
 use super::terminal_plot::{TextAxis, plot};
 use super::{CliError, Exit, console, threads};
-use crate::format::{Align, count, filled, table_line};
+use crate::format::{Align, count, filled, filled_list, table_line};
 use crate::pictures::{Quantity, Table, nearest};
 use stribeck_input::shown;
 use stribeck_lab::{Experiment, Measured};
@@ -69,7 +69,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     if let Some(csv) = csv {
         csv.write(&table(&cases).csv())?;
     }
-    let mut text = format!("{}\n{}\n", sweep.title, filled(&describe(&cases[0].experiment), "  "));
+    let mut text = format!("{}\n{}\n", sweep.title, describe(&cases[0].experiment));
     if let Grid::Laboratory(axes) = &sweep.grid {
         let extent = Extent::of(axes);
         text += &format!("{}\n", filled(&extent.to_string(), "  "));
@@ -195,7 +195,7 @@ fn describe(experiment: &Experiment) -> String {
         format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
     });
     let strength = format!("f = {}", five_digits(experiment.f));
-    given.chain([strength]).collect::<Vec<_>>().join(", ")
+    filled_list(&given.chain([strength]).collect::<Vec<_>>(), "")
 }
 
 /// How far pressure and film of the solutions reach.

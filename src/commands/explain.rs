@@ -136,13 +136,14 @@ fn describe_place(place: &CasePlace) -> String {
     };
     let end = |case: Option<&Parameters>| case.map_or_else(String::new, |case| shortest(case.beta));
     let numbers = filled(&format!("  f = {f}, alpha = {alpha}, beta = {beta}{same}"), "  ");
-    format!(
-        "{experiment}{numbers}\n  number {} of the {} of its chain, beta from {} to {}\n",
+    let number = format!(
+        "  number {} of the {} of its chain, beta from {} to {}",
         place.index + 1,
         place.chain.len(),
         end(place.chain.first()),
         end(place.chain.last()),
-    )
+    );
+    format!("{experiment}{numbers}\n{}\n", filled(&number, "  "))
 }
 
 /// What is stored of a case, with its numbers at the slide-to-roll ratio S, and how it came there.

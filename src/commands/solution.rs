@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::sensitivities;
-use crate::format::{Align, count, duration, filled, table_line};
+use crate::format::{Align, count, duration, filled, filled_list, table_line};
 use stribeck_lab::{Experiment, si_units};
 use stribeck_solver::continuation::{Path, PathPoint, Seed};
 use stribeck_solver::{Parameters, Sensitivities, shortest};
@@ -86,7 +86,13 @@ impl SolvedProblem<'_> {
             1.0 => String::new(),
             slide_roll => format!(", slide-roll {slide_roll}"),
         };
-        let mut text = format!("f = {f}, alpha = {alpha}, beta = {beta}{rolling}{same}: {}\n", entry.outcome.name());
+        // Those that follow from quantities of the laboratory have more digits than anybody reads.
+        let [f, alpha, beta] = [f, alpha, beta].map(|number| match self.experiment {
+            Some(_) => shortest(format!("{number:.5e}").parse().expect("{:e} writes a number")),
+            None => number.to_string(),
+        });
+        let outcome = entry.outcome.name();
+        let mut text = format!("f = {f}, alpha = {alpha}, beta = {beta}{rolling}{same}: {outcome}\n");
         if let Some(experiment) = &self.experiment {
             text += &format!("{}\n", describe_experiment(experiment));
         }
@@ -204,7 +210,7 @@ pub fn describe_experiment(experiment: &Experiment) -> String {
         let value = shortest(experiment.value(quantity));
         format!("{} = {value} {}", quantity.name(), quantity.units().trim_start_matches('1')).trim_end().to_owned()
     });
-    filled(&format!("  {}", given.collect::<Vec<_>>().join(", ")), "  ")
+    filled_list(&given.collect::<Vec<_>>(), "  ")
 }
 
 /// A number in JSON, which has no infinity; NaN becomes null.

@@ -61,7 +61,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     }
     match &report.cases {
         Ok(planned) => {
-            text += &format!("{}: {}\n", shown(&arguments.directory), planned.sweep.title);
+            let heading = format!("{}: {}", shown(&arguments.directory), planned.sweep.title);
+            text += &format!("{}\n", filled(&heading, "  "));
             text += &describe_cases(planned, &report);
             if !planned.parts.is_empty() {
                 text += &format!("\n{}", describe_parts(&planned.parts));
@@ -91,7 +92,8 @@ fn describe_surface(directory: &Path, rounds: &Rounds, report: &StatusReport) ->
         ([], true) => format!("finished: {}", shown(&file)),
         ([], false) => "stopped; the same `stribeck surface` command goes on".to_owned(),
     };
-    let mut text = format!("{}: {title}\n{state}\n\n", shown(directory));
+    let heading = filled(&format!("{}: {title}", shown(directory)), "  ");
+    let mut text = format!("{heading}\n{state}\n\n");
     let mut line = |name: &str, words: String| text += &entry(name, &words);
     let nodes = rounds.rounds.iter().chain(&rounds.comparisons).map(|round| round.nodes).max().unwrap_or(0);
     line("rounds", format!("{}, {nodes} nodes", rounds.rounds.len()));

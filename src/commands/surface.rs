@@ -10,7 +10,7 @@ use clap::Args;
 use super::destination::destination;
 use super::output_file::OutputFiles;
 use super::{CliError, Exit, console, threads};
-use crate::format::count;
+use crate::format::{count, filled};
 use stribeck_input::shown;
 use stribeck_solver::Interrupt;
 use stribeck_surface::{FORMAT, SurfaceFile};
@@ -106,11 +106,12 @@ fn line(progress: &Progress) -> String {
 /// The measured errors of a surface as a table.
 pub fn certificate(file: &SurfaceFile) -> String {
     let certificate = &file.certificate;
-    let mut text = format!(
-        "errors at {} random points (seed {}), solved at a tolerance of {:e}; measured, not proved:\n\
-         {:<16}{:>10}{:>10}{:>10}\n",
-        certificate.points, certificate.seed, certificate.solver_tolerance, "quantity", "largest", "99 %", "median"
+    let heading = format!(
+        "errors at {} random points (seed {}), solved at a tolerance of {:e}; measured, not proved:",
+        certificate.points, certificate.seed, certificate.solver_tolerance
     );
+    let mut text = filled(&heading, "  ");
+    text += &format!("\n{:<16}{:>10}{:>10}{:>10}\n", "quantity", "largest", "99 %", "median");
     for (quantity, errors) in file.quantities.iter().zip(&certificate.errors) {
         let [largest, most, median] =
             [errors.largest, errors.percentile_99, errors.median].map(|it| format!("{it:.1e}"));

@@ -98,7 +98,7 @@ impl Dimension {
     fn facts(self) -> [&'static str; 3] {
         match self {
             Dimension::Length => ["a length", "m", "\"2 mm\" or 2e-3 (in m)"],
-            Dimension::LineLoad => ["a load per length", "N/m", "\"400 N/m\" or 400.0 (in N/m)"],
+            Dimension::LineLoad => ["a load per length", "N/m", "\"119 N/m\" or 119.0 (in N/m)"],
             Dimension::Modulus => ["a modulus", "Pa", "\"100 kPa\" or 1e5 (in Pa)"],
             Dimension::Viscosity => ["a viscosity", "Pa s", "\"5.1 Pa s\" or 5.1 (in Pa s)"],
             Dimension::Time => ["a time", "s", "\"20 ms\" or 0.02 (in s)"],

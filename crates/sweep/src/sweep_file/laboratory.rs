@@ -228,7 +228,7 @@ fn read_quantity(
         None => {
             let example = match quantity {
                 Q::Radius => "radius = \"2 mm\"",
-                Q::Load => "load = \"400 N/m\"",
+                Q::Load => "load = \"119 N/m\"",
                 Q::RelaxedModulus | Q::InstantaneousModulus => {
                     "relaxed_modulus = \"100 kPa\" (or instantaneous_modulus)"
                 }
