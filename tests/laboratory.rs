@@ -435,7 +435,7 @@ fn averages_over_both_runs_have_pictures() {
     assert!(code(&said) == 0 && out(&said).starts_with(first), "{}", out(&said));
     // The load, which has one value, is not hidden.
     let picture = fs::read_to_string(directory.path().join(first.trim())).expect("drawn");
-    assert!(picture.contains("N = 119 N/m, SRR = "), "{picture}");
+    assert!(picture.contains("N = 119 N/m") && picture.contains("SRR = "), "{picture}");
 }
 
 /// With three axes beside the speed and f the pictures take them together.

@@ -318,14 +318,14 @@ fn a_picture_made_by_options_is_kept() {
     let before = [&svg, &csv].map(|file| fs::read(file).unwrap());
     for format in ["svg", "png"] {
         let run = say(directory.path(), &["plot", "results/small", "--format", format]);
-        let kept = "mu_v-along-alpha.svg stays, which was drawn with --scale: remove it, or draw elsewhere with -o DIR";
+        let kept = "mu_v-along-alpha.svg stays, which was drawn with --scale: remove it with its .csv";
         assert!(code(&run) == 0 && err(&run).contains(kept), "{}", err(&run));
         assert_eq!([&svg, &csv].map(|file| fs::read(file).unwrap()), before);
         assert!(!svg.with_extension("png").exists());
     }
     plot(directory.path(), &["--what", "curves", "--of", "mu_v", "--along", "alpha", "--bare"]);
     assert_ne!(fs::read(&svg).unwrap(), before[0]);
-    fs::remove_file(&svg).unwrap();
+    [&svg, &csv].map(|file| fs::remove_file(file).unwrap());
     plot(directory.path(), &[]);
     assert!(svg.exists());
 }

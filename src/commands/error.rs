@@ -379,6 +379,7 @@ impl CliError {
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
             | CliError::Sensitivities
+            | CliError::Chart(ChartError::Letters { .. })
             | CliError::Tolerance { .. } => 2,
             CliError::Campaign(error) => match error {
                 CampaignError::Input(_)

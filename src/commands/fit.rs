@@ -97,6 +97,8 @@ fn bounds(text: &str) -> Result<Bounds, String> {
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let (sweep_file, data) = arguments.files.split_last().expect("one is required");
+    // A chart of one plot; before the work begins.
+    arguments.paper.paper(&[]).check(1)?;
     let sweep = read_sweep(sweep_file)?;
     if data.is_empty() {
         let what = "there are no measured points; name their files before the sweep file".to_owned();

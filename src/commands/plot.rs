@@ -177,12 +177,17 @@ fn write(arguments: &Arguments, directory: &Path, mut pictures: Vec<Picture>) ->
     let files = OutputFiles::new("plot", arguments.measured.files());
     let outputs = pictures.iter().map(|picture| outputs(&files, directory, &picture.name, arguments.format));
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
+    let paint = |picture: &mut Picture| {
+        arguments.paper.entitle(&mut picture.chart);
+        picture.chart.paint(arguments.format, &paper)
+    };
+    // What cannot be drawn leaves no directory behind.
+    let painted = pictures.iter_mut().map(paint).collect::<Result<Vec<_>, _>>()?;
     create_directory(directory)?;
     let mut text = String::new();
-    for (picture, [file, table]) in pictures.iter_mut().zip(outputs) {
-        arguments.paper.entitle(&mut picture.chart);
+    for ((picture, [file, table]), painted) in pictures.iter().zip(outputs).zip(painted) {
         // First the picture, by which the table beside it is known as ours.
-        file.write(&picture.chart.paint(arguments.format, &paper)?)?;
+        file.write(&painted)?;
         table.write(&picture.table.csv())?;
         let file = directory.join(format!("{}.{}", picture.name, arguments.format.extension()));
         text += &format!("{}\n", shown(&file));
@@ -197,7 +202,7 @@ fn is_kept(directory: &Path, name: &str) -> bool {
     let found = Format::value_variants().iter().find_map(with);
     if let Some((file, options)) = &found {
         console::tell(&format!(
-            "note: {} stays, which was drawn with {options}: remove it, or draw elsewhere with -o DIR",
+            "note: {} stays, which was drawn with {options}: remove it with its .csv, or draw elsewhere with -o DIR",
             shown(file)
         ));
     }

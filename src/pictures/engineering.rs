@@ -145,7 +145,8 @@ mod tests {
     #[test]
     fn all_numbers_of_an_axis_have_one_unit() {
         let unit = ShownUnit::of("m", 2.4e-6);
-        assert_eq!((unit.shown(2.4e-6), unit.shown(1e-9), unit.label("film")), (2.4, 0.001, "film  (µm)".to_owned()));
+        assert!((unit.shown(2.4e-6) - 2.4).abs() < 1e-12 && (unit.shown(1e-9) - 0.001).abs() < 1e-15);
+        assert_eq!(unit.label("film"), "film  (µm)");
         assert_eq!((ShownUnit::scale("a₀").shown(1e-9), ShownUnit::of("1", 1e-9).shown(1e-9)), (1e-9, 1e-9));
     }
 }

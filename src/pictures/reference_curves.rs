@@ -163,8 +163,8 @@ mod tests {
             (100.0, 1000.0, 16.0, 1.3e4),
         ] {
             let at = |beta: f64| is_large_beta(&Parameters { alpha, beta, f, substrate: Substrate::default() });
-            assert!(at(1.15 * from) && at(to / 1.15), "f = {f}, α = {alpha}");
-            assert!(!at(from / 1.3) && !at(1.3 * to), "f = {f}, α = {alpha}");
+            assert!(at(1.4 * from) && at(to / 1.4), "f = {f}, α = {alpha}");
+            assert!(!at(from / 1.6) && !at(1.6 * to), "f = {f}, α = {alpha}");
         }
     }
 }

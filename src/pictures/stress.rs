@@ -86,7 +86,8 @@ pub(super) fn stress(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
         y_label: "depth y (a₀), surface w (a₀²/R)".to_owned(),
         panels,
         x_range: (from, to),
-        y_range: (low - 0.75 * deepest, high + 0.25 * deepest),
+        // No deeper than each panel reaches.
+        y_range: ((low - 0.5 * deepest).max(high - deepest), high + 0.25 * deepest),
         scale: ColourScale {
             label: "compressive stress −σ_{yy}  (2N/(πa₀))".to_owned(),
             logarithmic: true,

@@ -48,10 +48,12 @@ impl Paper {
         format!("{MARK} {}", self.note).trim_end().to_owned()
     }
 
+    /// Checks the size of letters.
+    ///
     /// # Errors
     /// [`ChartError::Letters`] if the letters of a chart with this many panels side by side are too small to be read, or
     /// too large for labels.
-    pub(crate) fn check(&self, side_by_side: usize) -> Result<(), ChartError> {
+    pub fn check(&self, side_by_side: usize) -> Result<(), ChartError> {
         let points = |share: f64| share * font::size(side_by_side) * self.width / (WIDTH * PER_POINT);
         let (least, most) = (points(Self::LETTERS.0), points(Self::LETTERS.1));
         match self.font_size {

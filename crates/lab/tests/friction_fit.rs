@@ -499,9 +499,10 @@ fn intervals_follow_the_profile_of_the_residuals() {
 /// A curve of a fit leads through what was fitted at its points, and points at two loads are on two of them.
 #[test]
 fn curves_lead_through_the_fitted_points() {
-    let speeds = [speeds(4, 1e-3, 0.1), speeds(4, 1e-3, 0.1)].concat();
-    let truth = exact(&speeds, TRUTH, &Substrate::default());
-    let mut measured = points(&speeds, truth, None);
+    let own = speeds(4, 1e-3, 0.1);
+    let of = |load| exact(&own, Experiment { load, ..TRUTH }, &Substrate::default());
+    let speeds = [own.clone(), own.clone()].concat();
+    let mut measured = points(&speeds, [of(119.0), of(60.0)].concat(), None);
     measured.coordinates.push(("load", [[119.0; 4], [60.0; 4]].concat()));
     let task = FrictionTask {
         measured: &measured,
