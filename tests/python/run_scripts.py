@@ -19,7 +19,7 @@ import traceback
 from pathlib import Path
 
 # Importing these takes most of the time of a script.
-PACKAGES = ("h5netcdf", "matplotlib.pyplot", "mpl_toolkits.mplot3d", "xarray")
+PACKAGES = ("h5netcdf", "matplotlib.pyplot", "xarray")
 
 
 def run(arguments):
