@@ -10,17 +10,17 @@ use tempfile::tempdir;
 fn the_sweep_files_to_start_from_are_solved_in_seconds() {
     let directory = tempdir().expect("a temporary directory");
     let here = directory.path();
-    for (option, command, results) in [
-        (None, "run", "results.h5"),
-        (Some("--laboratory"), "run", "results.h5"),
-        (Some("--surface"), "surface", "surface.json"),
+    for (option, next, command, results) in [
+        (None, "run", "run", "results.h5"),
+        (Some("--laboratory"), "curve", "run", "results.h5"),
+        (Some("--surface"), "surface", "surface", "surface.json"),
     ] {
         let name = option.map_or("plain", |option| &option[2..]);
         let file = format!("{name}.toml");
         let printed = out(&say(here, &[&["init"], option.as_slice()].concat()));
         let written = say(here, &[&["init", "-o", file.as_str()], option.as_slice()].concat());
         assert_eq!(code(&written), 0, "{}", err(&written));
-        assert_eq!(out(&written), format!("wrote {file}; next: stribeck {command} {file}\n"));
+        assert_eq!(out(&written), format!("wrote {file}; next: stribeck {next} {file}\n"));
         assert_eq!(fs::read_to_string(here.join(&file)).expect("written"), printed);
         let comments = printed.lines().filter(|line| line.starts_with('#')).count();
         assert!(comments > 10, "{printed}");

@@ -117,7 +117,7 @@ fn bad_tables_end_with_2_place_and_remedy() {
     let directory = tempdir().expect("a temporary directory");
     for (text, place, said) in [
         ("", "bad.csv: ", "it holds no table"),
-        ("omega,storage,los\n1,2,3\n", "bad.csv: ", "--columns \"storage=los\": `los` (not known here)"),
+        ("omega,storage,los\n1,2,3\n", "bad.csv: ", "--columns \"loss=los\": `los` (not known here)"),
         ("1,2,3\n4,5,6\n", "bad.csv: ", "--columns \"omega=#1,storage=#2,loss=#3\""),
         ("omega,loss\n1,2\n", "bad.csv: ", "no columns of a material; these are storage and loss (Pa)"),
         ("storage,loss\n1,2\n", "bad.csv: ", "It has storage, loss"),

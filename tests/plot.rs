@@ -325,7 +325,7 @@ fn a_picture_made_by_options_is_kept() {
     }
     plot(directory.path(), &["--what", "curves", "--of", "mu_v", "--along", "alpha", "--bare"]);
     assert_ne!(fs::read(&svg).unwrap(), before[0]);
-    [&svg, &csv].map(|file| fs::remove_file(file).unwrap());
+    [&svg, &csv].iter().for_each(|file| fs::remove_file(file).unwrap());
     plot(directory.path(), &[]);
     assert!(svg.exists());
 }

@@ -34,7 +34,7 @@ fn points_are_read_in_si_units() {
 #[test]
 fn hints_name_the_column_that_may_be_meant() {
     for (header, expected) in [
-        ("Time (s),V (mm/s),Traction (-)", "--columns \"mu=Traction (-)\""),
+        ("Time (s),V (mm/s),Traction (-)", "--columns \"speed=V (mm/s)\""),
         ("Time (s),Force ratio,V (mm/s)", "--columns \"mu=NAME\""),
         ("Time (s),Load cell (N),V (mm/s),mu", "--columns \"speed=V (mm/s)\""),
         ("Step,disc sliding rate (m/s),Temp (degC),V (mm/s),mu", "--columns \"speed=disc sliding rate (m/s)\""),

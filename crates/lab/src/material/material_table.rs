@@ -8,7 +8,7 @@ use crate::notation::{Comma, parts, with_point};
 use crate::table::{Column, ColumnChoice, Columns, Heading, Row, Table, TableError, TableFile, Understood};
 use crate::{Dimension, Modulus};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use stribeck_input::printable;
+use stribeck_input::{nearest, printable};
 
 /// What the columns of a material may be, for a table that has none of these.
 const WANTED: &str = "it has no columns of a material; these are storage and loss (Pa) over omega (rad/s) or frequency (Hz), \
@@ -141,10 +141,14 @@ fn missing(columns: &Columns) -> String {
             "{WANTED}{has}. Name the columns, or say which they are: --columns \"omega=#1,storage=#2,loss=#3\""
         );
     }
-    let absent = FIELDS.iter().filter(|field| columns.find(field.name).is_none());
-    let likely = absent.filter_map(|field| Some((field.name, columns.likely(field)?)));
-    let (field, column) =
-        likely.map(|(field, column)| (field, printable(&column.heading))).next().unwrap_or(("storage", "NAME".into()));
+    let absent: Vec<&str> = FIELDS.iter().map(|field| field.name).filter(|name| columns.find(name).is_none()).collect();
+    let misspelt = columns.left_out.iter().find_map(|it| Some((nearest(&it.heading, &absent)?, it)));
+    let likely = || {
+        let fields = FIELDS.iter().filter(|field| absent.contains(&field.name));
+        fields.filter_map(|field| Some((field.name, columns.likely(field)?))).next()
+    };
+    let found = misspelt.or_else(likely).map(|(field, column)| (field, printable(&column.heading)));
+    let (field, column) = found.unwrap_or(("storage", "NAME".into()));
     let all = columns.describe_left_out();
     format!("{WANTED}{has}. Or say which of these it is, as in --columns \"{field}={column}\": {all}")
 }
