@@ -216,8 +216,8 @@ fn odd_names_are_said_in_one_line_wherever_they_stand() {
                 let output = bounded(directory.path(), &arguments);
                 // How fast the run was is only told of one that took some time. Where a long name fills a line, the rest
                 // stands indented below.
-                let said = out(&output).lines().filter(|line| !line.starts_with("rate ") && !line.starts_with(' '));
-                let said = said.count();
+                let counts = |line: &&str| !line.starts_with("rate ") && !line.starts_with(' ');
+                let said = out(&output).lines().filter(counts).count();
                 (code(&output), said, err(&output).lines().count())
             };
             commands(&file).into_iter().map(run).collect()

@@ -123,11 +123,15 @@ pub fn choose(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)], choice: Choice) 
         Choice::Curve => ("a curve", one.given.len() - 1),
         Choice::Case => ("a case", one.given.len()),
     };
-    let mut known: Vec<&str> = Vec::new();
+    let known: Vec<&str> =
+        std::iter::once("f").chain(one.given[..chosen].iter().map(|given| given.quantity.name())).collect();
+    if let Some((axis, _)) = at.iter().find(|(axis, _)| !known.contains(&axis.as_str())) {
+        let of = if choice == Choice::Curve { "a curve runs along the speed, and" } else { of };
+        return Err(CliError::NoSuchAxis { of, axis: axis.clone(), known: known.join(", ") });
+    }
     let lists = std::iter::once(("f", &mut one.f))
         .chain(one.given[..chosen].iter_mut().map(|given| (given.quantity.name(), &mut given.values)));
     for (name, values) in lists {
-        known.push(name);
         let wanted: Vec<f64> =
             at.iter().filter(|(axis, _)| axis == name).flat_map(|(_, values)| values.clone()).collect();
         let value = match wanted[..] {
@@ -139,13 +143,7 @@ pub fn choose(axes: &LaboratoryAxes, at: &[(String, Vec<f64>)], choice: Choice) 
         };
         *values = vec![value];
     }
-    match at.iter().find(|(axis, _)| !known.contains(&axis.as_str())) {
-        Some((axis, _)) => {
-            let of = if choice == Choice::Curve { "a curve runs along the speed, and" } else { of };
-            Err(CliError::NoSuchAxis { of, axis: axis.clone(), known: known.join(", ") })
-        }
-        None => Ok(one),
-    }
+    Ok(one)
 }
 
 /// One speed, solved.

@@ -203,7 +203,8 @@ fn describe_starts(report: &StatusReport) -> String {
             0 => format!("joined {}", count(done, "case")),
             threads => format!("{}, {done} of {asked} cases", count(threads, "thread")),
         };
-        text += &format!("  {number:>4}  {when}  {work} in {took}, {ending}\n");
+        text += &filled(&format!("  {number:>4}  {when}  {work} in {took}, {ending}"), &" ".repeat(8));
+        text.push('\n');
     }
     text
 }

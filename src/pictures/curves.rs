@@ -19,9 +19,6 @@ use stribeck_sweep::{Column, GridIndex};
 /// A single curve with more points than this has no markers.
 const MOST_MARKED: usize = 45;
 
-/// What an instrument reads, and its parts (T54).
-const DRAG_AND_PARTS: [Column; 4] = [Column::MuDrag, Column::MuV, Column::MuShear, Column::MuPressure];
-
 /// What errors show where nothing else is asked for.
 pub(super) const ERRORS: [Column; 4] = [Column::ErrorMuV, Column::ErrorMuH, Column::ErrorMuDrag, Column::ErrorC];
 
@@ -35,7 +32,7 @@ pub(super) fn drag_with_parts(sweep: &SweepData, request: &Request) -> Result<Ve
     let along = Some(sweep.axis(Axis::Inner).name.clone());
     let scale = if request.scale == AxisScale::Auto { AxisScale::Linear } else { request.scale };
     let request = Request { together: true, bare: true, along, scale, ..request.clone() };
-    along_each(sweep, &request, Kind::Curves, &DRAG_AND_PARTS.map(Quantity::from))
+    along_each(sweep, &request, Kind::Curves, &sweep.drag_and_parts().map(Quantity::from))
 }
 
 /// The columns that curves show.
@@ -54,7 +51,7 @@ pub(super) fn errors(sweep: &SweepData, request: &Request) -> Result<Vec<Picture
 /// beside it.
 pub(super) fn friction(sweep: &SweepData, request: &Request) -> Vec<Column> {
     let mut columns = match sweep.data.laboratory {
-        true => DRAG_AND_PARTS.to_vec(),
+        true => sweep.drag_and_parts().to_vec(),
         false => vec![Column::MuTot, Column::MuV, Column::MuH, Column::MuDrag],
     };
     columns.retain(|column| *column != Column::MuPressure || request.scale != AxisScale::Log);
@@ -85,9 +82,11 @@ fn subtitle(sweep: &SweepData, family: &CurveFamily, columns: &[Quantity]) -> St
 /// How the drag is made of its parts (T54), where all of them are drawn: the ratio S stands before the shear.
 fn sum_of_parts(sweep: &SweepData, family: &CurveFamily, columns: &[Quantity]) -> Option<String> {
     let grid = &sweep.sweep.as_ref()?.grid;
-    if !DRAG_AND_PARTS.iter().all(|part| columns.contains(&(*part).into())) {
+    let parts = sweep.drag_and_parts().map(Quantity::from);
+    if !parts.iter().all(|part| columns.contains(part)) {
         return None;
     }
+    let [drag, hysteresis, sliding, pressure] = parts.map(|part| part.symbol());
     let ratio = |member, point| grid.slide_roll(GridIndex::from(family.at(member, point)));
     let mut ratios = family.members.iter().flat_map(|member| family.points.iter().map(|point| ratio(*member, *point)));
     let first = ratios.next()?;
@@ -96,7 +95,7 @@ fn sum_of_parts(sweep: &SweepData, family: &CurveFamily, columns: &[Quantity]) -
         true => format!("{} ", shortest(first)),
         false => "S ".to_owned(),
     };
-    Some(format!("μ_{{drag}} = μᵥ + {shear}μ_{{shear}} − μ_{{pressure}}"))
+    Some(format!("{drag} = {hysteresis} + {shear}{sliding} − {pressure}"))
 }
 
 /// The pictures of these columns along the axis asked for, or along each that has several values.

@@ -110,6 +110,11 @@ impl Quantity {
         }
     }
 
+    /// Its symbol; empty where there is none.
+    pub fn symbol(&self) -> &'static str {
+        self.symbol
+    }
+
     /// Words and symbol.
     pub fn title(&self) -> String {
         format!("{} {}", self.words, self.symbol).trim_end().to_owned()

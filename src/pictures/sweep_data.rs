@@ -5,7 +5,7 @@ use super::{Axis, Kind, PictureError};
 use stribeck_lab::{LaboratoryQuantity, Measured, Scales};
 use stribeck_solver::{Parameters, shortest};
 use stribeck_sweep::store::{DataSet, StoreError};
-use stribeck_sweep::{Field, Sweep};
+use stribeck_sweep::{Column, Field, Sweep};
 
 /// A published data set, and what else pictures of it need.
 #[derive(Debug)]
@@ -19,6 +19,9 @@ pub struct SweepData {
     axes: [AxisWords; 3],
     /// f, α and β of every place.
     numbers: Vec<[f64; 3]>,
+    /// The hysteresis that is a part of the drag (T54): that of the flat, which is all of it where the roller is not
+    /// viscoelastic.
+    hysteresis: Column,
     /// In SI data sets the scales of every place, as [`Scales::VARIABLES`] has them.
     scales: Option<[Vec<f64>; 4]>,
 }
@@ -41,7 +44,14 @@ impl SweepData {
             }
             false => None,
         };
-        Ok(Self { axes: AxisWords::of(&data, asked), numbers: data.numbers()?, scales, data, sweep, measured })
+        let (axes, numbers) = (AxisWords::of(&data, asked), data.numbers()?);
+        let hysteresis = if data.has_hysteresis_of_roller()? { Column::MuVFlat } else { Column::MuV };
+        Ok(Self { axes, numbers, hysteresis, scales, data, sweep, measured })
+    }
+
+    /// What an instrument reads, and its parts (T54).
+    pub(super) fn drag_and_parts(&self) -> [Column; 4] {
+        [Column::MuDrag, self.hysteresis, Column::MuShear, Column::MuPressure]
     }
 
     /// What an axis is called, and its values.

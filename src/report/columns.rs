@@ -43,11 +43,10 @@ pub(super) fn columns(data: &DataSet, places: &[usize]) -> Result<Vec<ColumnPart
         let values = floats(places.iter().map(|place| values[*place]));
         Ok(ColumnPart { name, words, units, error: error.map(Column::name), values })
     };
-    let (all, flat) = (data.column(Column::MuV)?, data.column(Column::MuVFlat)?);
-    let is_roller_soft = all.iter().zip(&flat).any(|(all, flat)| (all - flat).abs() > 1e-9 * all.abs());
+    let of_roller = data.has_hysteresis_of_roller()?;
     let further_errors = Column::ALL.into_iter().filter(|column| column.is_error() && !column.in_summary());
     let mut columns = Column::summary()
-        .filter(|column| !LEFT_OUT.contains(column) && (is_roller_soft || *column != Column::MuVFlat))
+        .filter(|column| !LEFT_OUT.contains(column) && (of_roller || *column != Column::MuVFlat))
         .chain(further_errors)
         .map(|column| part(column.name(), Quantity::from(column).plain(), column.units(), column.error()))
         .collect::<Result<Vec<_>, StoreError>>()?;

@@ -37,7 +37,6 @@ fn hints_name_the_column_that_may_be_meant() {
         ("Time (s),V (mm/s),Traction (-)", "--columns \"speed=V (mm/s)\""),
         ("Time (s),Force ratio,V (mm/s)", "--columns \"mu=NAME\""),
         ("Time (s),Load cell (N),V (mm/s),mu", "--columns \"speed=V (mm/s)\""),
-        ("Step,disc sliding rate (m/s),Temp (degC),V (mm/s),mu", "--columns \"speed=disc sliding rate (m/s)\""),
     ] {
         let row = vec!["1"; header.split(',').count()].join(",");
         let said = read(&format!("{header}\n{row}\n")).expect_err(header);

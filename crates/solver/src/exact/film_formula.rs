@@ -55,6 +55,9 @@ pub fn fitted_c(parameters: &Parameters) -> Option<f64> {
     let balance =
         |ln_length: f64| 2.5 * ln_length + (beta * inlet.slope.powi(3) * inlet.stiffness(ln_length.exp())).ln();
     let least = -0.4 * (beta * inlet.slope.powi(3) * (1.0 + f)).ln();
+    if !least.is_finite() {
+        return None;
+    }
     let length = bracketed_root(balance, least, least + 0.4 * f.ln_1p()).exp();
     // (T34) with the elastic film whose inlet has the same part of the contact's width
     let effective_beta = (length / contact.half_width()).powf(-2.5) / (2.0 * SQRT_2);

@@ -208,6 +208,15 @@ impl DataSet {
         self.variable(column.name())
     }
 
+    /// Whether the roller is viscoelastic somewhere: not all of the hysteresis is that of the flat.
+    ///
+    /// # Errors
+    /// [`StoreError`] if the file cannot be read.
+    pub fn has_hysteresis_of_roller(&self) -> Result<bool, StoreError> {
+        let (all, flat) = (self.column(Column::MuV)?, self.column(Column::MuVFlat)?);
+        Ok(all.iter().zip(&flat).any(|(all, flat)| (all - flat).abs() > 1e-9 * all.abs()))
+    }
+
     /// The values of a variable of numbers that is no column, one for each place: of the laboratory's `alpha`, `beta`
     /// and scales, or a sensitivity.
     ///

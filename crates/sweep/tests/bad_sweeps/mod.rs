@@ -279,7 +279,12 @@ pub fn bad_files() -> Vec<Row> {
         (with_speeds("speed = 1.0\nflat_speed = 1.0"), "9:14", "two ways to say", "give `speed`"),
         (with_speeds("roller_speed = -1.0\nflat_speed = 1.0"), "8:16", "at least 0", "enters from both sides"),
         (with_speeds("roller_speed = 0.0\nflat_speed = 0.0"), "9:14", "nothing drives a film", "begin one of the two"),
-        (with_speeds("entrainment_speed = 1.0\nslide_roll_ratio = 50.0"), "9:20", "from -2 to 2", "a hundredth"),
+        (
+            with_speeds("entrainment_speed = 1.0\nslide_roll_ratio = 50.0"),
+            "9:20",
+            "from -2 to 2",
+            "In per cent write \"50 %\"",
+        ),
         (with_speeds("entrainment_speed = 1.0"), "1:1", "needs `slide_roll_ratio`", "slide_roll_ratio = 0.5"),
         (with_laboratory("speed", "[2.0, 1.0]"), "8:15", "must ascend", "sort the list"),
         (with_laboratory("speed", "[]"), "8:9", "at least one value", "[100.0]"),
