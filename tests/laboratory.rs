@@ -345,7 +345,7 @@ fn a_curve_is_drawn_and_written() {
     assert!(code(&said) == 2 && err(&said).contains("--at lod: a curve runs along the speed, and can be chosen by f"));
     for (wrong, expected) in [
         ("load=1e9", "the sweep has load from 60 to 119"),
-        ("load=nan", "the sweep has load"),
+        ("load=nan", "an axis and values of it"),
         ("load=60,119", "asks for several values"),
     ] {
         let said = curve(&["--at", wrong]);

@@ -183,7 +183,7 @@ fn describe_starts(report: &StatusReport) -> String {
     let skipped = starts.len().saturating_sub(LISTED_STARTS);
     let mut text = String::new();
     if !starts.is_empty() {
-        text += "\nstarts\n";
+        text += "\nstarts (UTC)\n";
     }
     if skipped > 0 {
         text += &format!("  {skipped} before these\n");
@@ -203,7 +203,8 @@ fn describe_starts(report: &StatusReport) -> String {
             0 => format!("joined {}", count(done, "case")),
             threads => format!("{}, {done} of {asked} cases", count(threads, "thread")),
         };
-        text += &filled(&format!("  {number:>4}  {when}  {work} in {took}, {ending}"), &" ".repeat(8));
+        let line = format!("{number:>4} {} {work} in {took}, {ending}", when.trim_end_matches(" UTC"));
+        text += &filled(&line, "     ");
         text.push('\n');
     }
     text

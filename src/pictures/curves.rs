@@ -91,11 +91,12 @@ fn sum_of_parts(sweep: &SweepData, family: &CurveFamily, columns: &[Quantity]) -
     let mut ratios = family.members.iter().flat_map(|member| family.points.iter().map(|point| ratio(*member, *point)));
     let first = ratios.next()?;
     let shear = match ratios.all(|ratio| ratio == first) {
-        true if first == 1.0 => String::new(),
-        true => format!("{} ", shortest(first)),
-        false => "S ".to_owned(),
+        true if first == 1.0 => "+ ".to_owned(),
+        true if first < 0.0 => format!("− {} ", shortest(-first)),
+        true => format!("+ {} ", shortest(first)),
+        false => "+ S ".to_owned(),
     };
-    Some(format!("{drag} = {hysteresis} + {shear}{sliding} − {pressure}"))
+    Some(format!("{drag} = {hysteresis} {shear}{sliding} − {pressure}"))
 }
 
 /// The pictures of these columns along the axis asked for, or along each that has several values.
