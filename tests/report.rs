@@ -358,10 +358,10 @@ fn pages_of_sweeps_of_any_shape_say_what_they_lack() {
     let sweeps: [(String, &[&str]); 8] = [
         (
             axes("10.0", "1.0", "10.0, 20.0, 40.0", "fields = []"),
-            &["drag = μᵥ + C − P, at f = 10, α = 1.", "The sweep has no fields."],
+            &["μ_drag = μᵥ + μ_shear − μ_pressure, at f = 10, α = 1.", "The sweep has no fields."],
         ),
-        (axes("0.0", "1.0, inf", "10.0", ""), &["drag = μᵥ + C − P, at f = 0, β = 10."]),
-        (axes("1.0, 10.0", "1.0", "10.0", ""), &["drag = μᵥ + C − P, at α = 1, β = 10."]),
+        (axes("0.0", "1.0, inf", "10.0", ""), &["μ_drag = μᵥ + μ_shear − μ_pressure, at f = 0, β = 10."]),
+        (axes("1.0, 10.0", "1.0", "10.0", ""), &["μ_drag = μᵥ + μ_shear − μ_pressure, at α = 1, β = 10."]),
         (axes("10.0", "1.0", "10.0", ""), &["f = 10, α = 1, β = 10: converged, μₜₒₜ = "]),
         (axes("10.0, 1e60", "1.0, 2.0", "10.0, 20.0", ""), &["At this f no case has this number", "4 failed"]),
         (

@@ -45,17 +45,17 @@ const ratioWords = (ratio) => (ratio === 1 ? "" : `${digits(ratio)} `);
 function sumWords(places) {
   const ratios = new Set(places.map(slideRoll));
   const [ratio] = ratios;
-  const shear = ratios.size > 1 ? "+ S C" : `${ratio < 0 ? "−" : "+"} ${ratioWords(Math.abs(ratio))}C`;
-  return `drag = ${symbols[hysteresis]} ${shear} − P`;
+  const shear = ratios.size > 1 ? "+ S " : `${ratio < 0 ? "−" : "+"} ${ratioWords(Math.abs(ratio))}`;
+  return `${symbols.mu_drag} = ${symbols[hysteresis]} ${shear}${symbols.mu_shear} − ${symbols.mu_pressure}`;
 }
 
 function partName({ part }, places) {
   if (part === hysteresis) return wordsOf(part);
-  if (part === "mu_pressure") return `−P: ${wordsOf(part)}`;
+  if (part === "mu_pressure") return `less ${wordsOf(part)}`;
   const ratios = new Set(places.map(slideRoll));
   const [ratio] = ratios;
   if (ratio === 1 && ratios.size === 1) return wordsOf(part);
-  return `${ratios.size > 1 ? "S " : ratioWords(ratio)}C: ${wordsOf(part)}`;
+  return `${ratios.size > 1 ? "S" : digits(ratio)} times ${wordsOf(part)}`;
 }
 
 // Parts that are known everywhere and positive lie one upon the other, so that the uppermost line is the drag.

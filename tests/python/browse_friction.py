@@ -37,7 +37,7 @@ def see_sum(page, data):
     """The piled parts reach up to the drag, and each is as thick as its column says."""
     traces = page.evaluate("document.getElementById('friction').data")
     tops = [np.array(trace["y"], dtype=float) for trace in traces[:3]]
-    drag = next(trace for trace in traces if trace.get("name") == "drag")
+    drag = next(trace for trace in traces if trace.get("name") == "drag μ_drag")
     places = [data[name].values.ravel() for name in ("mu_drag", "mu_v_flat", "mu_shear", "mu_pressure")]
     mu_drag, mu_v_flat, mu_shear, mu_pressure = places
     sum_of_parts = [mu_v_flat, slide_roll(data) * mu_shear, -mu_pressure]

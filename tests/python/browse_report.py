@@ -34,7 +34,7 @@ WORDS = {
     "total friction μₜₒₜ": "mu_tot",
     "viscoelastic friction μᵥ": "mu_v",
     "hydrodynamic friction μₕ": "mu_h",
-    "drag": "mu_drag",
+    "drag μ_drag": "mu_drag",
     "smallest film thickness uₘᵢₙ": "film_min",
     "largest pressure pₘₐₓ": "p_max",
 }
@@ -62,7 +62,7 @@ def expect_case(page, data, point):
     for words, name in WORDS.items():
         assert np.isclose(number_of(page, words)[0], float(case[name]), rtol=1e-4, atol=1e-12), (words, point)
     expected = float(case.error_mu_drag) * abs(float(case.mu_drag))
-    assert np.isclose(number_of(page, "drag")[1], expected, rtol=0.06), (point, expected)
+    assert np.isclose(number_of(page, "drag μ_drag")[1], expected, rtol=0.06), (point, expected)
     drawn(page)
     line = page.evaluate("() => { const { x, y } = document.getElementById('pressure').data[0]; return { x, y }; }")
     there = np.interp(line["x"], case.x, case.pressure)

@@ -226,7 +226,7 @@ impl Diagnostic for InputError {
 /// other.
 #[derive(Clone, Debug)]
 pub struct Fault {
-    first: Place,
+    first: Box<Place>,
     others: Vec<Place>,
 }
 
@@ -247,7 +247,7 @@ impl Fault {
     pub fn new(span: Range<usize>, what: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Self {
         let order = span.start;
         let first = Place { span, order, what: what.into(), label: label.into(), help: help.into(), quoted: true };
-        Self { first, others: Vec::new() }
+        Self { first: Box::new(first), others: Vec::new() }
     }
 
     /// The same for `what` that says it all, with nothing to quote.
@@ -264,7 +264,7 @@ impl Fault {
 
     /// Both faults.
     pub fn and(mut self, other: Fault) -> Self {
-        self.others.push(other.first);
+        self.others.push(*other.first);
         self.others.extend(other.others);
         self
     }
@@ -278,14 +278,14 @@ impl Fault {
     pub fn outside(self, places: &[Range<usize>]) -> Option<Self> {
         let is_inside =
             |it: &Place| places.iter().any(|place| place.start <= it.span.start && it.span.end <= place.end);
-        let mut left = std::iter::once(self.first).chain(self.others).filter(|it| !is_inside(it));
-        let first = left.next()?;
+        let mut left = std::iter::once(*self.first).chain(self.others).filter(|it| !is_inside(it));
+        let first = Box::new(left.next()?);
         Some(Self { first, others: left.collect() })
     }
 
     /// The error to show, with the name and the text of the file.
     pub fn located(self, file: &str, text: &str) -> InputError {
-        let mut places: Vec<Place> = std::iter::once(self.first).chain(self.others).collect();
+        let mut places: Vec<Place> = std::iter::once(*self.first).chain(self.others).collect();
         places.sort_by_key(|place| place.order);
         let mut told = HashSet::new();
         places.retain(|place| told.insert((place.span.clone(), place.what.clone())));

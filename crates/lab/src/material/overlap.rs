@@ -95,13 +95,16 @@ impl<'a> Curve<'a> {
     }
 
     /// The moduli of this curve, and those of each row of another one that lies over it when that is shifted.
-    fn beside(&self, other: &Self, shift: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    fn beside(&self, other: &Self, shift: f64) -> impl Iterator<Item = Moduli> {
         let (from, to) = self.ends();
         let rows = other.rates.iter().map(move |rate| rate + shift).zip(other.rows);
         let over = rows.filter(move |(rate, _)| (from..=to).contains(rate));
         over.map(|(rate, row)| [self.moduli(rate), row.moduli()])
     }
 }
+
+/// E′ and E″ of one curve, and of the other.
+type Moduli = [[f64; 2]; 2];
 
 /// Two isotherms, of which the second one is moved.
 struct Pair<'a> {
@@ -116,7 +119,7 @@ impl<'a> Pair<'a> {
 
     /// The moduli of the fixed curve and of the moved one where one lies over the other: each with the one whose rows
     /// they are last.
-    fn both(&self, shift: f64) -> (Vec<[[f64; 2]; 2]>, Vec<[[f64; 2]; 2]>) {
+    fn both(&self, shift: f64) -> (Vec<Moduli>, Vec<Moduli>) {
         (self.fixed.beside(&self.moved, shift).collect(), self.moved.beside(&self.fixed, -shift).collect())
     }
 

@@ -36,6 +36,11 @@ impl<'t> Spelt<'t> {
         let mut strays = Vec::new();
         spelt.mend("", &mut document, &mut strays);
         for Stray { home, key, value } in strays {
+            // A sweep has one kind of axes: a key of the other kind alone makes it no sweep of that kind.
+            let is_other_kind = home == "laboratory" && document.contains_key("axes");
+            if is_other_kind && !document.contains_key(home) {
+                continue;
+            }
             let section = document
                 .entry(Spanned::new(key.span(), home.into()))
                 .or_insert_with(|| Spanned::new(key.span(), DeValue::Table(DeTable::new())));
