@@ -139,8 +139,7 @@ fn exchanged_bodies_exchange_their_derivatives() {
     let solved = |bodies: Bodies| {
         solution(Settings::for_tolerance(1e-7), &of_bodies(200.0, &bodies), &derivatives(CavityShear::Full))
     };
-    let [here, there, alone] =
-        [[one.clone(), other.clone()], [other, one], [both, Vec::new()]].map(solved);
+    let [here, there, alone] = [[one.clone(), other.clone()], [other, one], [both, Vec::new()]].map(solved);
     let exchanged = |[a, b, c, d, e]: [f64; 5]| [d, b, e, a, c];
     let all = |it: Sensitivities| [it.viscoelastic_flat, it.viscoelastic_roller, it.hydrodynamic, it.pressure];
     let [flat, roller, hydrodynamic, pressure] = all(of(&there));
