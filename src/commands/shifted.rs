@@ -73,7 +73,7 @@ pub fn factor_chart(curve: &MasterCurve) -> Chart {
         drawn(label, line(&fit.law), (STROKES[kind], Colour::Kind(kind)))
     });
     let curves = laws.chain([drawn("found".to_owned(), factors, (Stroke::Points, Colour::Black))]);
-    chart(curve, "Shift factors", "log₁₀ a_T", curves.collect())
+    chart(curve, "Shift factors", "log₁₀ a_{T}", curves.collect())
 }
 
 /// What each law misses log a_T by, over the temperature.
@@ -89,7 +89,7 @@ pub fn residual_chart(curve: &MasterCurve) -> Chart {
     let ends = [curve.shifts.first(), curve.shifts.last()].into_iter().flatten();
     let zero = ends.map(|shift| (shift.temperature - 273.15, 0.0)).collect();
     let curves = laws.chain([drawn(String::new(), zero, (Stroke::Dotted, Colour::Black))]);
-    chart(curve, "What the laws miss the shift factors by", "log₁₀ a_T − that of the law, decades", curves.collect())
+    chart(curve, "What the laws miss the shift factors by", "log₁₀ a_{T} − that of the law  (decades)", curves.collect())
 }
 
 /// The strokes of the laws, the better one first.
@@ -101,7 +101,7 @@ fn drawn(label: String, points: Vec<(f64, f64)>, (stroke, colour): (Stroke, Colo
 
 fn chart(curve: &MasterCurve, title: &str, y: &str, curves: Vec<Curve>) -> Chart {
     let axis = |label: &str| LineAxis { label: label.to_owned(), logarithmic: false, range: None };
-    let subtitle = format!("a_T = 1 at {}", celsius(curve.reference));
+    let subtitle = format!("a_{{T}} = 1 at {}", celsius(curve.reference));
     Chart::Lines(Lines { title: title.to_owned(), subtitle, x: axis("temperature  (°C)"), y: axis(y), curves })
 }
 

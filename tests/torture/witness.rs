@@ -115,7 +115,7 @@ fn assert_warnings(warned: &str, stored: &Stored, running: bool) {
 /// The list of starts is that of the logs, and no clock makes its times absurd.
 fn assert_starts(said: &str, starts: &[Start], running: bool) {
     let begun: Vec<_> = starts.iter().filter_map(|start| Some((start, start.beginning?))).collect();
-    let lines: Vec<_> = said.lines().skip_while(|line| *line != "starts").skip(1).collect();
+    let lines: Vec<_> = said.lines().skip_while(|line| *line != "starts (UTC)").skip(1).collect();
     let lines: Vec<_> = lines.into_iter().take_while(|line| line.starts_with(' ')).collect();
     let skipped = begun.len().saturating_sub(LISTED_STARTS);
     let listed = if skipped > 0 { &lines[1..] } else { &lines[..] };
