@@ -139,7 +139,7 @@ def test_messages_name_arguments_of_python(experiment, tmp_path):
         (fit("other.csv", columns="speed"), "write quantity=column"),
         (fit("nowhere.csv"), r"nowhere\.csv.*check the path"),
         (material("shear.csv"), r"give Poisson's ratio \(poisson_ratio=0.5\)"),
-        (material("moduli.csv"), 'as in columns="storage=los": `los`'),
+        (material("moduli.csv"), 'as in columns="loss=los": `los`'),
         (material("moduli.csv", terms=-1, columns="loss=los"), "from 1 to 100 terms, not 0"),
         (material("moduli.csv", terms=2, columns="loss=los", reference_temperature=300), 'columns="temperature=#4"'),
         (material("moduli.csv", modulus_unit="m", columns="loss=los"), "must be a modulus"),
