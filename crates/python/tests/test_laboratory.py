@@ -148,7 +148,7 @@ def test_messages_name_arguments_of_python(experiment, tmp_path):
             material("warm.csv", shift_factors=tmp_path / "factors.csv"),
             'give it, as in reference_temperature="20 degC"',
         ),
-        (material("warm.csv", reference_temperature="warm"), "a temperature has a unit"),
+        (material("warm.csv", reference_temperature="warm"), "must be a temperature, a number with a unit"),
         (material("warm.csv", shift_factors=tmp_path / "nowhere.csv"), r"nowhere\.csv.*check the path"),
         (
             material("series.inp", reference_temperature=300.0),
