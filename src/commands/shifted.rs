@@ -89,7 +89,12 @@ pub fn residual_chart(curve: &MasterCurve) -> Chart {
     let ends = [curve.shifts.first(), curve.shifts.last()].into_iter().flatten();
     let zero = ends.map(|shift| (shift.temperature - 273.15, 0.0)).collect();
     let curves = laws.chain([drawn(String::new(), zero, (Stroke::Dotted, Colour::Black))]);
-    chart(curve, "What the laws miss the shift factors by", "log₁₀ a_{T} − that of the law  (decades)", curves.collect())
+    chart(
+        curve,
+        "What the laws miss the shift factors by",
+        "log₁₀ a_{T} − that of the law  (decades)",
+        curves.collect(),
+    )
 }
 
 /// The strokes of the laws, the better one first.
