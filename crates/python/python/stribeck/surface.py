@@ -246,7 +246,8 @@ class _Axis:
 
     def s(self, x: _Array) -> _Array:
         """Give the fourth root of x over the center."""
-        return np.sqrt(np.sqrt(x / self.center))
+        root: _Array = np.sqrt(np.sqrt(x / self.center))
+        return root
 
     def t(self, x: _Array) -> _Array:
         """Give t; rounding may lead beyond the ends."""
