@@ -12,7 +12,8 @@ use stribeck_sweep::Column;
 /// The measured points of a column that belong to the curves of a family, with their standard errors: those that were
 /// measured along its axis, and whose other coordinates, as far as the file has them, are those of a member.
 ///
-/// Points that belong to one member of several have its colour and mark, which the legend shows. The table gets a row for each, and one for its error.
+/// Points that belong to one member of several have its colour and mark, which the legend shows. The table gets a row
+/// for each, and one for its error.
 pub(super) fn measured_points(
     sweep: &SweepData,
     family: &CurveFamily,

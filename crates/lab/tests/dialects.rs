@@ -132,7 +132,12 @@ fn read(bytes: &[u8], columns: usize) -> Vec<Vec<Option<f64>>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 3000, rng_seed: RngSeed::Fixed(2022), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 3000,
+        rng_seed: RngSeed::Fixed(2022),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn numbers_are_read_back_in_every_dialect(
