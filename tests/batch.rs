@@ -72,6 +72,33 @@ fn modes_and_ratios_may_stand_in_a_list() {
     }
 }
 
+/// Modes of the roller are passed at the speed of its surface, so a case of a list is that of `solve` at each ratio.
+#[test]
+fn a_soft_roller_turns_as_fast_as_the_ratio_says() {
+    let home = tempdir().expect("a temporary directory");
+    let bodies = ["--modes", "0.5:1", "--roller-modes", "0.5:1"];
+    fs::write(home.path().join("list.csv"), "f,alpha,beta,slide_roll\n10,1,100,1\n10,1,100,0.5\n10,1,100,0\n")
+        .expect("written");
+    let solved = say(home.path(), &[&["solve", "--batch", "list.csv"][..], &bodies].concat());
+    assert_eq!(code(&solved), 0, "{}", err(&solved));
+    let solved = rows(&out(&solved));
+    for (row, ratio) in solved.iter().zip(["1", "0.5", "0"]) {
+        let one = ["solve", "--alpha", "1", "--beta", "100", "--f", "10", "--json", "--slide-roll", ratio];
+        let one = say(home.path(), &[&one[..], &bodies].concat());
+        let one: serde_json::Value = serde_json::from_str(&out(&one)).expect("JSON");
+        assert_eq!((row["f"].as_str(), row["alpha"].as_str()), ("10.0", "1.0"));
+        assert_eq!(row["case"], one["case"].as_str().expect("an id"), "{ratio}");
+        for name in ["mu_drag", "mu_v", "mu_v_roller"] {
+            let (found, expected) = (row[name].parse::<f64>().expect("a number"), one[name].as_f64().expect("one"));
+            assert!((found - expected).abs() <= 2e-5 * expected.abs(), "{name} at {ratio}: {found} {expected}");
+        }
+    }
+    for more in [&["--alpha", "inf", "--beta", "10", "--f", "1"][..], &["--batch", "list.csv"]] {
+        let at_rest = say(home.path(), &[&["solve", "--slide-roll", "-1"], more, &bodies].concat());
+        assert!(code(&at_rest) == 2 && err(&at_rest).contains("alpha tells no time of a roller"), "{}", err(&at_rest));
+    }
+}
+
 #[test]
 fn what_is_wrong_in_a_list_is_told_with_its_line() {
     let home = tempdir().expect("a temporary directory");

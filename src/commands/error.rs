@@ -54,6 +54,12 @@ pub enum CliError {
         "with --slide-roll -1 the flat is at rest in the contact and has all the time there is to creep: write --alpha inf"
     )]
     FlatAtRest,
+    /// A soft roller over a flat that does not move.
+    #[error(
+        "with --slide-roll -1 the flat is at rest, and alpha tells no time of a roller with --roller-modes: describe both \
+         bodies in a sweep file with [laboratory], and solve it with --laboratory"
+    )]
+    RollerOverFlatAtRest,
     /// Modes that are no substrate.
     #[error("--modes and --roller-modes: {0}; scale the shares so that those of both bodies add up to 1")]
     Modes(SubstrateError),
@@ -348,6 +354,7 @@ impl CliError {
             | CliError::Table(_)
             | CliError::NotLaboratory { .. }
             | CliError::FlatAtRest
+            | CliError::RollerOverFlatAtRest
             | CliError::Modes(_)
             | CliError::SeveralCurves { .. }
             | CliError::NoSuchAxis { .. }

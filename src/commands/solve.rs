@@ -337,6 +337,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let place = GridIndex::from([0, 0, 0]);
     let ([f, alpha, beta], slide_roll) = (sweep.grid.numbers(place), sweep.grid.slide_roll(place));
     let experiment = sweep.grid.experiment(place);
+    if slide_roll == -1.0 && experiment.is_none() && sweep.substrate.of_roller() > 0 {
+        return Err(CliError::RollerOverFlatAtRest);
+    }
     if slide_roll == -1.0 && f > 0.0 && alpha != f64::INFINITY {
         return Err(CliError::FlatAtRest);
     }

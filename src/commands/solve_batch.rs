@@ -12,7 +12,7 @@ use stribeck_solver::{Interrupt, Parameters, Substrate, solve_points};
 use stribeck_sweep::campaign::case_entry;
 use stribeck_sweep::engine::Signals;
 use stribeck_sweep::store::Status;
-use stribeck_sweep::{Column, Plan, Sweep};
+use stribeck_sweep::{Column, Grid, Plan, Sweep};
 
 /// The columns of a list that must be there.
 const REQUIRED: [&str; 3] = ["f", "alpha", "beta"];
@@ -20,15 +20,20 @@ const REQUIRED: [&str; 3] = ["f", "alpha", "beta"];
 /// A list of cases as it stands in a file.
 struct Batch {
     cases: Vec<Parameters>,
-    /// The slide-to-roll ratio of each; none if the file has no such column.
+    /// f, α and β of each, as they are written.
+    numbers: Vec<[f64; 3]>,
+    /// The slide-to-sum ratio of each; none if the file has no such column.
     slide_roll: Option<Vec<f64>>,
 }
 
 /// Solves the cases of a file and prints the rows of a summary, in the order of the file.
 pub fn execute(file: &Path, sweep: &Sweep, default_ratio: f64) -> Result<Exit, CliError> {
-    let batch = read(file, &sweep.substrate)?;
-    let slides = |case: &Parameters| case.f > 0.0 && case.alpha != f64::INFINITY;
-    if batch.slide_roll.is_none() && default_ratio == -1.0 && batch.cases.iter().any(slides) {
+    if default_ratio == -1.0 && sweep.substrate.of_roller() > 0 {
+        return Err(CliError::RollerOverFlatAtRest);
+    }
+    let batch = read(file, &sweep.substrate, default_ratio)?;
+    let slides = |[f, alpha, _]: &[f64; 3]| *f > 0.0 && *alpha != f64::INFINITY;
+    if batch.slide_roll.is_none() && default_ratio == -1.0 && batch.numbers.iter().any(slides) {
         return Err(CliError::FlatAtRest);
     }
     let interrupt = Arc::new(Interrupt::new());
@@ -53,7 +58,7 @@ pub fn execute(file: &Path, sweep: &Sweep, default_ratio: f64) -> Result<Exit, C
         let text = |value: f64| if value.is_nan() { String::new() } else { format!("{value:?}") };
         let mut row = vec![entry.id.to_string()];
         row.extend(ratio.map(text));
-        row.extend([parameters.f, parameters.alpha, parameters.beta].map(text));
+        row.extend(batch.numbers[place].map(text));
         row.extend([entry.outcome.name().to_owned(), entry.reason]);
         row.extend(Column::summary().map(|column| text(values[column])));
         writer.write_record(row).map_err(write_failed)?;
@@ -65,7 +70,7 @@ pub fn execute(file: &Path, sweep: &Sweep, default_ratio: f64) -> Result<Exit, C
 }
 
 /// Reads a list: a CSV with f, alpha and beta, and where it has them modes and slide_roll. Others are no part of it.
-fn read(file: &Path, substrate: &Substrate) -> Result<Batch, CliError> {
+fn read(file: &Path, substrate: &Substrate, default_ratio: f64) -> Result<Batch, CliError> {
     let refused = |what: String| CliError::Points { file: file.to_owned(), what };
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
@@ -78,7 +83,7 @@ fn read(file: &Path, substrate: &Substrate) -> Result<Batch, CliError> {
     });
     let [f, alpha, beta] = required;
     let (f, alpha, beta, own_modes, ratio) = (f?, alpha?, beta?, place("modes"), place("slide_roll"));
-    let (mut cases, mut ratios) = (Vec::new(), Vec::new());
+    let (mut cases, mut numbers_of_cases, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
     for row in reader.records() {
         let row = row.map_err(|error| refused(error.to_string()))?;
         let line = row.position().map_or(0, csv::Position::line);
@@ -96,18 +101,22 @@ fn read(file: &Path, substrate: &Substrate) -> Result<Batch, CliError> {
                 Substrate::new(modes).map_err(|error| refused(format!("line {line}: `modes`: {error}")))?
             }
         };
-        cases.push(Parameters {
-            f: cell(f, "a finite number that is at least 0", &|f| f >= 0.0 && f.is_finite())?,
-            alpha: cell(alpha, "a number that is at least 0, or inf", &|alpha| alpha >= 0.0)?,
-            beta: cell(beta, "a finite number above 0", &|beta| beta > 0.0 && beta.is_finite())?,
-            substrate,
-        });
+        let numbers = [
+            cell(f, "a finite number that is at least 0", &|f| f >= 0.0 && f.is_finite())?,
+            cell(alpha, "a number that is at least 0, or inf", &|alpha| alpha >= 0.0)?,
+            cell(beta, "a finite number above 0", &|beta| beta > 0.0 && beta.is_finite())?,
+        ];
         if let Some(column) = ratio {
             ratios.push(cell(column, "a number above -1, up to 1", &|ratio| ratio > -1.0 && ratio <= 1.0)?);
         }
+        let slide_roll = ratios.last().copied().unwrap_or(default_ratio);
+        let case = Grid::case_of(numbers, slide_roll, &substrate)
+            .map_err(|error| refused(format!("line {line}: modes of the roller at this slide_roll: {error}")))?;
+        cases.push(case);
+        numbers_of_cases.push(numbers);
     }
     if cases.is_empty() {
         return Err(refused("it has no case below its first line".to_owned()));
     }
-    Ok(Batch { cases, slide_roll: ratio.map(|_| ratios) })
+    Ok(Batch { cases, numbers: numbers_of_cases, slide_roll: ratio.map(|_| ratios) })
 }
