@@ -59,10 +59,10 @@ function decode({ name, numbers }, text, count) {
 function quantityOf(record, before, axes) {
   const { name, shape, transform } = record;
   if (shape.length !== axes.length) throw damaged(`${name}: ${shape.length} factors, and ${axes.length} axes`);
-  if (!["identity", "exp", "sinh"].includes(transform)) {
+  if (!["identity", "exp", "sinh", "root"].includes(transform)) {
     throw damaged(`${name} has the transform \`${transform}\`, which is none`);
   }
-  const whole = transform === "sinh" ? before.findIndex((other) => other.name === record.of) : null;
+  const whole = transform in partOf ? before.findIndex((other) => other.name === record.of) : null;
   if (whole === -1) throw damaged(`${name}: the quantity that it is a part of is not before it`);
   const factors = shape.map(([degrees, rank], m) => ({
     ...{ degrees, rank },
@@ -73,8 +73,8 @@ function quantityOf(record, before, axes) {
     record.core,
     shape.reduce((size, [, rank]) => size * rank, 1),
   );
-  const { units, scale = null, long_name: longName } = record;
-  return { ...{ name, units, scale, longName, transform, whole, factors, core }, share: record.share };
+  const { units, scale = null, long_name: longName, share, offset } = record;
+  return { ...{ name, units, scale, longName, transform, whole, factors, core }, share, offset };
 }
 
 // out[i] = Σ_k weights[k] numbers[k][i], for so many rows and columns. Four rows at once halve loads and stores.
@@ -116,14 +116,26 @@ function seriesAt({ factors, core }, bases, along, { weights, parts }) {
   return from[0];
 }
 
-function valueOf({ transform, share, whole }, y, values) {
-  if (transform === "sinh") return share * values[whole] * Math.sinh(y);
+// What a part of a whole is over its share of that, and the derivative of that, by its transform.
+const partOf = {
+  sinh: (y) => [Math.sinh(y), Math.cosh(y)],
+  root: (y, offset) => {
+    const [change, least] = [Math.expm1(0.5 * y), Math.sqrt(offset)];
+    return [change * (change + 2 * least), (change + least) * (change + 1)];
+  },
+};
+
+function valueOf({ transform, share, whole, offset }, y, values) {
+  if (transform in partOf) return share * values[whole] * partOf[transform](y, offset)[0];
   return transform === "exp" ? Math.exp(y) : y;
 }
 
 // The derivative of a quantity, from y and dy, its value, and values and slopes of the quantities before it.
-function slopeOf({ transform, share, whole }, [y, dy], value, values, slopes) {
-  if (transform === "sinh") return share * (slopes[whole] * Math.sinh(y) + values[whole] * Math.cosh(y) * dy);
+function slopeOf({ transform, share, whole, offset }, [y, dy], value, values, slopes) {
+  if (transform in partOf) {
+    const [part, change] = partOf[transform](y, offset);
+    return share * (slopes[whole] * part + values[whole] * change * dy);
+  }
   return transform === "exp" ? value * dy : dy;
 }
 

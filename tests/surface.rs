@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
+use stribeck_sweep::surface::SurfaceOptions;
 use tempfile::{TempDir, tempdir};
 
 use crate::program::{code, err, out, say};
@@ -147,15 +148,48 @@ fn the_status_of_a_surface_tells_how_far_it_is() {
     let largest = errors.iter().map(|it| it["largest"].as_f64().expect("a number")).fold(0.0, f64::max);
     assert_eq!(line(&finished, "error"), format!("at most {largest:.1e} at random points; the tolerance is 1e-3"));
     let made_from = file["certificate"]["cases"].as_u64().expect("a number");
-    let (rounds, nodes) = {
+    let (rounds, cases) = {
         let words = line(&finished, "rounds");
-        let (rounds, nodes) = words.split_once(", ").expect("two numbers");
-        (rounds.parse::<u64>().expect("rounds"), nodes.trim_end_matches(" nodes").parse::<u64>().expect("nodes"))
+        let (rounds, cases) = words.split_once(", ").expect("two numbers");
+        (rounds.parse::<u64>().expect("rounds"), cases.trim_end_matches(" cases").parse::<u64>().expect("cases"))
     };
-    assert!(rounds > 0 && nodes == made_from, "{rounds} rounds, {nodes} nodes, made from {made_from}");
+    assert!(rounds > 0 && cases == made_from, "{rounds} rounds, {cases} cases, made from {made_from}");
     let cases = line(&finished, "cases");
     let converged: u64 = cases.split(' ').next().and_then(|number| number.parse().ok()).expect("a number");
     assert!(converged >= made_from + 1000 && cases.ends_with(" 0 failed"), "{cases}");
     fs::remove_file(directory.path().join("s/surface.json")).expect("removed");
     assert!(status().contains("stopped; the same `stribeck surface` command goes on"), "{}", status());
+}
+
+/// The surface that is built in is of this solver, and of the file that makes it; at points of a seed that nothing was
+/// chosen by it is within 1.5 tolerances.
+#[test]
+fn the_built_in_surface_holds() {
+    let surface = stribeck::universe::universe();
+    let file = surface.file();
+    assert_eq!(file.results_version, stribeck_solver::collocation::RESULTS_VERSION);
+    let sweep = stribeck_sweep::SurfaceSweep::read("sweeps/universe.toml").expect("valid");
+    assert_eq!(file.sweep, sweep.sweep.text);
+    let errors = stribeck_sweep::surface::compare_surface(&sweep, &surface, 200, 4711, &SurfaceOptions::default());
+    for (name, errors) in surface.quantities().zip(errors.expect("compared")) {
+        assert!(errors.largest < 1.5 * file.tolerance, "{name}: {errors:?}");
+    }
+}
+
+#[test]
+fn without_a_file_the_built_in_surface_is_evaluated() {
+    let directory = tempdir().expect("a temporary directory");
+    let point = ["--alpha", "0.3", "--beta", "700", "--f", "20"];
+    let json = |words: &[&str]| -> Value {
+        let said = say(directory.path(), &[words, &point, &["--json"]].concat());
+        serde_json::from_slice(&said.stdout).unwrap_or_else(|_| panic!("{}", err(&said)))
+    };
+    let (found, solved) = (json(&["evaluate"]), json(&["solve", "--tolerance", "1e-8"]));
+    for name in ["mu_drag", "mu_v", "mu_h", "c"] {
+        let [found, solved] = [&found[name]["value"], &solved[name]].map(|it| it.as_f64().expect("a number"));
+        assert!((found / solved - 1.0).abs() < 1.5e-4, "{name}: {found} {solved}");
+    }
+    let limits = say(directory.path(), &["evaluate", "--alpha", "inf", "--beta", "1e8", "--f", "0", "--json"]);
+    let limits: Value = serde_json::from_slice(&limits.stdout).expect("JSON");
+    assert!(limits["mu_v"]["value"].as_f64().expect("a number").abs() < 1e-7);
 }

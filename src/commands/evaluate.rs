@@ -12,6 +12,7 @@ use serde_json::{Map, Value, json};
 use super::at::{self, At};
 use super::output_file::{OutputFiles, or_empty, unwritten};
 use super::{CliError, Exit, console, number, threads};
+use crate::universe::universe;
 use stribeck_input::{printable, shown};
 use stribeck_solver::{Interrupt, shortest};
 use stribeck_surface::Surface;
@@ -23,18 +24,20 @@ use stribeck_sweep::surface::{SurfaceBuildError, SurfaceOptions, compare_surface
 #[command(
     before_help = "\
 Examples:
+  stribeck evaluate --alpha 1 --beta 100 --f 100          of the surface that is built in
   stribeck evaluate results/friction/surface.json --alpha 1 --beta 100
   stribeck evaluate results/friction/surface.json --at alpha=1 --at beta=100 --derivatives
   stribeck evaluate results/friction/surface.json --points sweeps/points.csv -o values.csv
   stribeck evaluate results/friction/surface.json --check 1000 --seed 7",
     after_help = "\
 A file of points is a CSV with a column for each axis; the output has its columns, the quantities, and `status`:
-`inside` or `outside`. Values of the laboratory are in SI units. Nothing is extrapolated.
+`inside` or `outside`. Values of the laboratory are in SI units. Nothing is extrapolated. The surface that is built in
+is of materials with one retardation mode under a sliding roller: alpha 0 to inf, beta 1 to 1e8, f 0 to 1e4.
 Exit codes: 1 the check found an error above the tolerance; 2 bad input; 3 points lie outside."
 )]
 pub struct Arguments {
-    /// The surface, as `stribeck surface` makes it
-    surface: PathBuf,
+    /// The surface, as `stribeck surface` makes it [default: the one that is built in]
+    surface: Option<PathBuf>,
     /// α of the point
     #[arg(long, value_name = "A", value_parser = number::parse, allow_negative_numbers = true)]
     alpha: Option<f64>,
@@ -71,8 +74,10 @@ pub struct Arguments {
 }
 
 pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
-    let file = &arguments.surface;
-    let surface = Surface::read(file).map_err(|source| CliError::Surface { file: file.clone(), source })?;
+    let surface = match &arguments.surface {
+        Some(file) => Surface::read(file).map_err(|source| CliError::Surface { file: file.clone(), source })?,
+        None => universe(),
+    };
     match (arguments.check, &arguments.points) {
         (Some(points), _) => check(arguments, &surface, points.get()),
         (None, Some(points)) => evaluate_file(arguments, &surface, points),
@@ -156,7 +161,7 @@ fn check_fixed(surface: &Surface, name: &str, value: f64) -> Result<(), CliError
 
 /// The points of a file: each row with what it has, the quantities, and where it lies.
 fn evaluate_file(arguments: &Arguments, surface: &Surface, points: &Path) -> Result<Exit, CliError> {
-    let (file, output) = (&arguments.surface, arguments.output.as_deref());
+    let output = arguments.output.as_deref();
     let unreadable = |what: String| CliError::Points { file: points.to_owned(), what };
     let mut reader = csv::Reader::from_path(points).map_err(|error| unreadable(error.to_string()))?;
     let header = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
@@ -178,7 +183,8 @@ fn evaluate_file(arguments: &Arguments, surface: &Surface, points: &Path) -> Res
         let line = beginning.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
         line.ends_with(header.as_bytes())
     };
-    let file = OutputFiles::new("evaluate", [file, points]).check(output, or_empty(is_ours))?;
+    let inputs = arguments.surface.as_deref().into_iter().chain([points]);
+    let file = OutputFiles::new("evaluate", inputs).check(output, or_empty(is_ours))?;
     outside_told(surface, file.fill(|writer| rows(writer, output))?)
 }
 
@@ -262,7 +268,8 @@ fn check(arguments: &Arguments, surface: &Surface, points: usize) -> Result<Exit
     file.certificate.errors = errors;
     let mut text = super::surface::certificate(&file);
     let holds = file.certificate.errors.iter().all(|errors| errors.largest <= tolerance);
-    let shown = shown(&arguments.surface);
+    let shown =
+        arguments.surface.as_ref().map_or_else(|| "the built-in surface".to_owned(), |file| shown(file).to_string());
     text += &match holds {
         true => format!("{shown}: holds, no error is above the tolerance of {tolerance:e}\n"),
         false => format!("{shown}: DOES NOT HOLD, an error is above the tolerance of {tolerance:e}\n"),

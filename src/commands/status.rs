@@ -95,8 +95,8 @@ fn describe_surface(directory: &Path, rounds: &Rounds, report: &StatusReport) ->
     let heading = filled(&format!("{}: {title}", shown(directory)), "  ");
     let mut text = format!("{heading}\n{state}\n\n");
     let mut line = |name: &str, words: String| text += &entry(name, &words);
-    let nodes = rounds.rounds.iter().chain(&rounds.comparisons).map(|round| round.nodes).max().unwrap_or(0);
-    line("rounds", format!("{}, {nodes} nodes", rounds.rounds.len()));
+    let cases = rounds.rounds.iter().chain(&rounds.comparisons).map(|round| round.cases).max().unwrap_or(0);
+    line("rounds", format!("{}, {cases} cases", rounds.rounds.len()));
     let tolerance = sweep.as_ref().map(|surface| surface.settings.tolerance);
     match (rounds.comparisons.last(), &tolerance) {
         (Some(compared), Ok(tolerance)) => {

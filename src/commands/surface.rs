@@ -94,11 +94,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
 fn line(progress: &Progress) -> String {
     match progress {
         Progress::Damaged { what } => format!("warning: {what}"),
-        Progress::Round { number, nodes, change } => {
-            format!("round {number}: {nodes} nodes, largest open change {change:.2e} tolerances")
+        Progress::Round { number, cases, largest } => {
+            format!("round {number}: {cases} cases, largest error {largest:.2} tolerances at the points that lead it")
         }
-        Progress::Compared { nodes, largest } => {
-            format!("compared {nodes} nodes with random points: largest error {largest:.2} tolerances")
+        Progress::Compared { cases, largest } => {
+            format!("made from {cases} cases: largest error {largest:.2} tolerances at fresh random points")
         }
     }
 }

@@ -50,6 +50,12 @@ mod _native {
     use stribeck_lab::LaboratoryQuantity;
     use stribeck_sweep::Field;
 
+    /// The text of the surface that is built in.
+    #[pyfunction]
+    fn universe() -> &'static str {
+        stribeck::universe::TEXT
+    }
+
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         // When a package is imported there are seldom other threads.

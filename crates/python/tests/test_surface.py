@@ -48,8 +48,9 @@ SWEEPS = {
         [surface]
         tolerance = 1e-2
         quantities = ["mu_drag", "mu_v"]""",
-    # In double precision.
+    # In double precision, and with parts that may change their sign.
     "tight": """[axes]
+        slide_roll = [0.5]
         alpha = [1.0]
         beta = { from = 10.0, to = 100.0, scale = "log" }
         f = [10.0]

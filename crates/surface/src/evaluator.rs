@@ -78,9 +78,10 @@ impl<'a> Evaluator<'a> {
                 self.derivatives[q * axes + axis] = match self.surface.series[q].value {
                     Value::Identity => slope,
                     Value::Exp => self.values[q] * slope,
-                    Value::Sinh { of, share } => {
+                    Value::Part { of, share, function } => {
                         let whole = (self.values[of], self.derivatives[of * axes + axis]);
-                        share * (whole.1 * y.sinh() + whole.0 * y.cosh() * slope)
+                        let [part, change] = function.at(y);
+                        share * (whole.1 * part + whole.0 * change * slope)
                     }
                 };
             }
@@ -203,7 +204,7 @@ fn value(surface: &Surface, q: usize, y: f64, values: &[f64]) -> f64 {
     match surface.series[q].value {
         Value::Identity => y,
         Value::Exp => y.exp(),
-        Value::Sinh { of, share } => share * values[of] * y.sinh(),
+        Value::Part { of, share, function } => share * values[of] * function.at(y)[0],
     }
 }
 

@@ -72,6 +72,15 @@ pub enum Transform {
         /// Where parts begin to count: below this share of the whole errors are relative to it.
         share: f64,
     },
+    /// share · (the quantity `of`) · (r² − offset), r = e^(y/2) − 1 + √offset: a part that vanishes in limits.
+    Root {
+        /// As for `sinh`.
+        of: String,
+        /// As for `sinh`.
+        share: f64,
+        /// Above 0, and small.
+        offset: f64,
+    },
 }
 
 /// Floating-point numbers, little-endian.

@@ -33,3 +33,4 @@ pub use evaluator::{Evaluator, Line};
 pub use file::{Certificate, CheckPoint, ErrorRecord, FORMAT, NumberKind, QuantityRecord, SurfaceFile, Transform};
 pub use map::{Axis, Spread};
 pub use surface::{Surface, encode};
+pub use tensor::chebyshev;

@@ -35,11 +35,34 @@ pub(crate) struct Series {
 pub(crate) enum Value {
     Identity,
     Exp,
-    /// share · (quantity `of`) · sinh y.
-    Sinh {
+    /// share · (quantity `of`) · (a function of y).
+    Part {
         of: usize,
         share: f64,
+        function: Part,
     },
+}
+
+/// What a part is over its share of the whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// sinh y.
+    Sinh,
+    /// r² − offset, r = e^(y/2) − 1 + √offset.
+    Root { offset: f64 },
+}
+
+impl Part {
+    /// The function and its derivative.
+    pub fn at(self, y: f64) -> [f64; 2] {
+        match self {
+            Self::Sinh => [y.sinh(), y.cosh()],
+            Self::Root { offset } => {
+                let (change, least) = ((0.5 * y).exp_m1(), offset.sqrt());
+                [change * (change + 2.0 * least), (change + least) * (change + 1.0)]
+            }
+        }
+    }
 }
 
 impl Surface {
@@ -81,10 +104,14 @@ impl Surface {
             let value = match &quantity.transform {
                 Transform::Identity => Value::Identity,
                 Transform::Exp => Value::Exp,
-                Transform::Sinh { of, share } => {
+                Transform::Sinh { of, share } | Transform::Root { of, share, .. } => {
                     let of = file.quantities[..place].iter().position(|whole| whole.name == *of);
                     let of = of.ok_or_else(|| damaged("the quantity that it is a part of is not before it".into()))?;
-                    Value::Sinh { of, share: *share }
+                    let function = match quantity.transform {
+                        Transform::Root { offset, .. } => Part::Root { offset },
+                        _ => Part::Sinh,
+                    };
+                    Value::Part { of, share: *share, function }
                 }
             };
             series.push(Series { tucker, value });
@@ -116,7 +143,9 @@ impl Surface {
     /// a part begins to count.
     fn least(&self, place: usize, values: &[f64]) -> f64 {
         let whole = match &self.file.quantities[place].transform {
-            Transform::Sinh { of, share } => self.quantities().position(|name| name == of).map(|of| share * values[of]),
+            Transform::Sinh { of, share } | Transform::Root { of, share, .. } => {
+                self.quantities().position(|name| name == of).map(|of| share * values[of])
+            }
             Transform::Identity | Transform::Exp => None,
         };
         values[place].abs().max(whole.unwrap_or(0.0).abs())

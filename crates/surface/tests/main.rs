@@ -49,6 +49,7 @@ fn file() -> SurfaceFile {
             quantity("drag", Transform::Exp, [9, 6, 4], number),
             quantity("mu_v", part, [7, 5, 6], number),
             quantity("x", Transform::Identity, [3, 2, 5], number),
+            quantity("loss", Transform::Root { of: "drag".into(), share: 1e-3, offset: 0.04 }, [5, 8, 3], number),
         ],
         certificate: Certificate { points: 0, seed: 0, solver_tolerance: 1e-6, cases: 0, errors: Vec::new() },
         checks: Vec::new(),
@@ -92,8 +93,9 @@ fn values_are_the_sums_that_the_file_says() {
     let surface = Surface::new(file.clone()).expect("valid");
     let mut evaluator = surface.evaluator();
     for point in POINTS {
-        let [drag, part, x] = [0, 1, 2].map(|q| direct(&file.quantities[q], &file.axes, &point));
-        let expected = [drag.exp(), 1e-3 * drag.exp() * part.sinh(), x];
+        let [drag, mu_v, x, loss] = [0, 1, 2, 3].map(|q| direct(&file.quantities[q], &file.axes, &point));
+        let part = |y: f64| 1e-3 * drag.exp() * y;
+        let expected = [drag.exp(), part(mu_v.sinh()), x, part(((loss / 2.0).exp() - 0.8).powi(2) - 0.04)];
         let values = evaluator.values(&point).expect("inside");
         for (value, expected) in values.iter().zip(expected) {
             assert!((value - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{point:?}: {value} {expected}");
@@ -118,7 +120,7 @@ fn derivatives_are_limits_of_differences() {
                 evaluator.values(&point).expect("inside").to_vec()
             };
             let (far_below, below, above, far_above) = (at(-2.0 * step), at(-step), at(step), at(2.0 * step));
-            for q in 0..3 {
+            for q in 0..4 {
                 let difference = (8.0 * (above[q] - below[q]) - (far_above[q] - far_below[q])) / (12.0 * step);
                 let derivative = derivatives[q * 3 + axis];
                 let scale = derivative.abs().max(1e-5 * above[q].abs() / step * 1e-5);

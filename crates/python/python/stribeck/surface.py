@@ -18,8 +18,13 @@ from numpy.typing import ArrayLike, NDArray
 
 try:
     from ._errors import InputError, StorageError
+    from ._native import universe
 except ImportError:  # a copy, without the package
     InputError, StorageError = ValueError, OSError  # type: ignore[misc, assignment]
+
+    def universe() -> str:
+        """Have no surface."""
+        raise InputError("the surface that is built in comes with the package stribeck; name a surface.json")
 
 _Array: TypeAlias = NDArray[Any]
 _Values: TypeAlias = dict[str, _Array]
@@ -40,8 +45,10 @@ class Surface:
 
     Parameters
     ----------
-    path : path
-        A surface.json, as `stribeck surface` makes it; docs/reference/surface-file.md has the format.
+    path : path, optional
+        A surface.json, as `stribeck surface` makes it; docs/reference/surface-file.md has the format. Without one, the
+        surface that is built in: materials with one retardation mode under a sliding roller, over all alpha, beta
+        from 1 to 1e8 and f from 0 to 1e4.
 
     Attributes
     ----------
@@ -66,14 +73,14 @@ class Surface:
 
     Examples
     --------
-    >>> surface = Surface("results/surface-of-paper/surface.json")  # doctest: +SKIP
-    >>> surface(alpha=1.0, beta=[100.0, 200.0])["mu_drag"]  # doctest: +SKIP
-    array([0.74548255, 0.72332465])
+    >>> surface = Surface()
+    >>> surface(alpha=1.0, beta=[100.0, 200.0], f=100.0)["mu_drag"].round(3)
+    array([0.745, 0.723])
     """
 
-    def __init__(self, path: str | os.PathLike[str]):
+    def __init__(self, path: str | os.PathLike[str] | None = None):
         try:
-            file = json.loads(Path(path).read_bytes())
+            file = json.loads(universe() if path is None else Path(path).read_bytes())
             found = file["format"]
         except OSError as error:
             raise StorageError(f"{path}: cannot read the surface: {error.strerror}; is it the right path?") from error
@@ -273,13 +280,14 @@ class _Series:
         if not len(shape) == len(record["factors"]) == axes:
             raise ValueError(f"{name}: {len(record['factors'])} factors, and {axes} axes")
         self.transform = record["transform"]
-        if self.transform not in ("identity", "exp", "sinh"):
+        if self.transform not in ("identity", "exp", "sinh", "root"):
             raise ValueError(f"{name} has the transform `{self.transform}`, which is none")
         self.share, self.whole = 0.0, None
-        if self.transform == "sinh":
+        if self.transform in ("sinh", "root"):
             if record["of"] not in before:
                 raise ValueError(f"{name}: the quantity that it is a part of is not before it")
             self.share, self.whole = float(record["share"]), before.index(record["of"])
+        self.offset = float(record["offset"]) if self.transform == "root" else 0.0
         numbers = _NUMBERS[record["numbers"]]
         # For each axis polynomials by ranks.
         self.factors = [_decode(name, text, numbers, own) for text, own in zip(record["factors"], shape, strict=True)]
@@ -290,14 +298,22 @@ class _Series:
     def value(self, y: _Array, values: _Array) -> _Array:
         """Give the quantity from y and the quantities before it."""
         if self.whole is not None:
-            return np.asarray(self.share * values[self.whole] * np.sinh(y))
+            return np.asarray(self.share * values[self.whole] * self._part(y)[0])
         return np.exp(y) if self.transform == "exp" else y
 
     def slope(self, y: _Array, dy: _Array, values: _Array, slopes: _Array) -> _Array:
         """Give the derivative of the quantity, the last of the values, from that of y."""
         if self.whole is not None:
-            return np.asarray(self.share * (slopes[self.whole] * np.sinh(y) + values[self.whole] * np.cosh(y) * dy))
+            part, change = self._part(y)
+            return np.asarray(self.share * (slopes[self.whole] * part + values[self.whole] * change * dy))
         return values[-1] * dy if self.transform == "exp" else dy
+
+    def _part(self, y: _Array) -> tuple[_Array, _Array]:
+        """Give what a part is over its share of the whole, and the derivative of that."""
+        if self.transform == "sinh":
+            return np.sinh(y), np.cosh(y)
+        change, least = np.expm1(0.5 * y), math.sqrt(self.offset)
+        return change * (change + 2.0 * least), (change + least) * (change + 1.0)
 
 
 def _decode(name: str, text: str, numbers: str, shape: list[int]) -> _Array:

@@ -3,9 +3,14 @@
 use super::domain::{Domain, Numbers};
 use stribeck_surface::{ErrorRecord, Surface};
 
-/// So many random points of a domain, spread evenly over its mapped axes. They depend on the seed alone: they are bits
-/// of a BLAKE3 hash of it.
+/// So many random points of a domain, spread evenly over its mapped axes.
 pub fn random_points(domain: &Domain<'_>, count: usize, seed: u64) -> Vec<Vec<f64>> {
+    random_numbers(domain.dimensions(), count, seed).iter().map(|t| domain.point(t)).collect()
+}
+
+/// So many random points, each coordinate in −1 ≤ t < 1. They depend on the seed alone: they are bits of a BLAKE3 hash
+/// of it.
+pub fn random_numbers(dimensions: usize, count: usize, seed: u64) -> Vec<Vec<f64>> {
     let mut hasher = blake3::Hasher::new();
     hasher.update(b"stribeck surface points\n");
     hasher.update(&seed.to_le_bytes());
@@ -16,14 +21,14 @@ pub fn random_points(domain: &Domain<'_>, count: usize, seed: u64) -> Vec<Vec<f6
         // 53 bits, in −1 ≤ t < 1
         (u64::from_le_bytes(bytes) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     };
-    (0..count).map(|_| domain.point(&(0..domain.dimensions()).map(|_| number()).collect::<Vec<_>>())).collect()
+    (0..count).map(|_| (0..dimensions).map(|_| number()).collect()).collect()
 }
 
-/// The errors of a surface at points with known numbers, of each quantity.
+/// The errors of a surface at points with known numbers: for each quantity that at each point.
 ///
 /// # Panics
 /// If a point is not in the domain of the surface.
-pub fn errors(surface: &Surface, points: &[Vec<f64>], numbers: &[Numbers]) -> Vec<ErrorRecord> {
+pub fn errors(surface: &Surface, points: &[Vec<f64>], numbers: &[Numbers]) -> Vec<Vec<f64>> {
     let mut evaluator = surface.evaluator();
     let mut all = vec![Vec::with_capacity(points.len()); surface.quantities().count()];
     for (point, numbers) in points.iter().zip(numbers) {
@@ -33,10 +38,11 @@ pub fn errors(surface: &Surface, points: &[Vec<f64>], numbers: &[Numbers]) -> Ve
             errors.push((values[q] - numbers.values[q]).abs() / scale);
         }
     }
-    all.into_iter().map(summary).collect()
+    all
 }
 
-fn summary(mut errors: Vec<f64>) -> ErrorRecord {
+/// What is told of the errors of a quantity.
+pub fn summary(mut errors: Vec<f64>) -> ErrorRecord {
     errors.sort_by(f64::total_cmp);
     let at = |part: f64| errors[((errors.len() - 1) as f64 * part).ceil() as usize];
     ErrorRecord { largest: at(1.0), percentile_99: at(0.99), median: at(0.5) }

@@ -1,5 +1,6 @@
 //! From a point of the axes to a case, and from its numbers to those that a surface has.
 
+use super::lines::Sample;
 use crate::{Column, Grid, GridIndex, RangeAxis, SurfaceSweep, Values};
 use stribeck_lab::{LaboratoryQuantity, Scales, si_units};
 use stribeck_solver::Parameters;
@@ -8,6 +9,10 @@ use stribeck_surface::{Axis, Spread, Transform};
 /// Where parts of the drag begin to count: errors of smaller ones are relative to this share of it.
 const SHARE: f64 = 1e-3;
 
+/// What is added to a loss over its share of the drag before its root is taken: where the root is steeper, errors of the
+/// solver would show.
+const OFFSET: f64 = 1e-7;
+
 /// What a surface has of a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
@@ -15,8 +20,10 @@ pub enum Form {
     Number,
     /// Its logarithm: the number is positive.
     Positive,
-    /// A part of the drag.
+    /// A part of the drag that may change its sign.
     PartOfDrag,
+    /// A part of the drag that is a loss in the solid: never negative, and 0 in the limits.
+    LossOfDrag,
 }
 
 /// The domain of a surface: its axes, and what is asked for.
@@ -41,7 +48,8 @@ impl<'a> Domain<'a> {
     pub fn new(surface: &'a SurfaceSweep) -> Self {
         let asked = &surface.settings.quantities;
         let sliding = is_sliding(&surface.sweep.grid);
-        let has_parts = asked.iter().any(|column| form(*column, sliding) == Form::PartOfDrag);
+        let is_part = |column: &Column| matches!(form(*column, sliding), Form::PartOfDrag | Form::LossOfDrag);
+        let has_parts = asked.iter().any(is_part);
         let drag = Some(Column::MuDrag).filter(|drag| has_parts || asked.contains(drag));
         let others = asked.iter().copied().filter(|column| *column != Column::MuDrag);
         Self { surface, columns: drag.into_iter().chain(others).collect() }
@@ -73,6 +81,11 @@ impl<'a> Domain<'a> {
     /// The point at which each mapped axis has the value t; the ends exactly.
     pub fn point(&self, t: &[f64]) -> Vec<f64> {
         self.surface.axes.iter().zip(t).map(|(axis, &t)| backward(axis, t)).collect()
+    }
+
+    /// The mapped axes at a point.
+    pub fn mapped(&self, point: &[f64]) -> Vec<f64> {
+        self.axes().iter().zip(point).map(|(axis, &x)| axis.forward(x)).collect()
     }
 
     /// The grid of the one place at a point.
@@ -111,7 +124,7 @@ impl<'a> Domain<'a> {
         let least = |column: &Column| match self.form(*column) {
             Form::Number => unit(*column),
             Form::Positive => 0.0,
-            Form::PartOfDrag => SHARE * values[Column::MuDrag].abs() * unit(Column::MuDrag),
+            Form::PartOfDrag | Form::LossOfDrag => SHARE * values[Column::MuDrag].abs() * unit(Column::MuDrag),
         };
         Numbers {
             values: self.columns.iter().map(|column| values[*column] * unit(*column)).collect(),
@@ -119,23 +132,27 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// What the polynomials interpolate, of each quantity.
-    pub fn series(&self, numbers: &Numbers) -> Vec<f64> {
-        let series = |(column, value): (&Column, &f64)| match self.form(*column) {
-            Form::Number => *value,
-            Form::Positive => value.ln(),
-            Form::PartOfDrag => (value / (SHARE * numbers.values[0])).asinh(),
+    /// What the polynomials interpolate, of each quantity, and what error of the quantity a change of that by 1 makes,
+    /// over `tolerance`.
+    pub fn sample(&self, numbers: &Numbers, tolerance: f64) -> Sample {
+        let drag = numbers.values[0];
+        let number = |((column, &value), &least): ((&Column, &f64), &f64)| match self.form(*column) {
+            Form::Number => (value, 1.0 / value.abs().max(least)),
+            Form::Positive => (value.ln(), 1.0),
+            Form::PartOfDrag => {
+                let part = value / (SHARE * drag);
+                (part.asinh(), part.hypot(1.0) / part.abs().max(1.0))
+            }
+            Form::LossOfDrag => {
+                let part = value / (SHARE * drag);
+                // Errors of the solver may lead below 0.
+                let root = (part + OFFSET).max(0.0).sqrt();
+                (2.0 * (root - OFFSET.sqrt()).ln_1p(), root * (1.0 + root - OFFSET.sqrt()) / part.max(1.0))
+            }
         };
-        self.columns.iter().zip(&numbers.values).map(series).collect()
-    }
-
-    /// What a change of each series is relative to: the unit of a number as it is, 1 where the series has none.
-    pub fn scales(&self, numbers: &Numbers) -> Vec<f64> {
-        let scale = |(column, least): (&Column, &f64)| match self.form(*column) {
-            Form::Number => *least,
-            Form::Positive | Form::PartOfDrag => 1.0,
-        };
-        self.columns.iter().zip(&numbers.least).map(scale).collect()
+        let (series, weights): (Vec<f64>, Vec<f64>) =
+            self.columns.iter().zip(&numbers.values).zip(&numbers.least).map(number).unzip();
+        Sample { series, weights: weights.into_iter().map(|weight| weight / tolerance).collect() }
     }
 
     /// How a quantity follows from its series.
@@ -144,6 +161,7 @@ impl<'a> Domain<'a> {
             Form::Number => Transform::Identity,
             Form::Positive => Transform::Exp,
             Form::PartOfDrag => Transform::Sinh { of: Column::MuDrag.name().to_owned(), share: SHARE },
+            Form::LossOfDrag => Transform::Root { of: Column::MuDrag.name().to_owned(), share: SHARE, offset: OFFSET },
         }
     }
 
@@ -172,6 +190,7 @@ fn form(column: Column, sliding: bool) -> Form {
             Form::Positive
         }
         Column::MuH | Column::MuTot if sliding => Form::Positive,
+        Column::MuV if sliding => Form::LossOfDrag,
         Column::XOutlet | Column::XPMax | Column::Centroid | Column::Separation => Form::Number,
         _ => Form::PartOfDrag,
     }

@@ -24,9 +24,9 @@ pub struct Rounds {
 /// A round of refinement, or a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Round {
-    /// The number of nodes so far.
-    pub nodes: usize,
-    /// The largest change of a round, or the largest error of a comparison, in tolerances.
+    /// The number of cases so far.
+    pub cases: usize,
+    /// The largest error at the points of the round or comparison, in tolerances.
     pub largest: f64,
 }
 
@@ -44,13 +44,23 @@ impl Rounds {
         }
     }
 
+    /// Begins in a directory, so that it is one of a surface from the start.
+    pub(super) fn begin(directory: &Path) -> Result<Self, StoreError> {
+        let rounds = Self::default();
+        rounds.write(directory).map(|()| rounds)
+    }
+
     /// Takes what is told of the work, and writes it.
     pub(super) fn tell(&mut self, directory: &Path, progress: &Progress) -> Result<(), StoreError> {
         match *progress {
             Progress::Damaged { .. } => return Ok(()),
-            Progress::Round { nodes, change, .. } => self.rounds.push(Round { nodes, largest: change }),
-            Progress::Compared { nodes, largest } => self.comparisons.push(Round { nodes, largest }),
+            Progress::Round { cases, largest, .. } => self.rounds.push(Round { cases, largest }),
+            Progress::Compared { cases, largest } => self.comparisons.push(Round { cases, largest }),
         }
+        self.write(directory)
+    }
+
+    fn write(&self, directory: &Path) -> Result<(), StoreError> {
         let text = serde_json::to_string_pretty(self).expect("numbers become text");
         write_whole(directory.join(FILE), (text + "\n").as_bytes())
     }

@@ -1,0 +1,348 @@
+//! The rounds of a surface: lines, a grid, and random points that tell where it is bad, until it is good everywhere.
+
+use super::build::{Progress, SurfaceBuildError};
+use super::comparison::{errors, random_numbers, random_points, summary};
+use super::cross::{Cross, Tucker};
+use super::domain::{Domain, Numbers};
+use super::leja::Leja;
+use super::lines::{Line, MOST_ALONG, Sample};
+use super::nodes::Nodes;
+use crate::{Column, SurfaceSweep};
+use stribeck_solver::{Parameters, collocation};
+use stribeck_surface::{Certificate, CheckPoint, FORMAT, NumberKind, QuantityRecord, Surface, SurfaceFile, encode};
+
+/// What lines may leave unsaid of a quantity in the first round, in tolerances. The errors of several axes add up.
+const FIRST_THRESHOLD: f64 = 0.2;
+/// What the threshold of a bad quantity is multiplied by where more lines do not help.
+const LOWER: f64 = 0.7;
+/// What lines leave unsaid makes an error of about so many thresholds.
+const FLOOR: f64 = 8.0;
+/// More lines do not help after so many rounds without a smaller error.
+const STALLED: usize = 2;
+/// Below this threshold the errors of the solver would be followed.
+const LEAST_THRESHOLD: f64 = 0.01;
+/// The largest error at the leading points with which a surface is compared with fresh ones, in tolerances.
+const GOOD: f64 = 0.9;
+/// The largest error that compression may lead to at the leading points, in tolerances.
+const COMPRESSED: f64 = 0.95;
+/// What compression may leave out, in tolerances: the most that leads to no larger error is taken.
+const BUDGETS: [f64; 6] = [0.5, 0.35, 0.25, 0.15, 0.1, 0.02];
+/// Lines along each axis that are added in a round, at most, for each axis that they do not run along: through random
+/// points, and as many through nodes of lines.
+const LINES: usize = 2;
+/// Random lines of the first round along each axis, for one to three axes.
+const FIRST_LINES: [usize; 3] = [0, 4, 50];
+/// Points whose mapped coordinates are all so near to those of a worse one have the same cause.
+const NEAR: f64 = 0.15;
+/// Leading points of a round, for one to three axes.
+const LEADING: [usize; 3] = [50, 100, 400];
+/// The most cases of a surface.
+const MOST_CASES: usize = 400_000;
+/// Points in the file with which readers compare themselves.
+const CHECK_POINTS: usize = 10;
+
+/// A surface while it is made.
+pub struct Work<'a> {
+    surface: &'a SurfaceSweep,
+    domain: Domain<'a>,
+    nodes: Nodes<'a>,
+    leja: Leja,
+}
+
+/// Points with their numbers.
+#[derive(Clone, Debug, Default)]
+struct Known {
+    points: Vec<Vec<f64>>,
+    numbers: Vec<Numbers>,
+}
+
+impl<'a> Work<'a> {
+    /// The work on a surface whose cases `nodes` solves.
+    pub fn new(surface: &'a SurfaceSweep, nodes: Nodes<'a>) -> Self {
+        Self { surface, domain: Domain::new(surface), nodes, leja: Leja::new(MOST_ALONG) }
+    }
+
+    /// The domain of the surface.
+    pub fn domain(&self) -> &Domain<'a> {
+        &self.domain
+    }
+
+    /// The number of cases that were solved and not stored before.
+    pub fn solved(&self) -> u64 {
+        self.nodes.solved()
+    }
+
+    /// Refines until fresh random points show no error above the tolerance; false if that needs too many cases.
+    pub fn refine(&mut self, tell: &mut dyn FnMut(Progress)) -> Result<(Surface, bool), SurfaceBuildError> {
+        let settings = &self.surface.settings;
+        let tolerance = settings.tolerance;
+        let mut cross = Cross::new(self.domain.dimensions());
+        self.first_points().iter().for_each(|point| cross.add_lines(point));
+        let (mut leading, mut on_lines, mut seed) = (Known::default(), Known::default(), settings.seed);
+        let (mut best, mut stalled) = (f64::INFINITY, 0);
+        let mut thresholds = vec![FIRST_THRESHOLD; self.domain.columns.len()];
+        for number in 1.. {
+            let fits = self.solve_cross(&mut cross, &mut on_lines, &thresholds)?;
+            let seed_of_round = u64::MAX - number as u64;
+            let points = random_points(&self.domain, LEADING[self.domain.dimensions() - 1], seed_of_round);
+            leading.add(self.known(points)?);
+            let exact = self.surface_of(&cross, &vec![BUDGETS[BUDGETS.len() - 1]; self.domain.columns.len()])?;
+            let of_each = errors(&exact, &leading.points, &leading.numbers);
+            let worst = worst_at_each_point(&of_each);
+            let largest = worst.iter().copied().fold(0.0, f64::max) / tolerance;
+            tell(Progress::Round { number, cases: self.nodes.count(), largest });
+            let least = thresholds.iter().copied().fold(f64::INFINITY, f64::min);
+            let last = !fits || least < LEAST_THRESHOLD || self.nodes.count() >= MOST_CASES;
+            if largest <= GOOD || last {
+                let fresh = self.known(random_points(&self.domain, settings.points, seed))?;
+                let (surface, error) = self.compared(&cross, &leading, &fresh, seed)?;
+                let cases = surface.file().certificate.cases;
+                tell(Progress::Compared { cases, largest: error / tolerance });
+                if error <= tolerance || last {
+                    return Ok((surface, error <= tolerance));
+                }
+                // Points that a decision was made by are not fresh any more.
+                leading.add(fresh);
+                seed += 1;
+            }
+            self.add_lines(&mut cross, &leading, &worst);
+            let worst = worst_at_each_point(&errors(&exact, &on_lines.points, &on_lines.numbers));
+            self.add_lines(&mut cross, &on_lines, &worst);
+            stalled = if largest < best { 0 } else { stalled + 1 };
+            best = best.min(largest);
+            if stalled >= STALLED || (stalled > 0 && largest < FLOOR * least) {
+                for (threshold, errors) in thresholds.iter_mut().zip(of_each) {
+                    let is_bad = errors.into_iter().fold(0.0, f64::max) > GOOD * tolerance;
+                    *threshold *= if is_bad { LOWER } else { 1.0 };
+                }
+                (best, stalled) = (f64::INFINITY, 0);
+            }
+        }
+        unreachable!("the threshold falls, or the error does")
+    }
+
+    /// The points of the first lines, in mapped coordinates: along each axis a line at every combination of middles and
+    /// ends of the others, and random ones, which are dense at the ends as nodes are.
+    fn first_points(&self) -> Vec<Vec<f64>> {
+        let dimensions = self.domain.dimensions();
+        let others = dimensions - 1;
+        // Of a Latin square, each two coordinates have all combinations.
+        let combination = |number: usize| -> Vec<f64> {
+            let places: Vec<usize> = (0..others).map(|axis| number / 3_usize.pow(axis as u32) % 3).collect();
+            let last = places.iter().sum::<usize>() % 3;
+            places.into_iter().chain([last]).map(|place| self.leja.nodes[place]).collect()
+        };
+        let random = random_numbers(dimensions, FIRST_LINES[others], 0);
+        let dense = random.into_iter().map(|point| point.into_iter().map(|t| pxfm::f_sinpi(0.5 * t)).collect());
+        (0..3_usize.pow(others as u32)).map(combination).chain(dense).collect()
+    }
+
+    /// Solves the lines as far as they need it, and the grid of their nodes. False if so many cases are needed that the
+    /// thresholds had to be raised.
+    fn solve_cross(
+        &mut self,
+        cross: &mut Cross,
+        on_lines: &mut Known,
+        thresholds: &[f64],
+    ) -> Result<bool, SurfaceBuildError> {
+        self.solve_lines(cross, on_lines, thresholds)?;
+        let (mut raised, none) = (1.0, SurfaceBuildError::SingularValues);
+        let room = MOST_CASES.saturating_sub(self.nodes.count());
+        let bases = loop {
+            let Some(bases) = cross.new_bases(&self.leja, thresholds, raised) else { return Err(none) };
+            let grid = bases.iter().map(|basis| basis.nodes.len()).product::<usize>();
+            // The grid of the round before did fit.
+            if grid <= room || raised > 1e9 {
+                break bases;
+            }
+            raised *= 2.0;
+        };
+        let (_, samples) = self.samples(&Cross::grid(&bases, &self.leja))?;
+        let quantities = 0..self.domain.columns.len();
+        let series = quantities.map(|q| samples.iter().map(|sample| sample.series[q]).collect()).collect();
+        cross.take(bases, series, &self.leja).ok_or(none)?;
+        Ok(raised == 1.0)
+    }
+
+    /// Adds nodes to lines until all have those that they need. They are points that are known, too.
+    fn solve_lines(
+        &mut self,
+        cross: &mut Cross,
+        on_lines: &mut Known,
+        thresholds: &[f64],
+    ) -> Result<(), SurfaceBuildError> {
+        loop {
+            let open: Vec<(&mut Line, usize)> = cross
+                .lines
+                .iter_mut()
+                .flatten()
+                .filter_map(|line| {
+                    let wanted = line.nodes_wanted(&self.leja, thresholds);
+                    (wanted > line.nodes()).then_some((line, wanted))
+                })
+                .collect();
+            if open.is_empty() {
+                return Ok(());
+            }
+            let points: Vec<Vec<f64>> = open
+                .iter()
+                .flat_map(|(line, wanted)| line.next_points(&self.leja, *wanted).collect::<Vec<_>>())
+                .collect();
+            let (known, samples) = self.samples(&points)?;
+            on_lines.add(known);
+            let mut samples = samples.into_iter();
+            for (line, wanted) in open {
+                samples.by_ref().take(wanted - line.nodes()).for_each(|sample| line.push(sample));
+            }
+        }
+    }
+
+    /// Adds the lines through the points with the largest errors that are not near to each other.
+    fn add_lines(&self, cross: &mut Cross, leading: &Known, worst: &[f64]) {
+        let enough = 0.5 * GOOD * self.surface.settings.tolerance;
+        let mut places: Vec<usize> = (0..worst.len()).filter(|&place| worst[place] > enough).collect();
+        places.sort_by(|&a, &b| worst[b].total_cmp(&worst[a]));
+        let is_near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < NEAR);
+        let mut chosen: Vec<Vec<f64>> = Vec::new();
+        for place in places {
+            let point = self.domain.mapped(&leading.points[place]);
+            if chosen.len() < LINES * (self.domain.dimensions() - 1) && !chosen.iter().any(|it| is_near(it, &point)) {
+                chosen.push(point);
+            }
+        }
+        chosen.iter().for_each(|point| cross.add_lines(point));
+    }
+
+    /// The samples at mapped points.
+    fn samples(&mut self, mapped: &[Vec<f64>]) -> Result<(Known, Vec<Sample>), SurfaceBuildError> {
+        let known = self.known(mapped.iter().map(|t| self.domain.point(t)).collect())?;
+        let samples = known.points.iter().zip(&known.numbers).map(|(point, numbers)| self.sample(point, numbers));
+        let samples = samples.collect::<Result<_, _>>()?;
+        Ok((known, samples))
+    }
+
+    fn sample(&self, point: &[f64], numbers: &Numbers) -> Result<Sample, SurfaceBuildError> {
+        let sample = self.domain.sample(numbers, self.surface.settings.tolerance);
+        if let Some(q) = sample.series.iter().position(|number| !number.is_finite()) {
+            let names = self.surface.axes.iter().zip(point).map(|(axis, x)| format!("{} = {x}", axis.name));
+            let (quantity, value) = (self.domain.columns[q].name(), numbers.values[q]);
+            let place = names.collect::<Vec<_>>().join(", ");
+            return Err(SurfaceBuildError::NoNumber { quantity, value, place });
+        }
+        Ok(sample)
+    }
+
+    fn known(&mut self, points: Vec<Vec<f64>>) -> Result<Known, SurfaceBuildError> {
+        let numbers = self.numbers(&points)?;
+        Ok(Known { points, numbers })
+    }
+
+    /// The numbers at points.
+    pub fn numbers(&mut self, points: &[Vec<f64>]) -> Result<Vec<Numbers>, SurfaceBuildError> {
+        let cases: Vec<Parameters> = points.iter().map(|point| self.domain.parameters(point)).collect();
+        let values = self.nodes.solve(&cases)?;
+        Ok(points.iter().zip(&values).map(|(point, values)| self.domain.numbers(point, values)).collect())
+    }
+
+    /// The surface as it is published, compressed as far as the leading points allow, with its certificate by fresh
+    /// ones; and its largest error.
+    fn compared(
+        &self,
+        cross: &Cross,
+        leading: &Known,
+        fresh: &Known,
+        seed: u64,
+    ) -> Result<(Surface, f64), SurfaceBuildError> {
+        let surface = self.surface_of(cross, &self.budgets(cross, leading)?)?;
+        let mut file = surface.file().clone();
+        file.certificate.points = fresh.points.len();
+        file.certificate.seed = seed;
+        file.certificate.cases = self.nodes.count() - fresh.points.len();
+        file.certificate.errors = errors(&surface, &fresh.points, &fresh.numbers).into_iter().map(summary).collect();
+        let mut evaluator = surface.evaluator();
+        file.checks = random_points(&self.domain, CHECK_POINTS, u64::MAX)
+            .into_iter()
+            .map(|point| {
+                let values = evaluator.values(&point).expect("points are made in the domain").to_vec();
+                CheckPoint { point, values }
+            })
+            .collect();
+        let largest = file.certificate.errors.iter().map(|errors| errors.largest).fold(0.0, f64::max);
+        Ok((Surface::new(file).expect("it is made as it must be"), largest))
+    }
+
+    /// For each quantity the most that may be left out of it.
+    fn budgets(&self, cross: &Cross, leading: &Known) -> Result<Vec<f64>, SurfaceBuildError> {
+        let mut chosen = vec![None; self.domain.columns.len()];
+        for budget in BUDGETS {
+            let surface = self.surface_of(cross, &vec![budget; chosen.len()])?;
+            let errors = errors(&surface, &leading.points, &leading.numbers);
+            for (chosen, errors) in chosen.iter_mut().zip(errors) {
+                let largest = errors.into_iter().fold(0.0, f64::max);
+                *chosen = chosen.or((largest <= COMPRESSED * self.surface.settings.tolerance).then_some(budget));
+            }
+        }
+        Ok(chosen.into_iter().map(|budget| budget.unwrap_or(BUDGETS[BUDGETS.len() - 1])).collect())
+    }
+
+    /// The surface of a cross, with so much left out of each quantity, in tolerances. It has no certificate yet.
+    fn surface_of(&self, cross: &Cross, budgets: &[f64]) -> Result<Surface, SurfaceBuildError> {
+        let tolerance = self.surface.settings.tolerance;
+        let mut quantities = Vec::with_capacity(budgets.len());
+        for (q, budget) in budgets.iter().enumerate() {
+            let tucker = cross.tucker(q, budget * tolerance).ok_or(SurfaceBuildError::SingularValues)?;
+            quantities.push(self.quantity(self.domain.columns[q], tucker));
+        }
+        let file = SurfaceFile {
+            format: FORMAT.to_owned(),
+            title: self.surface.sweep.title.clone(),
+            program: crate::store::program(),
+            results_version: collocation::RESULTS_VERSION,
+            tolerance,
+            axes: self.domain.axes(),
+            quantities,
+            certificate: Certificate {
+                points: 0,
+                seed: self.surface.settings.seed,
+                solver_tolerance: self.surface.sweep.solver.tolerance,
+                cases: self.nodes.count(),
+                errors: Vec::new(),
+            },
+            checks: Vec::new(),
+            sweep: self.surface.sweep.text.clone(),
+        };
+        Ok(Surface::new(file).expect("it is made as it must be"))
+    }
+
+    fn quantity(&self, column: Column, tucker: Tucker) -> QuantityRecord {
+        // Single precision is 6e-8 of each number, and logarithms of up to 20 are summed of them.
+        let numbers = match self.surface.settings.tolerance < 1e-5 {
+            true => NumberKind::Float64,
+            false => NumberKind::Float32,
+        };
+        let (units, scale) = self.domain.units(column);
+        QuantityRecord {
+            name: column.name().to_owned(),
+            units,
+            scale,
+            long_name: column.long_name().to_owned(),
+            transform: self.domain.transform(column),
+            shape: tucker.shape,
+            numbers,
+            factors: tucker.factors.iter().map(|factor| encode(numbers, factor)).collect(),
+            core: encode(numbers, &tucker.core),
+        }
+    }
+}
+
+impl Known {
+    fn add(&mut self, more: Self) {
+        self.points.extend(more.points);
+        self.numbers.extend(more.numbers);
+    }
+}
+
+/// The largest error of a quantity at each point.
+fn worst_at_each_point(errors: &[Vec<f64>]) -> Vec<f64> {
+    (0..errors[0].len()).map(|point| errors.iter().map(|of_one| of_one[point]).fold(0.0, f64::max)).collect()
+}
