@@ -109,7 +109,7 @@ impl<'a> Evaluator<'a> {
         }
         let coefficients = surface.series.iter().map(|series| {
             let mut shape: Vec<usize> = series.tucker.factors.iter().map(|factor| factor.rank).collect();
-            let mut core = series.tucker.core.clone();
+            let mut core = series.tucker.core.to_doubles();
             for (other, factor) in series.tucker.factors.iter().enumerate().filter(|(other, _)| *other != axis) {
                 let weights = &mut self.weights[other][0][..factor.rank];
                 factor.weights(&self.basis[other][0], weights);
@@ -119,7 +119,7 @@ impl<'a> Evaluator<'a> {
                 shape[other] = 1;
                 core = contracted;
             }
-            series.tucker.factors[axis].coefficients(&core).collect()
+            series.tucker.factors[axis].coefficients(&core)
         });
         Ok(Line { surface, axis, coefficients: coefficients.collect(), values: vec![0.0; surface.series.len()] })
     }
@@ -132,8 +132,11 @@ impl<'a> Evaluator<'a> {
             let weights = &mut self.weights[place][0][..factor.rank];
             factor.weights(&self.basis[place][0], weights);
             let shape = [1, factor.rank, length / factor.rank];
-            let from = if place == 0 { &tucker.core } else { &self.partial[0][..length] };
-            contract(from, shape, weights, &mut self.buffer[..shape[2]]);
+            let out = &mut self.buffer[..shape[2]];
+            match place {
+                0 => tucker.core.contract(shape, weights, out),
+                _ => contract(&self.partial[0][..length], shape, weights, out),
+            }
             std::mem::swap(&mut self.partial[0], &mut self.buffer);
             length = shape[2];
         }
@@ -153,9 +156,12 @@ impl<'a> Evaluator<'a> {
             let short = shape[2];
             // The derivative along this axis is made from the value so far, before that is contracted itself.
             let (so_far, rest) = self.partial.split_at_mut(1);
-            let whole = if place == 0 { &tucker.core } else { &so_far[0][..length] };
-            contract(whole, shape, slopes, &mut rest[place][..short]);
-            contract(whole, shape, weights, &mut self.buffer[..short]);
+            let whole = |weights: &[f64], out: &mut [f64]| match place {
+                0 => tucker.core.contract(shape, weights, out),
+                _ => contract(&so_far[0][..length], shape, weights, out),
+            };
+            whole(slopes, &mut rest[place][..short]);
+            whole(weights, &mut self.buffer[..short]);
             std::mem::swap(&mut so_far[0], &mut self.buffer);
             for earlier in &mut rest[..place] {
                 contract(&earlier[..length], shape, weights, &mut self.buffer[..short]);

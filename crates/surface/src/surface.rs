@@ -9,7 +9,7 @@ use crate::error::SurfaceError;
 use crate::evaluator::Evaluator;
 use crate::file::{FORMAT, NumberKind, QuantityRecord, SurfaceFile, Transform};
 use crate::map::Axis;
-use crate::tensor::{Factor, Tucker};
+use crate::tensor::{Factor, Numbers, Tucker};
 
 /// The most that a value at a check point may differ, relatively, from what stands in the file.
 const CHECK: f64 = 1e-12;
@@ -191,8 +191,8 @@ fn decode(quantity: &QuantityRecord, axes: usize) -> Result<Tucker, String> {
     }
     let numbers = |text: &str, expected: usize| {
         let bytes = STANDARD.decode(text).map_err(|error| format!("not base64: {error}"))?;
-        let numbers = from_bytes(quantity.numbers, &bytes);
-        if numbers.len() != expected || numbers.iter().any(|number| !number.is_finite()) {
+        let (numbers, are_finite) = from_bytes(quantity.numbers, &bytes);
+        if numbers.len() != expected || !are_finite {
             return Err(format!("{} numbers, and {expected} finite ones are expected", numbers.len()));
         }
         Ok(numbers)
@@ -210,12 +210,19 @@ fn decode(quantity: &QuantityRecord, axes: usize) -> Result<Tucker, String> {
     Ok(Tucker { factors, core: numbers(&quantity.core, size)? })
 }
 
-fn from_bytes(kind: NumberKind, bytes: &[u8]) -> Vec<f64> {
+/// The numbers, and whether all are finite.
+fn from_bytes(kind: NumberKind, bytes: &[u8]) -> (Numbers, bool) {
     match kind {
         NumberKind::Float32 => {
-            bytes.as_chunks::<4>().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes))).collect()
+            let numbers: Vec<f32> = bytes.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect();
+            let are_finite = numbers.iter().all(|number| number.is_finite());
+            (Numbers::Single(numbers), are_finite)
         }
-        NumberKind::Float64 => bytes.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect(),
+        NumberKind::Float64 => {
+            let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+            let are_finite = numbers.iter().all(|number| number.is_finite());
+            (Numbers::Double(numbers), are_finite)
+        }
     }
 }
 

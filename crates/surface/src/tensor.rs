@@ -3,6 +3,41 @@
 //! The coefficient of T_i T_j T_k is Σ U₁[i][a] U₂[j][b] U₃[k][c] G[a][b][c], with a factor U of each axis and the core
 //! G. So the series at a point is the core contracted with w_m = U_mᵀ T(t_m), one axis after the other.
 
+/// Numbers as they stand in the file: single ones take half the memory, which is what a point waits for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Numbers {
+    /// Of single precision.
+    Single(Vec<f32>),
+    /// Of double precision.
+    Double(Vec<f64>),
+}
+
+impl Numbers {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Single(numbers) => numbers.len(),
+            Self::Double(numbers) => numbers.len(),
+        }
+    }
+
+    /// All of them.
+    pub fn to_doubles(&self) -> Vec<f64> {
+        match self {
+            Self::Single(numbers) => numbers.iter().map(|&number| number.into()).collect(),
+            Self::Double(numbers) => numbers.clone(),
+        }
+    }
+
+    /// See [`contract`].
+    pub fn contract(&self, shape: [usize; 3], weights: &[f64], out: &mut [f64]) {
+        match self {
+            Self::Single(numbers) => contract(numbers, shape, weights, out),
+            Self::Double(numbers) => contract(numbers, shape, weights, out),
+        }
+    }
+}
+
 /// A factor: polynomials by ranks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factor {
@@ -11,18 +46,20 @@ pub struct Factor {
     /// Rank.
     pub rank: usize,
     /// Coefficients, the rank fastest.
-    pub numbers: Vec<f64>,
+    pub numbers: Numbers,
 }
 
 impl Factor {
     /// Uᵀ b: what the rank's functions are where the polynomials are b.
     pub fn weights(&self, basis: &[f64], weights: &mut [f64]) {
-        contract(&self.numbers, [1, self.degrees, self.rank], &basis[..self.degrees], weights);
+        self.numbers.contract([1, self.degrees, self.rank], &basis[..self.degrees], weights);
     }
 
     /// U v: coefficients of the polynomials.
-    pub fn coefficients<'a>(&'a self, v: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        self.numbers.chunks_exact(self.rank).map(move |row| row.iter().zip(v).map(|(u, v)| u * v).sum())
+    pub fn coefficients(&self, v: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; self.degrees];
+        self.numbers.contract([self.degrees, self.rank, 1], v, &mut out);
+        out
     }
 }
 
@@ -32,17 +69,45 @@ pub struct Tucker {
     /// The factor of each axis.
     pub factors: Vec<Factor>,
     /// The core, the last axis fastest.
-    pub core: Vec<f64>,
+    pub core: Numbers,
 }
 
 /// `out[o][i] = Σ_k weights[k] numbers[o][k][i]` for a shape of outer, contracted and inner length.
 ///
+/// It takes the widest vectors that the processor has.
+pub fn contract<N: Copy + Into<f64>>(numbers: &[N], shape: [usize; 3], weights: &[f64], out: &mut [f64]) {
+    pulp::Arch::new().dispatch(Contraction { numbers, shape, weights, out });
+}
+
+struct Contraction<'a, N> {
+    numbers: &'a [N],
+    shape: [usize; 3],
+    weights: &'a [f64],
+    out: &'a mut [f64],
+}
+
+impl<N: Copy + Into<f64>> pulp::NullaryFnOnce for Contraction<'_, N> {
+    type Output = ();
+
+    // A closure would not be part of the code for wide vectors.
+    #[inline(always)]
+    fn call(self) {
+        contract_rows(self.numbers, self.shape, self.weights, self.out);
+    }
+}
+
 /// Four rows are added at once, which halves the loads and stores of `out`.
-pub fn contract(numbers: &[f64], [outer, length, inner]: [usize; 3], weights: &[f64], out: &mut [f64]) {
+#[inline(always)]
+fn contract_rows<N: Copy + Into<f64>>(
+    numbers: &[N],
+    [outer, length, inner]: [usize; 3],
+    weights: &[f64],
+    out: &mut [f64],
+) {
     debug_assert_eq!((numbers.len(), weights.len(), out.len()), (outer * length * inner, length, outer * inner));
     if inner == 1 {
         for (sum, row) in out.iter_mut().zip(numbers.chunks_exact(length)) {
-            *sum = row.iter().zip(weights).map(|(number, weight)| number * weight).sum();
+            *sum = row.iter().zip(weights).map(|(&number, weight)| number.into() * weight).sum();
         }
         return;
     }
@@ -54,12 +119,12 @@ pub fn contract(numbers: &[f64], [outer, length, inner]: [usize; 3], weights: &[
             let (a, rows) = rows.split_at(inner);
             let (b, rows) = rows.split_at(inner);
             let (c, d) = rows.split_at(inner);
-            for ((((sum, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-                *sum += (w[0] * a + w[1] * b) + (w[2] * c + w[3] * d);
+            for ((((sum, &a), &b), &c), &d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                *sum += (w[0] * a.into() + w[1] * b.into()) + (w[2] * c.into() + w[3] * d.into());
             }
         }
         for (row, weight) in last_rows.chunks_exact(inner).zip(last_weights) {
-            sums.iter_mut().zip(row).for_each(|(sum, number)| *sum += weight * number);
+            sums.iter_mut().zip(row).for_each(|(sum, &number)| *sum += weight * number.into());
         }
     }
 }

@@ -39,6 +39,12 @@ impl Tensor {
         Mat::from_fn(length, outer * inner, |k, rest| self.numbers[place(k, rest)])
     }
 
+    /// The root of the sum of squares at each place along an axis.
+    pub fn norms(&self, axis: usize) -> Vec<f64> {
+        let unfolded = self.unfolded(axis);
+        (0..unfolded.nrows()).map(|place| unfolded.row(place).norm_l2()).collect()
+    }
+
     /// The number of places before an axis, along it and after it.
     fn around(&self, axis: usize) -> (usize, usize, usize) {
         (self.shape[..axis].iter().product(), self.shape[axis], self.shape[axis + 1..].iter().product())

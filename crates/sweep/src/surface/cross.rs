@@ -87,12 +87,17 @@ impl Cross {
         Some(())
     }
 
-    /// A quantity in Tucker form, whose coefficients are off by at most `most` (root of the sum of squares). None if a
-    /// singular value decomposition does not converge.
+    /// A quantity in Tucker form, whose coefficients are off by at most `most` (root of the sum of squares) for the ranks
+    /// that are left out, and a tenth of that for polynomials. None if a singular value decomposition does not converge.
     pub fn tucker(&self, quantity: usize, most: f64) -> Option<Tucker> {
         let (factors, core) = compress(&self.cores[quantity], most)?;
-        let factors: Vec<Mat<f64>> =
-            self.bases.iter().zip(&factors).map(|(basis, factor)| &basis.vectors * factor).collect();
+        let share = 0.1 * most / (factors.len() as f64).sqrt();
+        let factors = self.bases.iter().zip(&factors).enumerate().map(|(axis, (basis, factor))| {
+            let factor = &basis.vectors * factor;
+            let polynomials = needed(&factor, &core.norms(axis), share);
+            factor.subrows(0, polynomials).to_owned()
+        });
+        let factors: Vec<Mat<f64>> = factors.collect();
         let row_by_row = |matrix: &Mat<f64>| {
             (0..matrix.nrows()).flat_map(|n| (0..matrix.ncols()).map(move |r| matrix[(n, r)])).collect()
         };
@@ -102,6 +107,22 @@ impl Cross {
             core: core.numbers,
         })
     }
+}
+
+/// The number of rows of a factor without which coefficients are off by at most `most` (root of the sum of squares),
+/// where each column counts by the size of its part of the core. Not fewer than columns.
+fn needed(factor: &Mat<f64>, norms: &[f64], most: f64) -> usize {
+    let mut left_out = 0.0;
+    let mut rows = factor.nrows();
+    while rows > factor.ncols() {
+        let part = |(value, norm): (&f64, &f64)| (value * norm).powi(2);
+        left_out += factor.row(rows - 1).iter().zip(norms).map(part).sum::<f64>();
+        if left_out > most * most {
+            break;
+        }
+        rows -= 1;
+    }
+    rows
 }
 
 #[cfg(test)]

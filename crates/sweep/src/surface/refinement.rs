@@ -20,7 +20,7 @@ const FLOOR: f64 = 8.0;
 /// More lines do not help after so many rounds without a smaller error.
 const STALLED: usize = 2;
 /// Below this threshold the errors of the solver would be followed.
-const LEAST_THRESHOLD: f64 = 0.01;
+const LEAST_THRESHOLD: f64 = 0.07;
 /// The largest error at the leading points with which a surface is compared with fresh ones, in tolerances.
 const GOOD: f64 = 0.9;
 /// The largest error that compression may lead to at the leading points, in tolerances.
