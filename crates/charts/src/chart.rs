@@ -2,7 +2,13 @@
 
 use crate::paint::scene::Scene;
 use crate::paint::{pdf, png, svg};
+use crate::paper::{PER_MILLIMETRE, WIDTH};
 use crate::{ChartError, Paper};
+
+/// The heights of plots may be this much lower and higher than by default.
+const STRETCHES: (f64, f64) = (0.2, 4.0);
+/// Most rounds in which the stretch is found that makes a picture as high as its paper.
+const MOST_ROUNDS: usize = 16;
 
 /// A chart that can be painted in each format. The same chart on the same paper has the same bytes.
 pub trait Chart: Drawing {
@@ -11,10 +17,21 @@ pub trait Chart: Drawing {
     /// # Errors
     ///
     /// [`ChartError`] if the chart has nothing to show, if lengths do not fit, if a value has no place on its axis, or
-    /// if letters do not fit the paper.
+    /// if the letters or the height of the paper do not fit its width.
     fn svg(&self, paper: &Paper) -> Result<String, ChartError> {
         paper.check(self.side_by_side())?;
-        Ok(svg::svg(&self.scene(paper)?, paper))
+        Ok(svg::svg(&fitted(self, paper)?, paper))
+    }
+
+    /// The chart as an SVG element inside a page, which gives it its size. Its colours are `var(--ink-text)`, `quiet-text`,
+    /// `frame`, `grid`, `paper` and `line-0` to `line-6`, those of the other formats where the page has no such variables.
+    ///
+    /// # Errors
+    ///
+    /// As [`Chart::svg`].
+    fn svg_in_page(&self, paper: &Paper) -> Result<String, ChartError> {
+        paper.check(self.side_by_side())?;
+        Ok(svg::svg_in_page(&fitted(self, paper)?))
     }
 
     /// The chart as PNG.
@@ -24,7 +41,7 @@ pub trait Chart: Drawing {
     /// As [`Chart::svg`].
     fn png(&self, paper: &Paper) -> Result<Vec<u8>, ChartError> {
         paper.check(self.side_by_side())?;
-        png::png(&self.scene(paper)?, paper)
+        png::png(&fitted(self, paper)?, paper)
     }
 
     /// The chart as a page of PDF, with its letters as text.
@@ -34,7 +51,7 @@ pub trait Chart: Drawing {
     /// As [`Chart::svg`].
     fn pdf(&self, paper: &Paper) -> Result<Vec<u8>, ChartError> {
         paper.check(self.side_by_side())?;
-        Ok(pdf::pdf(&self.scene(paper)?, paper))
+        Ok(pdf::pdf(&fitted(self, paper)?, paper))
     }
 }
 
@@ -42,15 +59,52 @@ impl<T: Drawing> Chart for T {}
 
 /// The private half of a chart: it is checked and laid out.
 pub trait Drawing {
-    /// The shapes of the chart.
+    /// The shapes of the chart, with plots `stretch` times as high as they are by default; the height of the paper is
+    /// not looked at.
     ///
     /// # Errors
     ///
     /// As [`Chart::svg`].
-    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError>;
+    fn scene(&self, paper: &Paper, stretch: f64) -> Result<Scene, ChartError>;
 
     /// How many panels stand side by side.
     fn side_by_side(&self) -> usize {
         1
     }
+}
+
+/// The shapes of the chart in a picture as high as the paper, if this has a height.
+///
+/// The height grows with the stretch almost in proportion. What little is missing when labels break otherwise stays free
+/// at the lower edge.
+pub(crate) fn fitted(chart: &(impl Drawing + ?Sized), paper: &Paper) -> Result<Scene, ChartError> {
+    let Some(height) = paper.height else { return chart.scene(paper, 1.0) };
+    let wanted = (WIDTH * height / paper.width).round();
+    let (mut low, mut high) = STRETCHES;
+    let mut fitting = chart.scene(paper, low)?;
+    let mut above = chart.scene(paper, high)?.height;
+    if wanted < fitting.height || above < wanted {
+        let shown = |height: f64| height * paper.width / WIDTH;
+        let (least, most) = (shown(fitting.height).ceil(), shown(above).floor());
+        let per_millimetre = |pixels: f64| (pixels / PER_MILLIMETRE, pixels);
+        return Err(ChartError::Height {
+            found: per_millimetre(height),
+            least: per_millimetre(least),
+            most: per_millimetre(most),
+        });
+    }
+    for _ in 0..MOST_ROUNDS {
+        if wanted - fitting.height <= 1.0 {
+            break;
+        }
+        let share = ((wanted - fitting.height) / (above - fitting.height)).clamp(0.02, 0.98);
+        let stretch = low + share * (high - low);
+        let scene = chart.scene(paper, stretch)?;
+        if scene.height <= wanted {
+            (low, fitting) = (stretch, scene);
+        } else {
+            (high, above) = (stretch, scene.height);
+        }
+    }
+    Ok(Scene { height: wanted, ..fitting })
 }

@@ -50,6 +50,20 @@ pub enum ChartError {
         /// The most that leaves room.
         most: f64,
     },
+    /// A height that leaves no room for plots, or is beyond them.
+    #[error(
+        "a picture this wide cannot be {:.0} mm ({:.0} pixels) high; give a height from {:.0} mm ({}) to {:.0} mm ({}), \
+         or another width",
+        found.0, found.1, least.0.ceil(), least.1, most.0.floor(), most.1
+    )]
+    Height {
+        /// Millimetres and pixels asked for.
+        found: (f64, f64),
+        /// The least that leaves room.
+        least: (f64, f64),
+        /// The most that plots are stretched to.
+        most: (f64, f64),
+    },
     /// The drawing library refused.
     #[error("the chart could not be painted: {0}")]
     Painting(String),
