@@ -8,8 +8,6 @@ use stribeck_sweep::Column;
 
 /// Most drags at other values of an axis across.
 const MOST_OTHERS: usize = 7;
-/// A curve with more points than this has no markers.
-const MOST_MARKED: usize = 45;
 
 /// A part of the drag: its numbers, its name and its look.
 struct Part {
@@ -28,21 +26,20 @@ impl Shown<'_> {
         let values = self.values(along);
         let (unit, label) = self.axes[along].shown(values.iter().copied());
         let x: Vec<f64> = values.iter().map(|value| unit.shown(*value)).collect();
-        let curve = |numbers: Vec<f64>, label: String, stroke, colour, mark| {
+        let curve = |numbers: Vec<f64>, label: String, stroke, colour| {
             let points = x.iter().copied().zip(numbers).collect();
-            Curve { label, points, failed: Vec::new(), stroke, colour, mark }
+            Curve { label, points, failed: Vec::new(), stroke, colour, mark: None }
         };
         let mut curves = Vec::new();
         for Part { numbers, label, stroke, colour } in self.parts(&places)? {
-            curves.push(curve(numbers, label, stroke, colour, None));
+            curves.push(curve(numbers, label, stroke, colour));
         }
         for other in self.places_across(along, first) {
             let numbers = self.solved(&drag, &self.along(along, other));
-            curves.push(curve(numbers, String::new(), Stroke::Solid, Colour::Faint, None));
+            curves.push(curve(numbers, String::new(), Stroke::Solid, Colour::Faint));
         }
-        let mark = (places.len() <= MOST_MARKED).then_some(0);
         let title = Quantity::from(Column::MuDrag).title();
-        curves.push(curve(self.solved(&drag, &places), title, Stroke::Solid, Colour::Black, mark));
+        curves.push(curve(self.solved(&drag, &places), title, Stroke::Solid, Colour::Black));
         let is_linear = self.axes[along].unit == "K"
             || self.axes[along].name == AxisWords::COMBINATION
             || values.iter().any(|value| *value < 0.0);
