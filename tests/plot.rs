@@ -252,7 +252,7 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
         (&["--x", "2,1"], "the first below the second"),
         (&["--what", "pies"], "invalid value 'pies'"),
         (&["--width", "3 miles"], "a length from 0.5 to 40 inches, as in 85mm"),
-        (&["--height", "15mm"], "a picture this wide cannot be 15 mm (57 pixels) high; give a height from"),
+        (&["--height", "15mm"], "a picture this wide cannot be 15 mm (57 pixels) high; give at least"),
         (&["--width", "85mm", "--font-size", "20"], "letters of 20 points do not fit the width of the picture"),
         (&["--title", "a", "--no-title"], "cannot be used with"),
     ] {

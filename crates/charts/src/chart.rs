@@ -75,24 +75,12 @@ pub trait Drawing {
 
 /// The shapes of the chart in a picture as high as the paper, if this has a height.
 ///
-/// The height grows with the stretch almost in proportion. What little is missing when labels break otherwise stays free
-/// at the lower edge.
+/// The height grows with the stretch almost in proportion; where labels break otherwise it may jump. What little is
+/// missing then stays free at the lower edge.
 pub(crate) fn fitted(chart: &(impl Drawing + ?Sized), paper: &Paper) -> Result<Scene, ChartError> {
     let Some(height) = paper.height else { return chart.scene(paper, 1.0) };
     let wanted = (WIDTH * height / paper.width).round();
-    let (mut low, mut high) = STRETCHES;
-    let mut fitting = chart.scene(paper, low)?;
-    let mut above = chart.scene(paper, high)?.height;
-    if wanted < fitting.height || above < wanted {
-        let shown = |height: f64| height * paper.width / WIDTH;
-        let (least, most) = (shown(fitting.height).ceil(), shown(above).floor());
-        let per_millimetre = |pixels: f64| (pixels / PER_MILLIMETRE, pixels);
-        return Err(ChartError::Height {
-            found: per_millimetre(height),
-            least: per_millimetre(least),
-            most: per_millimetre(most),
-        });
-    }
+    let Around { mut low, mut fitting, mut high, mut above } = around(chart, paper, wanted)?;
     for _ in 0..MOST_ROUNDS {
         if wanted - fitting.height <= 1.0 {
             break;
@@ -107,4 +95,48 @@ pub(crate) fn fitted(chart: &(impl Drawing + ?Sized), paper: &Paper) -> Result<S
         }
     }
     Ok(Scene { height: wanted, ..fitting })
+}
+
+/// Two stretches with a height between theirs.
+struct Around {
+    /// One whose picture is no higher than wanted, and the picture.
+    low: f64,
+    fitting: Scene,
+    /// One whose picture is higher, and how high that is.
+    high: f64,
+    above: f64,
+}
+
+/// The stretches around this height that are nearest to none.
+fn around(chart: &(impl Drawing + ?Sized), paper: &Paper, wanted: f64) -> Result<Around, ChartError> {
+    const STEP: f64 = 0.75;
+    let beyond = |give, bound: f64| {
+        let shown = |height: f64| height * paper.width / WIDTH;
+        let in_both = |pixels: f64| (pixels / PER_MILLIMETRE, pixels);
+        ChartError::Height { found: in_both(shown(wanted)), give, bound: in_both(shown(bound)) }
+    };
+    let (least, most) = STRETCHES;
+    let (mut stretch, mut scene) = (1.0, chart.scene(paper, 1.0)?);
+    while scene.height > wanted {
+        let (high, above) = (stretch, scene.height);
+        stretch = f64::max(STEP * stretch, least);
+        if stretch == high {
+            return Err(beyond("at least", above));
+        }
+        scene = chart.scene(paper, stretch)?;
+        if scene.height <= wanted {
+            return Ok(Around { low: stretch, fitting: scene, high, above });
+        }
+    }
+    loop {
+        let (low, fitting) = (stretch, scene);
+        stretch = f64::min(stretch / STEP, most);
+        if stretch == low && fitting.height < wanted {
+            return Err(beyond("at most", fitting.height));
+        }
+        scene = chart.scene(paper, stretch)?;
+        if scene.height > wanted || stretch == low {
+            return Ok(Around { low, fitting, high: stretch, above: scene.height });
+        }
+    }
 }

@@ -46,7 +46,7 @@ impl Layout {
             colours: Some((colours, &chart.scale.label)),
             label_room: 8.0,
             height_over_width: stretch * if columns == 1 { 0.72 } else { 0.66 },
-            least_height: LEAST_HEIGHT.min(LEAST_HEIGHT * stretch),
+            least_height: LEAST_HEIGHT,
             bar_over_height: if chart.panels.len() <= columns { 1.0 } else { 1.6 },
         });
         Layout { panels, columns, x, y, colours, logarithmic: chart.scale.logarithmic }

@@ -44,7 +44,7 @@ impl Layout {
             colours: colours.map(|scale| (scale, map.scale.label.as_str())),
             label_room: 6.0,
             height_over_width: stretch * if columns == 1 { 0.75 } else { 0.9 },
-            least_height: LEAST_HEIGHT.min(LEAST_HEIGHT * stretch),
+            least_height: LEAST_HEIGHT,
             bar_over_height: if map.rows.len() * folds == 1 { 1.0 } else { 1.6 },
         });
         let levels = match colours {
