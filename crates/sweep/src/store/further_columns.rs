@@ -55,11 +55,15 @@ pub const AVERAGES: [Average; 2] = [
     },
 ];
 
+impl Average {
+    /// The words with what else is to be said of it.
+    pub fn long_name(&self) -> String {
+        format!("{}{}", self.words, self.rest)
+    }
+}
+
 fn averages() -> [FurtherColumn; 2] {
-    AVERAGES.map(|Average { name, words, rest, .. }| FurtherColumn {
-        name: name.to_owned(),
-        long_name: format!("{words}{rest}"),
-    })
+    AVERAGES.map(|average| FurtherColumn { name: average.name.to_owned(), long_name: average.long_name() })
 }
 
 /// [D(S) − D(−S)]/2 with S ≥ 0 and [D(S) + D(−S)]/2, in this order, from the values of both runs.
