@@ -7,8 +7,8 @@ use stribeck_charts::{Cell, ColourScale, Map, Panel};
 use stribeck_sweep::Column;
 use stribeck_sweep::store::Status;
 
-/// Most cells along an axis.
-const MOST_CELLS: usize = 60;
+/// Most cells along an axis: a page has less than 14 MB.
+const MOST_CELLS: usize = 30;
 
 impl Shown<'_> {
     /// The total friction over the last two axes at the largest f; none if no case there has it, or an axis has no map.
@@ -47,7 +47,8 @@ impl Shown<'_> {
             y,
             panels: vec![Panel { cells }],
             scale: ColourScale { label, logarithmic, range: (low < high).then_some((low, high)) },
-            contours: true,
+            // Lines among some of the cases would be other ones.
+            contours: (1..3).all(|axis| self.length(axis) <= MOST_CELLS),
         }))
     }
 }
