@@ -251,7 +251,8 @@ fn what_cannot_be_drawn_is_said_and_nothing_is_written() {
         (&["--what", "curves", "--of", "mu_v,c", "--together"], "mu_v and c have different units"),
         (&["--x", "2,1"], "the first below the second"),
         (&["--what", "pies"], "invalid value 'pies'"),
-        (&["--width", "3 miles"], "a length from 1 to 40 inches, as in 85mm"),
+        (&["--width", "3 miles"], "a length from 0.5 to 40 inches, as in 85mm"),
+        (&["--height", "15mm"], "a picture this wide cannot be 15 mm (57 pixels) high; give at least"),
         (&["--width", "85mm", "--font-size", "20"], "letters of 20 points do not fit the width of the picture"),
         (&["--title", "a", "--no-title"], "cannot be used with"),
     ] {
@@ -308,6 +309,8 @@ fn a_picture_is_as_its_user_wants_it() {
     assert!(column.contains("width=\"321.3\"") && !column.contains("A small"));
     // The subscript stands in a part of its own.
     assert!(column.contains("glass T<tspan") && column.contains(">g</tspan>"));
+    let low = svg(&["--width", "85mm", "--height", "50mm", "--font-size", "7"]);
+    assert!(low.contains("width=\"321.3\" height=\"188.9\""), "{}", &low[..200]);
     let bare = svg(&["--no-title"]);
     assert!(!bare.contains("A small") && !bare.contains("f = "), "{bare}");
 }

@@ -245,7 +245,8 @@ fn columns_are_documented_as_they_are_declared() {
     ) {
         let _ = writeln!(page, "| `{}` | {} | `output.sensitivities` |", column.name, column.long_name);
     }
-    for (name, what) in stribeck_sweep::store::AVERAGES {
+    for average in stribeck_sweep::store::AVERAGES {
+        let (name, what) = (average.name, average.long_name());
         let _ = writeln!(page, "| `{name}` | {what} | `laboratory.swap` |");
     }
     page += "\nOver quantities of the laboratory the sensitivities are those to f and to each of these.\n\n\

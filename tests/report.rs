@@ -300,11 +300,49 @@ fn a_reader_finds_in_the_page_what_was_published() {
     }
 }
 
-/// One of an experiment with two soft bodies that roll and slide, and one whose errors are large enough for bars.
+/// The picture that a page begins with stands in it, before its numbers and the drawing library: the map of a sweep over
+/// two axes, with a cell for each case, and else the friction curve. Where every case failed there is none.
+#[test]
+fn a_page_holds_its_first_picture() {
+    let line = "[axes]\nf = [10.0]\nalpha = [1.0]\nbeta = [10.0, 20.0, 40.0]\n[output]\nfields = []\n";
+    for (sweep, section, hidden, cells) in
+        [(ODD, "plane", "friction-section", 16), (line, "friction-section", "plane", 0)]
+    {
+        let directory = with_results(sweep);
+        report(directory.path());
+        let html = fs::read_to_string(directory.path().join("results/small/report.html")).unwrap();
+        let at = |words: &str| html.find(words).unwrap_or_else(|| panic!("{words}"));
+        let (own, picture) = (at(&format!("<section id=\"{section}\"")), at("<div class=\"first\""));
+        assert!(own < picture && picture < at("id=\"contents\"") && at("id=\"contents\"") < at("id=\"plotly\""));
+        assert!(!html[own..picture].contains("</section>") && !html[own..own + 90].contains(" hidden>"));
+        assert!(html[at(&format!("<section id=\"{hidden}\""))..][..90].contains(" hidden>"));
+        let first = html[picture..].split_once("</svg>").expect("an element").0;
+        assert!(first.contains("var(--ink-text, #222222)") && !first.contains("fill=\"#222222\""));
+        let crosses = first.matches("<rect").count();
+        assert!(if cells > 0 { crosses >= cells } else { first.matches("<polygon").count() >= 3 }, "{first}");
+    }
+    let failed = with_results(&line.replace("[10.0, 20.0, 40.0]", "[1e60, 1e61]"));
+    say(failed.path(), &["report", "results/small"]);
+    let html = fs::read_to_string(failed.path().join("results/small/report.html")).unwrap();
+    assert!(!html.contains("<div class=\"first\""));
+}
+
+/// In a browser it is seen before the live picture, in its place, and without any script.
 #[test]
 #[ignore = "slow: a browser draws pictures without a graphics processor"]
-fn sweeps_with_one_axis_begin_with_a_friction_curve_that_adds_up() {
-    let rolling = r#"
+fn the_first_picture_is_seen_before_the_drawing_library_starts() {
+    let directories = [ODD, ROLLING].map(with_results);
+    let mut command = file_of_python("tests/python/first_picture.py");
+    for directory in &directories {
+        report(directory.path());
+        command.arg(directory.path().join("results/small/report.html"));
+    }
+    let said = check(&command.output().unwrap());
+    assert_eq!(said.matches("first picture after").count(), directories.len(), "{said}");
+}
+
+/// An experiment with two soft bodies that roll and slide.
+const ROLLING: &str = r#"
 [flat]
 relaxed_modulus = "1.2 MPa"
 poisson_ratio = 0.5
@@ -323,6 +361,11 @@ slide_roll_ratio = 0.5
 fields = ["pressure"]
 x = { from = -2.0, to = 2.0, points = 51 }
 "#;
+
+/// One of an experiment, and one whose errors are large enough for bars.
+#[test]
+#[ignore = "slow: a browser draws pictures without a graphics processor"]
+fn sweeps_with_one_axis_begin_with_a_friction_curve_that_adds_up() {
     // Next to the same case three times, so that the error of a coarse grid is seen beside what they differ by.
     let rough = r#"
 [axes]
@@ -338,7 +381,7 @@ estimate = true
 fields = []
 "#;
     let mut command = file_of_python("tests/python/browse_friction.py");
-    let directories = [rolling, rough].map(with_results);
+    let directories = [ROLLING, rough].map(with_results);
     for directory in &directories {
         report(directory.path());
         let results = directory.path().join("results/small");

@@ -128,18 +128,24 @@ function frictionScale({ scale: choice }) {
   return scaleOf([drags, ...parts.map(shown)].flatMap((values) => [...values]), "log", unitsOf(name));
 }
 
-export function drawFriction(selection) {
+// Says what the curve is of, above the place where it is drawn; true if it can be.
+export function sayFriction({ place }) {
   show("friction-section", beginsWithFriction);
-  if (!beginsWithFriction) return;
-  const { place } = selection;
+  if (!beginsWithFriction) return false;
   const places = placesAlong(along, place);
-  const solved = places.filter((one) => !failedAt[one]);
-  showPicture("friction", solved.length > 0);
+  const isSolved = places.some((one) => !failedAt[one]);
+  showPicture("friction", isSolved);
   const all = failedAt.every((failed) => failed);
   const lack = all ? "Every case failed; the reasons are below." : "No case of this curve converged.";
-  say("friction-words", solved.length ? frictionWords(place, places) : lack);
+  say("friction-words", isSolved ? frictionWords(place, places) : lack);
+  return isSolved;
+}
+
+export function drawFriction(selection) {
   say("friction-errors", "");
-  if (!solved.length) return;
+  if (!sayFriction(selection)) return;
+  const { place } = selection;
+  const places = placesAlong(along, place);
   const scale = frictionScale(selection);
   const x = (one) => axisPlaces[along][indicesOf(one)[along]];
   const y = (one) => scale.to(column(name)[one]);

@@ -6,7 +6,7 @@ import { fillControls, listenToControls, showChoice } from "./controls.js";
 import { addCopyButtons } from "./copying.js";
 import { drawCurves } from "./curves.js";
 import { listFailures } from "./failures.js";
-import { beginsWithFriction, drawFriction } from "./friction.js";
+import { beginsWithFriction, drawFriction, sayFriction } from "./friction.js";
 import { fillHead } from "./head.js";
 import { drawMap } from "./map.js";
 import { startPlotly } from "./picture.js";
@@ -64,13 +64,14 @@ function listen() {
   });
 }
 
-// Words are on the screen before the drawing library starts.
+// Words are on the screen before the drawing library starts, and with them the picture that the page was made with.
 function begin() {
   readAddress();
   fillHead();
   fillControls();
   addCopyButtons();
   nameQuantity(selection);
+  sayFriction(selection);
   drawTableHead();
   arrangeTable();
   showWords();
@@ -80,7 +81,7 @@ function begin() {
   const drawFirst = () => {
     startPlotly();
     own();
-    performance.mark("first picture");
+    performance.mark("first live picture");
   };
   drawInTurns([() => {}, drawFirst, ...rest, inSpace]);
 }

@@ -63,6 +63,11 @@ function layout(more) {
   return made;
 }
 
+// What was painted into the page to be seen before this picture was drawn.
+function removeFirst(picture) {
+  picture.closest("figure").querySelector(".first")?.remove();
+}
+
 // For each picture drawn a function that makes the rows of the table behind it.
 const tables = new Map();
 export const tableOf = (id) => tables.get(id)();
@@ -73,7 +78,7 @@ export function draw(id, traces, more, table) {
   const picture = element(id);
   const isNew = !picture.on;
   tables.set(id, table);
-  Plotly.react(picture, traces, layout({ ...more, ...sizeOf(id) }), config);
+  Plotly.react(picture, traces, layout({ ...more, ...sizeOf(id) }), config).then(() => removeFirst(picture));
   // Later, for a picture in space tells of a click while it is being drawn.
   if (isNew) picture.on("plotly_click", (event) => setTimeout(selectPoint, 0, id, event.points[0]));
   return isNew;

@@ -9,15 +9,6 @@ export const colour = (name) => getComputedStyle(root).getPropertyValue(name).tr
 
 export const theme = () => root.dataset.theme;
 
-function storedTheme() {
-  // A page from a file may be refused a storage; it then follows the system.
-  try {
-    return sessionStorage.getItem("stribeck-theme");
-  } catch {
-    return null;
-  }
-}
-
 function setTheme(name) {
   root.dataset.theme = name;
   const other = name === "dark" ? "light" : "dark";
@@ -30,7 +21,8 @@ function setTheme(name) {
   }
 }
 
-setTheme(storedTheme() ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+// assets/early.js has chosen it.
+setTheme(theme());
 
 export const changeTheme = () => setTheme(theme() === "dark" ? "light" : "dark");
 

@@ -386,7 +386,7 @@ impl CliError {
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
             | CliError::Sensitivities
-            | CliError::Chart(ChartError::Letters { .. })
+            | CliError::Chart(ChartError::Letters { .. } | ChartError::Height { .. })
             | CliError::Tolerance { .. } => 2,
             CliError::Campaign(error) => match error {
                 CampaignError::Input(_)

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::destination::destination;
 use super::output_file::OutputFiles;
+use super::paper::PaperArguments;
 use super::{CliError, Exit, console, shell, threads};
 use crate::format::{count, duration};
+use crate::pictures::Format;
 use crate::study::{Findings, Meter, Picture, Row, Study, csv, is_picture_name, markdown, pictures, run};
 use stribeck_input::shown;
 use stribeck_solver::continuation::Interrupt;
@@ -30,9 +32,10 @@ const TABLES: [&str; 2] = ["study.csv", "study.md"];
     before_help = "\
 Examples:
   stribeck study sweeps/study-small.toml                tables and pictures in results/study-small
-  stribeck study sweeps/study-small.toml --quiet -o elsewhere/study --threads 2",
+  stribeck study sweeps/study-small.toml --quiet -o elsewhere/study --threads 2
+  stribeck study sweeps/study-small.toml --format pdf --width 85mm --font-size 8 --no-title",
     after_help = "\
-Written are study.csv (one row for each case and setting), study.md (tables) and pictures as SVG and PNG.
+Written are study.csv (one row for each case and setting), study.md (tables) and pictures.
 docs/reference/study-file.md has the keys of a study file and the columns. A case that fails is a row with its reason.
 Where run times are measured one thread is used unless --threads says otherwise: with more, times are those
 of a busy machine. Ctrl-C writes what is finished and ends with exit code 130; a study is not resumed.
@@ -47,6 +50,11 @@ pub struct Arguments {
     /// Solver threads [default: 1 where run times are measured, else all cores]
     #[arg(long, value_name = "N", value_parser = threads::parse)]
     threads: Option<NonZeroUsize>,
+    /// Formats of the pictures
+    #[arg(long, value_name = "FORMAT,…", value_delimiter = ',', value_enum, default_values_t = [Format::Svg, Format::Png])]
+    format: Vec<Format>,
+    #[command(flatten)]
+    paper: PaperArguments,
     /// Show no progress
     #[arg(short, long)]
     quiet: bool,
@@ -61,6 +69,12 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
         true => arguments.threads.unwrap_or(NonZeroUsize::MIN),
         false => threads::number(arguments.threads),
     };
+    // Before the work: whether letters fit, and maps, which are drawn without any row here.
+    let paper = arguments.paper.paper(&[]);
+    paper.check(1)?;
+    for picture in pictures(&study, &[]) {
+        picture.chart.paint(Format::Svg, &paper)?;
+    }
     let interrupt = Arc::new(Interrupt::new());
     let signals = Signals::watch(&interrupt)
         .map_err(|source| CliError::System { action: "watch for signals that stop the study", source })?;
@@ -85,14 +99,14 @@ pub fn execute(arguments: &Arguments, meter: Meter<'_>) -> Result<Exit, CliError
         let written = if done == 0 {
             format!("none of {all} rows was finished, and no table is changed in {place}")
         } else {
-            publish(&study, &findings.rows, &directory)?;
+            publish(arguments, &study, &findings.rows, &directory)?;
             format!("{done} of {all} rows are in {place}")
         };
         console::tell(&format!("interrupted{signal}: {written}; to begin again\n    {command}"));
         return Ok(Exit::Interrupted);
     }
-    let drawn = publish(&study, &findings.rows, &directory)?;
-    console::print(&summary(&study, &findings, &directory, drawn, start.elapsed().as_secs_f64()))?;
+    let drawn = publish(arguments, &study, &findings.rows, &directory)?;
+    console::print(&summary(&study, &findings, &directory, &drawn, start.elapsed().as_secs_f64()))?;
     let failed = findings.rows.iter().any(|row| row.failure.is_some());
     Ok(if failed { Exit::CasesFailed } else { Exit::Success })
 }
@@ -130,7 +144,9 @@ fn files(directory: &Path) -> Result<Vec<PathBuf>, CliError> {
 /// True for a file that a study may have drawn.
 fn is_picture(file: &Path) -> bool {
     let stem = file.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    file.extension().is_some_and(|extension| extension == "svg" || extension == "png") && is_picture_name(stem)
+    let mut formats = Format::value_variants().iter();
+    let is_known = file.extension().is_some_and(|extension| formats.any(|format| extension == format.extension()));
+    is_known && is_picture_name(stem)
 }
 
 /// Writes a file of the study. All in its directory are its own.
@@ -138,20 +154,25 @@ fn write(file: &Path, content: &[u8]) -> Result<(), CliError> {
     OutputFiles::new("study", []).check(file, |_| true)?.write(content)
 }
 
-/// Writes tables and pictures; the number of pictures.
-fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliError> {
+/// Writes tables and pictures; how many pictures, and their formats.
+fn publish(arguments: &Arguments, study: &Study, rows: &[Row], directory: &Path) -> Result<String, CliError> {
     let table = csv(study, rows).map_err(|error| CliError::System { action: "write a table", source: error.into() })?;
     write_whole(directory.join(COPY), study.text.as_bytes())?;
     write(&directory.join("study.csv"), &table)?;
-    let drawn = pictures(study, rows)?;
-    for Picture { name, svg, png } in &drawn {
-        write(&directory.join(format!("{name}.svg")), svg.as_bytes())?;
-        write(&directory.join(format!("{name}.png")), png)?;
+    let paper = arguments.paper.paper(&[]);
+    let mut drawn = pictures(study, rows);
+    let mut written = Vec::new();
+    for Picture { name, chart } in &mut drawn {
+        arguments.paper.entitle(chart);
+        for format in &arguments.format {
+            let file = directory.join(format!("{name}.{}", format.extension()));
+            write(&file, &chart.paint(*format, &paper)?)?;
+            written.push(file);
+        }
     }
     // pictures of the study before, which this one does not have
     for file in files(directory)?.iter().filter(|file| is_picture(file)) {
-        let kept = |picture: &Picture| file.file_stem().is_some_and(|stem| stem == picture.name.as_str());
-        if !drawn.iter().any(kept) {
+        if !written.contains(file) {
             fs::remove_file(file).map_err(|source| CliError::Unwritten {
                 action: "remove",
                 path: file.clone(),
@@ -160,11 +181,14 @@ fn publish(study: &Study, rows: &[Row], directory: &Path) -> Result<usize, CliEr
         }
     }
     let names: Vec<&str> = drawn.iter().map(|picture| picture.name.as_str()).collect();
-    write(&directory.join("study.md"), markdown(study, rows, &names).as_bytes())?;
-    Ok(drawn.len())
+    // A page shows no PDF.
+    let shown = arguments.format.iter().find(|format| **format != Format::Pdf).unwrap_or(&Format::Pdf);
+    write(&directory.join("study.md"), markdown(study, rows, (&names, *shown)).as_bytes())?;
+    let formats: Vec<String> = arguments.format.iter().map(|format| format.extension().to_uppercase()).collect();
+    Ok(format!("{} as {}", count(drawn.len() as u64, "picture"), formats.join(" and ")))
 }
 
-fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize, seconds: f64) -> String {
+fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: &str, seconds: f64) -> String {
     let rows = &findings.rows;
     let failed = rows.iter().filter(|row| row.failure.is_some()).count();
     let cases = count(study.cases.len() as u64, "case");
@@ -175,6 +199,5 @@ fn summary(study: &Study, findings: &Findings, directory: &Path, pictures: usize
         let failed = of.clone().filter(|row| row.failure.is_some()).count();
         text += &format!("  {method}: {} of {} converged\n", of.clone().count() - failed, of.count());
     }
-    let pictures = count(pictures as u64, "picture");
-    text + &format!("results in {}: study.md, study.csv, {pictures} as SVG and PNG\n", shown(directory))
+    text + &format!("results in {}: study.md, study.csv, {pictures}\n", shown(directory))
 }

@@ -364,7 +364,20 @@ fn reference_points(
                 let is_known = sweep.parameters(indices).is_none_or(|case| reference.holds(&case));
                 if is_known { sum(sweep.data.place(indices)) } else { f64::NAN }
             };
-            Ok(places.map(|(x, indices)| (x, value(indices))).collect())
+            let mut points: Vec<(f64, f64)> = places.map(|(x, indices)| (x, value(indices))).collect();
+            drop_lone_points(&mut points);
+            Ok(points)
+        }
+    }
+}
+
+/// Leaves out what is known between two places where it is not: it holds there by chance.
+fn drop_lone_points(points: &mut [(f64, f64)]) {
+    let known: Vec<bool> = points.iter().map(|point| !point.1.is_nan()).collect();
+    let is_known = |i: usize| known.get(i).copied().unwrap_or(false);
+    for (i, point) in points.iter_mut().enumerate().filter(|_| known.len() > 2) {
+        if !(i > 0 && is_known(i - 1)) && !is_known(i + 1) {
+            point.1 = f64::NAN;
         }
     }
 }

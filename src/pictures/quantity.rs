@@ -2,7 +2,7 @@
 
 use super::engineering::ShownUnit;
 use stribeck_lab::si_units;
-use stribeck_sweep::store::{DataSet, StoreError};
+use stribeck_sweep::store::{AVERAGES, Average, DataSet, StoreError};
 use stribeck_sweep::{Column, Field};
 
 /// A column or a field as pictures show it.
@@ -25,77 +25,30 @@ const LENGTH: &str = "a0";
 const HEIGHT: &str = "a0^2/R";
 const PRESSURE: &str = "2N/(pi a0)";
 
-/// A column in words, and its symbol.
-const fn words(column: Column) -> (&'static str, &'static str) {
-    match column {
-        Column::MuV => ("viscoelastic friction", "μᵥ"),
-        Column::MuH => ("hydrodynamic friction", "μₕ"),
-        Column::MuTot => ("total friction", "μₜₒₜ"),
-        Column::MuDrag => ("drag", "μ_{drag}"),
-        Column::MuHCavity => ("hydrodynamic friction behind the outlet", "μ_{h,cavity}"),
-        Column::C => ("film thickness where p′ = 0,", "c"),
-        Column::FilmMin => ("smallest film thickness", "uₘᵢₙ"),
-        Column::PMax => ("largest pressure", "pₘₐₓ"),
-        Column::XOutlet => ("outlet", "xₒᵤₜ"),
-        Column::ErrorMuV => ("estimated relative error of", "μᵥ"),
-        Column::ErrorMuH => ("estimated relative error of", "μₕ"),
-        Column::ErrorC => ("estimated relative error of", "c"),
-        Column::LoadResidual => ("residual of the load, |load/(π/2) − 1|", ""),
-        Column::DryMuV => ("dry friction", ""),
-        Column::ApproxMuH => ("large-β approximation of", "μₕ"),
-        Column::XPMax => ("place of the largest pressure", ""),
-        Column::Centroid => ("centroid of the pressure", ""),
-        Column::Separation => ("separation", "h₀"),
-        Column::MuHFilm => ("hydrodynamic friction in the film", "μ_{h,film}"),
-        Column::MuPressure => ("friction by pressure flow", "μ_{pressure}"),
-        Column::MuShear => ("friction by sliding shear", "μ_{shear}"),
-        Column::MuVFlat => ("viscoelastic friction of the flat", "μ_{v,flat}"),
-        Column::MuVRoller => ("viscoelastic friction of the roller", "μ_{v,roller}"),
-        Column::MuTorque => ("torque on the roller over N R", "μ_{torque}"),
-        Column::EnergyResidual => ("residual of the balance of power", ""),
-        Column::ErrorMuDrag => ("estimated relative error of", "μ_{drag}"),
-        Column::ErrorMuPressure => ("estimated relative error of", "μ_{pressure}"),
-        Column::ErrorMuShear => ("estimated relative error of", "μ_{shear}"),
-        Column::ErrorFilmMin => ("estimated relative error of", "uₘᵢₙ"),
-        Column::ErrorPMax => ("estimated relative error of", "pₘₐₓ"),
-        Column::Dissipation => ("dissipation of the pressure-driven flow", ""),
-    }
-}
-
-/// Averages over runs with swapped bodies.
-const AVERAGES: [Quantity; 2] = [
-    average("mu_sliding", "friction by sliding, of both runs", "μ_{sliding}"),
-    average("mu_rolling", "friction by rolling, of both runs", "μ_{rolling}"),
-];
-
-const fn average(name: &'static str, words: &'static str, symbol: &'static str) -> Quantity {
-    Quantity { name, words, symbol, units: FRICTION, column: None }
-}
-
 impl From<Column> for Quantity {
     fn from(column: Column) -> Self {
-        let (words, symbol) = words(column);
+        let (words, symbol) = (column.words(), column.symbol());
         Self { name: column.name(), words, symbol, units: column.units(), column: Some(column) }
     }
 }
 
 impl From<Field> for Quantity {
     fn from(field: Field) -> Self {
-        let (words, symbol) = match field {
-            Field::Pressure => ("pressure", "p"),
-            Field::FilmThickness => ("film thickness", "u"),
-            Field::Displacement => ("height of the surface", "w"),
-            Field::ShearTraction => ("shear on the roller", ""),
-            Field::HysteresisTraction => ("hysteresis", "(2/π) p w′"),
-        };
+        let (words, symbol) = (field.words(), field.symbol());
         Self { name: field.name(), words, symbol, units: field.units(), column: None }
+    }
+}
+
+impl From<Average> for Quantity {
+    fn from(Average { name, words, symbol, .. }: Average) -> Self {
+        Self { name, words, symbol, units: FRICTION, column: None }
     }
 }
 
 impl Quantity {
     /// The columns of a data set.
     pub fn all(data: &DataSet) -> impl Iterator<Item = Self> {
-        let averages = AVERAGES.into_iter().filter(|_| data.is_swapped);
+        let averages = AVERAGES.into_iter().filter(|_| data.is_swapped).map(Self::from);
         Column::ALL.into_iter().map(Self::from).chain(averages)
     }
 

@@ -7,6 +7,7 @@
 //! | `columns` | the columns of `summary.csv`, and what cases cost |
 //! | `failures` | failed places and why |
 //! | `fields` | the fields of each case, thinned |
+//! | `first_picture` | what is seen before the drawing library has started |
 //! | `measured` | measured points |
 //! | `thinning` | which places and points are shown of a large sweep |
 //! | `scaled` | where values lie in the range of their field |
@@ -23,6 +24,7 @@ mod contents;
 mod encoding;
 mod failures;
 mod fields;
+mod first_picture;
 mod measured;
 #[cfg(test)]
 #[path = "../../build/modules.rs"]
@@ -34,9 +36,13 @@ mod thinning;
 
 use contents::Contents;
 use encoding::{html, json};
+use first_picture::FirstPicture;
+use thinning::Grid;
+
+use crate::pictures::PictureError;
 
 use stribeck_lab::Measured;
-use stribeck_sweep::store::{DataSet, StoreError};
+use stribeck_sweep::store::DataSet;
 
 /// The beginning of every page. A file that begins otherwise is none of ours, and is not replaced.
 pub const BEGINNING: &str = "<!DOCTYPE html>\n<!-- made by stribeck report -->\n";
@@ -56,14 +62,26 @@ pub struct Page {
 /// Makes the page of a data set, with measured points beside it if there are some. The same data give the same bytes.
 ///
 /// # Errors
-/// [`StoreError`] if the data set cannot be read.
-pub fn page(data: &DataSet, measured: Option<&Measured>) -> Result<Page, StoreError> {
+/// [`PictureError`] if the data set cannot be read, or its first picture not be painted.
+pub fn page(data: &DataSet, measured: Option<&Measured>) -> Result<Page, PictureError> {
     let contents = Contents::of(data, measured)?;
+    let (shown, hidden) = (|element: String| (String::new(), element), (" hidden".to_owned(), String::new()));
+    let (friction, plane) = match FirstPicture::of(data, &Grid::of(data))? {
+        FirstPicture::Friction(element) => (shown(element), hidden),
+        FirstPicture::Map(element) => (hidden, shown(element)),
+        FirstPicture::None => (hidden.clone(), hidden),
+    };
     let frame = include_str!("../../assets/report/page.html");
     let script = format!("<script>\n\"use strict\";\n(() => {{\n{SCRIPT}}})();\n</script>");
     let parts = [
         ("{{title}}", html(&data.title)),
         ("{{style}}", format!("<style>\n{}</style>", include_str!("../../assets/report/page.css"))),
+        ("{{early}}", format!("<script>\n{}</script>", include_str!("../../assets/early.js"))),
+        ("{{heading}}", html(&data.title)),
+        ("{{friction-hidden}}", friction.0),
+        ("{{friction}}", friction.1),
+        ("{{plane-hidden}}", plane.0),
+        ("{{map}}", plane.1),
         ("{{sweep}}", html(&data.sweep_text)),
         ("{{contents}}", format!("<script type=\"application/json\" id=\"contents\">{}</script>", json(&contents))),
         ("{{plotly}}", plotly::element()),

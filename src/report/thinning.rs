@@ -50,7 +50,7 @@ impl Grid {
 }
 
 /// Chooses `kept` of `count` indices evenly, with both ends.
-fn evenly(count: usize, kept: usize) -> Vec<usize> {
+pub(super) fn evenly(count: usize, kept: usize) -> Vec<usize> {
     if kept >= count {
         return (0..count).collect();
     }

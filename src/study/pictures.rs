@@ -3,21 +3,18 @@
 use std::ops::Range;
 
 use super::{Row, Study, Variant};
-use stribeck_charts::{
-    Cell, Chart, ChartError, ColourScale, Map, MethodLine, Outcome, Panel, Paper, SettingPoint, WorkPrecision,
-};
+use crate::pictures::Chart;
+use stribeck_charts::{Cell, ColourScale, Map, MethodLine, Outcome, Panel, SettingPoint, WorkPrecision};
 use stribeck_solver::shortest;
 use stribeck_sweep::Axes;
 
-/// A picture in both formats.
+/// A picture of a study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Name of its files, without extension.
     pub name: String,
-    /// As SVG.
-    pub svg: String,
-    /// As PNG.
-    pub png: Vec<u8>,
+    /// What is drawn.
+    pub chart: Chart,
 }
 
 /// Symbols of the quantities of [`Errors::values`](super::Errors::values).
@@ -94,18 +91,15 @@ pub fn is_picture_name(name: &str) -> bool {
 }
 
 /// The pictures of a study: one of each error against run time, and the maps of its box, if it has one.
-///
-/// # Errors
-/// [`ChartError`] if a picture cannot be drawn.
-pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, ChartError> {
-    let (paper, mut found) = (Paper::default(), Vec::new());
+pub fn pictures(study: &Study, rows: &[Row]) -> Vec<Picture> {
+    let mut found = Vec::new();
     if study.measure.error {
         for (quantity, (name, symbol)) in super::Errors::QUANTITIES.iter().zip(SYMBOLS).enumerate() {
             let chart = work_precision(study, rows, quantity, symbol);
             if chart.lines.iter().all(|line| line.points.iter().all(|point| point.cases.is_empty())) {
                 continue;
             }
-            found.push(Picture { name: format!("error_{name}"), svg: chart.svg(&paper)?, png: chart.png(&paper)? });
+            found.push(Picture { name: format!("error_{name}"), chart: Chart::WorkPrecision(chart) });
         }
     }
     if let Some(axes) = study.axes.as_ref().filter(|_| study.measure.stability) {
@@ -113,15 +107,11 @@ pub fn pictures(study: &Study, rows: &[Row]) -> Result<Vec<Picture>, ChartError>
             for (page, variants) in (1..).zip(pages(study)) {
                 let map = map(study, axes, rows, variants, &quantity);
                 let page = if page == 1 { String::new() } else { format!("_{page}") };
-                found.push(Picture {
-                    name: format!("map_{}{page}", quantity.name),
-                    svg: map.svg(&paper)?,
-                    png: map.png(&paper)?,
-                });
+                found.push(Picture { name: format!("map_{}{page}", quantity.name), chart: Chart::Map(map) });
             }
         }
     }
-    Ok(found)
+    found
 }
 
 fn work_precision(study: &Study, rows: &[Row], quantity: usize, symbol: &str) -> WorkPrecision {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::reference::{Errors, settings};
 use super::{Reference, Row, Start, Study};
 use crate::format::count;
+use crate::pictures::Format;
 use stribeck_charts::geometric_median;
 use stribeck_solver::shortest;
 
@@ -14,8 +15,8 @@ const LISTED: usize = 5;
 /// Names of the quantities of [`Row::errors`] in a text.
 const NAMES: [&str; 4] = ["μ_v", "μ_h", "c", "u_min"];
 
-/// The tables of a study, with references to pictures by their names.
-pub fn markdown(study: &Study, rows: &[Row], pictures: &[&str]) -> String {
+/// The tables of a study, with references to pictures by their names and their format.
+pub fn markdown(study: &Study, rows: &[Row], (pictures, format): (&[&str], Format)) -> String {
     let mut text = format!("# {}\n\n", study.title);
     let mut write = |line: String| text.push_str(&(line + "\n"));
     write(introduction(study, rows));
@@ -32,7 +33,8 @@ pub fn markdown(study: &Study, rows: &[Row], pictures: &[&str]) -> String {
     if !pictures.is_empty() {
         write("## Pictures\n".to_owned());
         for name in pictures {
-            write(format!("![{name}]({name}.svg)\n"));
+            let mark = if format == Format::Pdf { "" } else { "!" };
+            write(format!("{mark}[{name}]({name}.{})\n", format.extension()));
         }
     }
     text.truncate(text.trim_end().len());

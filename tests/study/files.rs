@@ -154,6 +154,54 @@ fn bad_files_are_refused_with_place_message_and_remedy() {
     }
 }
 
+/// Mistakes of a file: what stands there and what in its place, each in a line of its own.
+const MISTAKES: [(&str, &str); 13] = [
+    ("title = \"All\"", "title = 3"),
+    ("measure = [\"error\"]", "measure = [\"eror\"]"),
+    ("repeats = 5", "repeats = 0"),
+    ("start = \"chain\"", "strat = \"chain\""),
+    ("alpha = [1.0, inf]", "alpha = [-1.0]"),
+    ("beta = 5.0", "beta = 0.0"),
+    ("f = 2.5", "f = \"much\""),
+    ("share = 0.75", "share = 1.75"),
+    ("tolerance = [1e-3, 1e-9]", "tolerence = [1e-3, 1e-9]"),
+    ("label = \"fixed\"", "label = \"\""),
+    ("panels = [8, 16]", "panels = [3, 16]"),
+    ("points = [201, 401]", "points = [200, 401]"),
+    ("acceleration = \"none\"", "acceleration = \"nones\""),
+];
+
+/// All mistakes of a file are told in one go, each at its place, and nothing else.
+#[test]
+fn all_mistakes_are_told_at_once() {
+    let good = "title = \"All\"\nmeasure = [\"error\"]\nrepeats = 5\nstart = \"chain\"\n\
+        [axes]\nf = [0.0, 10.0]\nalpha = [1.0, inf]\nbeta = [10.0]\n\
+        [[case]]\nalpha = 0.0\nbeta = 5.0\nf = 2.5\n\
+        [substrate]\nmodes = [{ share = 0.25, time = 1.0 }, { share = 0.75, time = 10.0 }]\n\
+        [[method]]\nmethod = \"collocation\"\ntolerance = [1e-3, 1e-9]\n\
+        [[method]]\nmethod = \"collocation\"\nlabel = \"fixed\"\npanels = [8, 16]\n\
+        [[method]]\nmethod = \"relaxation\"\npoints = [201, 401]\nacceleration = \"none\"\n";
+    study(good);
+    let lines = |mistakes: &[(&str, &str)]| -> (Vec<usize>, Vec<usize>) {
+        let bad = mistakes.iter().fold(good.to_owned(), |text, (good, bad)| {
+            assert_eq!(text.matches(good).count(), 1, "{good}");
+            text.replace(good, bad)
+        });
+        let error = Study::parse("bad", &bad).expect_err(&bad);
+        let stribeck_input::InputError::Invalid(invalid) = &error else { panic!("{error}") };
+        let line = |(_, mistake): &(&str, &str)| bad[..bad.find(mistake).expect("there")].matches('\n').count() + 1;
+        (invalid.mistakes().map(|mistake| mistake.line()).collect(), mistakes.iter().map(line).collect())
+    };
+    for mistake in &MISTAKES {
+        let (told, planted) = lines(&[*mistake]);
+        assert_eq!(told, planted, "{mistake:?}");
+    }
+    let (mut told, mut planted) = lines(&MISTAKES);
+    told.sort_unstable();
+    planted.sort_unstable();
+    assert_eq!(told, planted);
+}
+
 #[test]
 fn files_that_cannot_be_read_are_named() {
     let error = Study::read("no/such/study.toml").expect_err("there is none").to_string();

@@ -84,7 +84,7 @@ fn references_have_another_degree() {
              [[method]]\nmethod = \"collocation\"\ntolerance = 1e-4\ndegree = {degree}\n"
         ));
         let rows = findings(&study).rows;
-        let text = stribeck::study::markdown(&study, &rows, &[]);
+        let text = stribeck::study::markdown(&study, &rows, (&[], stribeck::pictures::Format::Svg));
         assert!(text.contains(&format!("panels of {expected}")), "{text}");
         // An error below that of the reference is not known, and smaller still.
         assert!(rows[0].failure.is_none() && rows[0].largest_error().is_none_or(|error| error <= 1e-4));

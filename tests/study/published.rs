@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
 
+use stribeck::pictures::Format;
 use stribeck::study::{csv, markdown, pictures};
 use tempfile::tempdir;
 
@@ -169,6 +170,36 @@ fn an_interrupted_study_loses_nothing() {
     assert_eq!(fs::read_to_string(table).expect("still there"), before);
 }
 
+/// Pictures take the options of `plot`; those of other formats that were there before go away.
+#[test]
+fn pictures_of_a_study_have_the_format_and_the_size_asked_for() {
+    let directory = tempdir().expect("a temporary directory");
+    fs::write(directory.path().join("two.toml"), GOOD).expect("written");
+    let drawn = |options: &[&str]| {
+        let output = say(directory.path(), &[&["study", "two.toml", "--quiet"], options].concat());
+        assert_eq!((code(&output), err(&output).as_str()), (0, ""));
+        let files = fs::read_dir(directory.path().join("results/two")).expect("listed");
+        let names = files.map(|file| file.expect("listed").file_name().into_string().expect("a name"));
+        (names.filter(|name| !name.starts_with("study")).collect::<Vec<_>>(), out(&output))
+    };
+    let (plain, _) = drawn(&[]);
+    let (pages, said) = drawn(&["--format", "pdf", "--no-title"]);
+    assert_eq!(2 * pages.len(), plain.len());
+    assert!(pages.iter().all(|name| name.ends_with(".pdf")) && said.contains("pictures as PDF"), "{pages:?} {said}");
+    let sized = ["--format", "svg", "--width", "120mm", "--height", "100mm", "--font-size", "8", "--title", "Glass"];
+    let (pictures, _) = drawn(&sized);
+    for name in &pictures {
+        let svg = fs::read_to_string(directory.path().join("results/two").join(name)).expect("there");
+        let document = roxmltree::Document::parse(&svg).expect("well-formed");
+        let size = ["width", "height"].map(|name| document.root_element().attribute(name));
+        assert_eq!(size.map(|length| length.and_then(|length| length.split('.').next())), [Some("453"), Some("377")]);
+        assert!(svg.contains("Glass") && !svg.contains("Two cases"));
+    }
+    assert_eq!(pictures.len(), pages.len());
+    let output = say(directory.path(), &["study", "two.toml", "--width", "85mm", "--font-size", "30"]);
+    assert!(code(&output) != 0 && err(&output).contains("letters of 30 points"), "{}", err(&output));
+}
+
 /// A table reads back what was found, to the last bit.
 #[test]
 fn numbers_read_back_as_they_were() {
@@ -192,7 +223,6 @@ fn numbers_read_back_as_they_were() {
 fn nothing_found_is_nothing_shown() {
     let study = study(GOOD);
     assert_eq!(csv(&study, &[]).expect("written").iter().filter(|byte| **byte == b'\n').count(), 1);
-    assert!(markdown(&study, &[], &[]).starts_with("# Two cases\n\n0 cases"));
-    let drawn = pictures(&study, &[]);
-    assert!(drawn.is_ok_and(|drawn| drawn.iter().all(|picture| picture.name.starts_with("map_"))));
+    assert!(markdown(&study, &[], (&[], Format::Svg)).starts_with("# Two cases\n\n0 cases"));
+    assert!(pictures(&study, &[]).iter().all(|picture| picture.name.starts_with("map_")));
 }

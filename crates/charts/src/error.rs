@@ -50,6 +50,19 @@ pub enum ChartError {
         /// The most that leaves room.
         most: f64,
     },
+    /// A height that leaves no room for plots, or is beyond them.
+    #[error(
+        "a picture this wide cannot be {:.0} mm ({:.0} pixels) high; give {give} {:.0} mm ({:.0} pixels), or another width",
+        found.0, found.1, bound.0, bound.1
+    )]
+    Height {
+        /// Millimetres and pixels asked for.
+        found: (f64, f64),
+        /// "at least" or "at most".
+        give: &'static str,
+        /// The least that leaves room, or the most that plots are stretched to.
+        bound: (f64, f64),
+    },
     /// The drawing library refused.
     #[error("the chart could not be painted: {0}")]
     Painting(String),

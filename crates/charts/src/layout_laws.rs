@@ -4,10 +4,10 @@ use crate::laws::laws;
 use proptest::prelude::*;
 
 use super::{
-    Cell, Colour, ColourScale, CrossSection, CrossSectionPanel, Curve, LineAxis, Lines, Map, MethodLine, Outcome,
-    Panel, Paper, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WorkPrecision,
+    Cell, ChartError, Colour, ColourScale, CrossSection, CrossSectionPanel, Curve, LineAxis, Lines, Map, MethodLine,
+    Outcome, Panel, Paper, SettingPoint, Stroke, Surface3d, Surface3dCurve, Surface3dPanel, WorkPrecision,
 };
-use crate::chart::Drawing;
+use crate::chart::{Drawing, fitted};
 use crate::paint::font;
 use crate::paint::scene::{Area, Point, Scene, Shape, Text};
 use crate::paper::WIDTH;
@@ -177,18 +177,30 @@ fn cross_section() -> impl Strategy<Value = CrossSection> {
     })
 }
 
-/// Letters over their size without options, and whether there is a heading.
-fn look() -> impl Strategy<Value = (f64, bool)> {
-    (prop_oneof![1 => Just(1.0), 1 => 0.4..1.5f64], any::<bool>())
+/// Letters and heights of plots over those without options, and whether there is a heading.
+fn look() -> impl Strategy<Value = (f64, f64, bool)> {
+    let stretch = prop_oneof![2 => Just(1.0), 1 => 0.2..4.0f64];
+    (prop_oneof![1 => Just(1.0), 1 => 0.4..1.5f64], stretch, any::<bool>())
 }
 
-/// The texts of a chart stand apart from each other, and all shapes lie inside.
-fn check(chart: &impl Drawing, (letters, heading): (f64, bool)) -> Result<(), TestCaseError> {
+/// The texts of a chart stand apart from each other, and all shapes lie inside, also on paper with a height of its own.
+fn check(chart: &impl Drawing, (letters, stretch, heading): (f64, f64, bool)) -> Result<(), TestCaseError> {
     let width = 1600.0;
     let font_size = Some(0.75 * letters * font::size(chart.side_by_side()));
-    let scene = chart.scene(&Paper { width, font_size, heading, ..Paper::default() }).unwrap();
+    let paper = Paper { width, font_size, heading, ..Paper::default() };
+    let scene = chart.scene(&paper, stretch).unwrap();
     prop_assert_eq!(collisions(&scene), vec![]);
     prop_assert_eq!(outside(&scene), vec![]);
+    let paper = Paper { height: Some(scene.height), ..paper };
+    match fitted(chart, &paper) {
+        Ok(fitted) => {
+            prop_assert_eq!(fitted.height, scene.height);
+            prop_assert_eq!((collisions(&fitted), outside(&fitted)), (vec![], vec![]));
+        }
+        // Near the ends of what plots are stretched to.
+        Err(ChartError::Height { .. }) => prop_assert!(!(0.4..=2.0).contains(&stretch)),
+        Err(error) => panic!("{error}"),
+    }
     Ok(())
 }
 

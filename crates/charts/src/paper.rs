@@ -8,6 +8,8 @@ pub(crate) const WIDTH: f64 = 1600.0;
 
 /// Pixels of a screen for a point of 1/72 inch.
 const PER_POINT: f64 = 96.0 / 72.0;
+/// Pixels of a screen for a millimetre.
+pub(crate) const PER_MILLIMETRE: f64 = 96.0 / 25.4;
 
 /// The word by which a file of this library is known, near its beginning; the [note](Paper::note) stands behind it.
 pub const MARK: &str = "stribeck-chart";
@@ -15,8 +17,10 @@ pub const MARK: &str = "stribeck-chart";
 /// The size of a picture and of its letters. The default fits a page of text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Paper {
-    /// Width of an SVG and of a page of PDF, in pixels of 1/96 inch. The height follows.
+    /// Width of an SVG and of a page of PDF, in pixels of 1/96 inch.
     pub width: f64,
+    /// Their height, in the same pixels; if none it follows from the width.
+    pub height: Option<f64>,
     /// Width of a PNG in pixels.
     pub pixels: u32,
     /// Size of letters in points at this width; if none 6 points or more when one panel is 8.5 cm wide, and several 17
@@ -30,7 +34,7 @@ pub struct Paper {
 
 impl Default for Paper {
     fn default() -> Self {
-        Self { width: 700.0, pixels: 1600, font_size: None, heading: true, note: String::new() }
+        Self { width: 700.0, height: None, pixels: 1600, font_size: None, heading: true, note: String::new() }
     }
 }
 

@@ -361,6 +361,7 @@ readings!(a A, b B, c C, d D);
 readings!(a A, b B, c C, d D, e E);
 readings!(a A, b B, c C, d D, e E, f F);
 readings!(a A, b B, c C, d D, e E, f F, g G);
+readings!(a A, b B, c C, d D, e E, f F, g G, h H);
 
 /// What all readings of a list give.
 ///

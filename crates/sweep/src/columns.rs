@@ -1,8 +1,8 @@
 //! The columns of results: every number that is stored of a case, declared once.
 //!
-//! A line of the table below gives a column its name, its unit, its place in `summary.csv`, its description, and the
-//! number itself. Stored rows, tables, `results.h5`, pictures, the page and `docs/reference/columns.md` all follow this
-//! declaration.
+//! A line of the table below gives a column its name, its words with their symbol and what else is to be said of it, its
+//! unit, its place in `summary.csv`, and the number itself. Stored rows, tables, `results.h5`, pictures, the page and
+//! `docs/reference/columns.md` all follow this declaration.
 
 use std::ops::{Index, IndexMut};
 
@@ -32,19 +32,22 @@ enum Source {
 /// What is declared of a column.
 struct Declaration {
     name: &'static str,
+    words: &'static str,
+    symbol: &'static str,
+    long_name: &'static str,
     units: &'static str,
     in_summary: bool,
-    long_name: &'static str,
     source: Source,
 }
 
 /// Makes the enum of columns from its declaration.
 macro_rules! columns {
-    ($($column:ident, $name:literal, $units:ident, $in_summary:literal, $long_name:literal, $source:expr;)*) => {
+    ($($column:ident, $name:literal, $words:literal $symbol:literal $rest:literal, $units:ident, $in_summary:literal,
+        $source:expr;)*) => {
         /// A number that is stored of each case.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Column {
-            $(#[doc = concat!("`", $name, "`: ", $long_name, ".")] $column,)*
+            $(#[doc = concat!("`", $name, "`: ", $words, $rest, ".")] $column,)*
         }
 
         impl Column {
@@ -53,9 +56,11 @@ macro_rules! columns {
 
             const DECLARATIONS: [Declaration; Self::ALL.len()] = [$(Declaration {
                 name: $name,
+                words: $words,
+                symbol: $symbol,
+                long_name: concat!($words, $rest),
                 units: $units,
                 in_summary: $in_summary,
-                long_name: $long_name,
                 source: $source,
             }),*];
         }
@@ -70,52 +75,53 @@ fn film_shear(quantities: &Quantities, slide_roll: f64) -> f64 {
 }
 
 columns! {
-    MuV, "mu_v", FRICTION, true, "viscoelastic friction coefficient", Quantity(|it, _| it.friction.viscoelastic);
-    MuH, "mu_h", FRICTION, true, "hydrodynamic friction coefficient, cavity included",
+    MuV, "mu_v", "viscoelastic friction" "μᵥ" "", FRICTION, true, Quantity(|it, _| it.friction.viscoelastic);
+    MuH, "mu_h", "hydrodynamic friction" "μₕ" ", cavity included", FRICTION, true,
         Quantity(|it, s| it.friction.hydrodynamic_at(s));
-    MuTot, "mu_tot", FRICTION, true, "total friction coefficient mu_v + mu_h", Quantity(|it, s| it.friction.total_at(s));
-    MuDrag, "mu_drag", FRICTION, true, "drag coefficient of the cylinder, by force balance",
+    MuTot, "mu_tot", "total friction" "μₜₒₜ" " mu_v + mu_h", FRICTION, true, Quantity(|it, s| it.friction.total_at(s));
+    MuDrag, "mu_drag", "drag" "μ_{drag}" " of the cylinder, by force balance", FRICTION, true,
         Quantity(|it, s| it.friction.drag_at(s));
-    MuHCavity, "mu_h_cavity", FRICTION, true, "part of mu_h behind the outlet",
+    MuHCavity, "mu_h_cavity", "hydrodynamic friction behind the outlet" "μ_{h,cavity}" "", FRICTION, true,
         Quantity(|it, s| it.friction.hydrodynamic_cavity * s);
-    C, "c", HEIGHT, true, "film thickness where the pressure gradient is zero", Quantity(|it, _| it.c);
-    FilmMin, "film_min", HEIGHT, true, "smallest film thickness", Quantity(|it, _| it.film_min);
-    PMax, "p_max", PRESSURE, true, "largest pressure", Quantity(|it, _| it.p_max);
-    XOutlet, "x_outlet", LENGTH, true, "outlet, where the film cavitates", Quantity(|it, _| it.x_outlet);
-    ErrorMuV, "error_mu_v", NUMBER, true, "estimated relative error of mu_v", Error(|it| it.mu_v);
-    ErrorMuH, "error_mu_h", NUMBER, true, "estimated relative error of mu_h", Error(|it| it.mu_h);
-    ErrorC, "error_c", NUMBER, true, "estimated relative error of c", Error(|it| it.c);
-    LoadResidual, "load_residual", NUMBER, true, "relative residual of the load balance",
+    C, "c", "film thickness at zero pressure gradient" "c" "", HEIGHT, true, Quantity(|it, _| it.c);
+    FilmMin, "film_min", "smallest film thickness" "uₘᵢₙ" "", HEIGHT, true, Quantity(|it, _| it.film_min);
+    PMax, "p_max", "largest pressure" "pₘₐₓ" "", PRESSURE, true, Quantity(|it, _| it.p_max);
+    XOutlet, "x_outlet", "outlet" "xₒᵤₜ" ", where the film cavitates", LENGTH, true, Quantity(|it, _| it.x_outlet);
+    ErrorMuV, "error_mu_v", "estimated relative error of" "μᵥ" " mu_v", NUMBER, true, Error(|it| it.mu_v);
+    ErrorMuH, "error_mu_h", "estimated relative error of" "μₕ" " mu_h", NUMBER, true, Error(|it| it.mu_h);
+    ErrorC, "error_c", "estimated relative error of" "c" " c", NUMBER, true, Error(|it| it.c);
+    LoadResidual, "load_residual", "relative residual of the load balance" "" "", NUMBER, true,
         Quantity(|it, _| it.load_residual);
-    DryMuV, "dry_mu_v", FRICTION, true, "friction coefficient of dry sliding, the limit of mu_v for large beta",
-        Limit(|it| it.dry_mu_v);
-    ApproxMuH, "approx_mu_h", FRICTION, true, "hydrodynamic friction coefficient of the large-beta approximation",
-        Limit(|it| it.approx_mu_h);
-    XPMax, "x_p_max", LENGTH, false, "position of the largest pressure", Quantity(|it, _| it.x_p_max);
-    Centroid, "centroid", LENGTH, false, "load-weighted centroid of the pressure", Quantity(|it, _| it.centroid);
-    Separation, "separation", HEIGHT, false, "separation h0 that goes with the displacement",
+    DryMuV, "dry_mu_v", "dry friction" "" ", the limit of mu_v for large beta", FRICTION, true, Limit(|it| it.dry_mu_v);
+    ApproxMuH, "approx_mu_h", "large-beta approximation of" "μₕ" " mu_h", FRICTION, true, Limit(|it| it.approx_mu_h);
+    XPMax, "x_p_max", "position of the largest pressure" "" "", LENGTH, false, Quantity(|it, _| it.x_p_max);
+    Centroid, "centroid", "centroid of the pressure" "" "", LENGTH, false, Quantity(|it, _| it.centroid);
+    Separation, "separation", "separation" "h₀" " h0 that goes with the displacement", HEIGHT, false,
         Quantity(|it, _| it.separation);
-    MuHFilm, "mu_h_film", FRICTION, false, "part of mu_h in the pressurised film", Quantity(film_shear);
-    MuPressure, "mu_pressure", FRICTION, true, "part of mu_h by the pressure gradient",
+    MuHFilm, "mu_h_film", "hydrodynamic friction in the film" "μ_{h,film}" "", FRICTION, false, Quantity(film_shear);
+    MuPressure, "mu_pressure", "friction by pressure flow" "μ_{pressure}" ", a part of mu_h", FRICTION, true,
         Quantity(|it, _| it.friction.pressure);
-    MuShear, "mu_shear", FRICTION, true, "part of mu_h by the difference of the speeds, for pure sliding",
+    MuShear, "mu_shear", "friction by sliding shear" "μ_{shear}" ", a part of mu_h, for pure sliding", FRICTION, true,
         Quantity(|it, _| it.friction.shear());
-    MuVFlat, "mu_v_flat", FRICTION, true, "viscoelastic friction coefficient of the flat",
+    MuVFlat, "mu_v_flat", "viscoelastic friction of the flat" "μ_{v,flat}" "", FRICTION, true,
         Quantity(|it, _| it.friction.viscoelastic_flat());
-    MuVRoller, "mu_v_roller", FRICTION, true, "viscoelastic friction coefficient of the roller",
+    MuVRoller, "mu_v_roller", "viscoelastic friction of the roller" "μ_{v,roller}" "", FRICTION, true,
         Quantity(|it, _| it.friction.viscoelastic_roller);
-    MuTorque, "mu_torque", FRICTION, true, "torque on the roller about its axis, over load and radius",
+    MuTorque, "mu_torque", "torque on the roller over N R" "μ_{torque}" ", load times radius", FRICTION, true,
         Quantity(|it, s| it.friction.torque_at(s));
-    EnergyResidual, "energy_residual", NUMBER, true, "residual of the balance of power over the power dissipated",
+    EnergyResidual, "energy_residual", "residual of the balance of power" "" " over the power dissipated", NUMBER, true,
         Quantity(Quantities::energy_residual);
-    ErrorMuDrag, "error_mu_drag", NUMBER, true, "estimated relative error of mu_drag", Error(|it| it.drag);
-    ErrorMuPressure, "error_mu_pressure", NUMBER, false, "estimated relative error of mu_pressure",
+    ErrorMuDrag, "error_mu_drag", "estimated relative error of" "μ_{drag}" " mu_drag", NUMBER, true,
+        Error(|it| it.drag);
+    ErrorMuPressure, "error_mu_pressure", "estimated relative error of" "μ_{pressure}" " mu_pressure", NUMBER, false,
         Error(|it| it.pressure);
-    ErrorMuShear, "error_mu_shear", NUMBER, false, "estimated relative error of mu_shear", Error(|it| it.shear);
-    Dissipation, "dissipation", FRICTION, false, "power that the pressure-driven flow dissipates, over load and speed",
+    ErrorMuShear, "error_mu_shear", "estimated relative error of" "μ_{shear}" " mu_shear", NUMBER, false,
+        Error(|it| it.shear);
+    Dissipation, "dissipation", "dissipation of the pressure-driven flow" "" ", a power over load and speed", FRICTION, false,
         Quantity(|it, _| it.dissipation);
-    ErrorFilmMin, "error_film_min", NUMBER, false, "estimated relative error of film_min", Error(|it| it.film_min);
-    ErrorPMax, "error_p_max", NUMBER, false, "estimated relative error of p_max", Error(|it| it.p_max);
+    ErrorFilmMin, "error_film_min", "estimated relative error of" "uₘᵢₙ" " film_min", NUMBER, false,
+        Error(|it| it.film_min);
+    ErrorPMax, "error_p_max", "estimated relative error of" "pₘₐₓ" " p_max", NUMBER, false, Error(|it| it.p_max);
 }
 
 impl Column {
@@ -133,7 +139,18 @@ impl Column {
         self.declaration().units
     }
 
-    /// What the number is, in words.
+    /// What the number is called; behind it stands its [symbol](Self::symbol).
+    pub const fn words(self) -> &'static str {
+        self.declaration().words
+    }
+
+    /// The symbol of the number, of an estimated error that of its column; empty where words do. Subscripts that Unicode
+    /// lacks stand in `_{…}`.
+    pub const fn symbol(self) -> &'static str {
+        self.declaration().symbol
+    }
+
+    /// The words with what else is to be said of the number, in ASCII.
     pub const fn long_name(self) -> &'static str {
         self.declaration().long_name
     }
@@ -403,6 +420,17 @@ mod tests {
         });
         for column in others {
             assert_eq!(rolling[column], sliding[column], "{}", column.name());
+        }
+    }
+
+    /// What results say of a number begins with what pictures call it, and any terminal can write it.
+    #[test]
+    fn a_number_has_one_name_everywhere() {
+        for column in Column::ALL {
+            assert!(column.long_name().is_ascii() && column.long_name().starts_with(column.words()), "{column:?}");
+        }
+        for field in crate::Field::ALL {
+            assert!(field.long_name().is_ascii() && field.long_name().starts_with(field.words()), "{field:?}");
         }
     }
 

@@ -47,14 +47,36 @@ impl Field {
         }
     }
 
-    /// What the field is, in words.
+    /// What the field is called; behind it stands its [symbol](Self::symbol).
+    pub const fn words(self) -> &'static str {
+        self.declared().0
+    }
+
+    /// The symbol of the field; empty where words do.
+    pub const fn symbol(self) -> &'static str {
+        self.declared().1
+    }
+
+    /// The words with what else is to be said of the field, in ASCII.
     pub const fn long_name(self) -> &'static str {
+        self.declared().2
+    }
+
+    /// Words, symbol and long name.
+    const fn declared(self) -> (&'static str, &'static str, &'static str) {
+        macro_rules! declared {
+            ($words:literal $symbol:literal $rest:literal) => {
+                ($words, $symbol, concat!($words, $rest))
+            };
+        }
         match self {
-            Self::Pressure => "pressure in the film",
-            Self::FilmThickness => "film thickness",
-            Self::Displacement => "normal displacement of the surface",
-            Self::ShearTraction => "shear on the surface of the roller; its integral over x is mu_h",
-            Self::HysteresisTraction => "pressure times slope of the displacement; its integral over x is mu_v",
+            Self::Pressure => declared!("pressure" "p" " in the film"),
+            Self::FilmThickness => declared!("film thickness" "u" ""),
+            Self::Displacement => declared!("displacement of the surface" "w" ", normal to it"),
+            Self::ShearTraction => declared!("shear on the roller" "" "; its integral over x is mu_h"),
+            Self::HysteresisTraction => {
+                declared!("hysteresis" "(2/π) p w′" ", pressure times slope of the displacement; its integral over x is mu_v")
+            }
         }
     }
 

@@ -52,7 +52,7 @@ pub use grid_index::{GridIndex, GridShape};
 pub use notes::{Note, NoteCounts};
 pub use plan::{Chain, Fingerprint, MAX_CHAIN, NotAPart, Part, Plan, Recipe, SolverRecipe};
 pub use sweep_file::{
-    Method, RangeAxis, SolverSettings, SurfaceSweep, Sweep, read_axes, read_error, read_points, read_substrate,
-    read_title, schema, section_schema,
+    Keys, Method, RangeAxis, SolverSettings, Spelt, SurfaceSweep, Sweep, read_axes, read_error, read_points,
+    read_substrate, read_title, schema, section_keys, section_schema,
 };
 pub use unit::Unit;

@@ -16,6 +16,8 @@ use crate::paper::Paper;
 
 /// Most panels side by side.
 pub(crate) const MOST_COLUMNS: usize = 2;
+/// Least height of a panel over the size of the font.
+const LEAST_HEIGHT: f64 = 8.0;
 
 /// What all panels share.
 struct Layout {
@@ -28,7 +30,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(chart: &CrossSection, paper: &Paper) -> Self {
+    fn new(chart: &CrossSection, paper: &Paper, stretch: f64) -> Self {
         let columns = chart.panels.len().min(MOST_COLUMNS);
         let values: Vec<f64> = chart.panels.iter().flat_map(|panel| &panel.values).copied().collect();
         let colours = ColourRange::of(&values, chart.scale.logarithmic, chart.scale.range)
@@ -43,8 +45,8 @@ impl Layout {
             y_name: &chart.y_label,
             colours: Some((colours, &chart.scale.label)),
             label_room: 8.0,
-            height_over_width: if columns == 1 { 0.72 } else { 0.66 },
-            least_height: 8.0,
+            height_over_width: stretch * if columns == 1 { 0.72 } else { 0.66 },
+            least_height: LEAST_HEIGHT,
             bar_over_height: if chart.panels.len() <= columns { 1.0 } else { 1.6 },
         });
         Layout { panels, columns, x, y, colours, logarithmic: chart.scale.logarithmic }
@@ -57,9 +59,9 @@ impl Layout {
 }
 
 /// Draws the chart, which has been checked.
-pub(crate) fn draw(chart: &CrossSection, paper: &Paper) -> Scene {
+pub(crate) fn draw(chart: &CrossSection, paper: &Paper, stretch: f64) -> Scene {
     let mut scene = Scene::default();
-    let layout = Layout::new(chart, paper);
+    let layout = Layout::new(chart, paper, stretch);
     let panels = &layout.panels;
     let style = panels.style;
     let top = style.heading(&mut scene, &chart.title, &chart.subtitle);

@@ -53,9 +53,9 @@ pub struct CrossSectionPanel {
 }
 
 impl Drawing for CrossSection {
-    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper, stretch: f64) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self, paper))
+        Ok(layout::draw(self, paper, stretch))
     }
 
     fn side_by_side(&self) -> usize {

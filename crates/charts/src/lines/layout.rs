@@ -6,16 +6,20 @@ use crate::axes::scaled_axis::ScaledAxis;
 use crate::axes::ticks::Ticks;
 use crate::frame::legend::{Entry, Swatch};
 use crate::frame::{self, MARGIN, RIGHT, Side, Style};
+use crate::geometry::polygon;
 use crate::geometry::polyline::{self, clipped, dashes};
 use crate::paint::marker::{self, Form};
-use crate::paint::palette::{self, FAILED_CROSS, FRAME, Ink, TEXT};
-use crate::paint::scene::{Area, Point, Scene};
+use crate::paint::palette::{self, FAILED_CROSS, FRAME, Ink, QUIET_TEXT, TEXT, faded};
+use crate::paint::scene::{Area, Point, Scene, Shape};
 use crate::paper::Paper;
 
-/// Height of the plot.
+/// Height of the plot by default.
 const HEIGHT: f64 = 960.0;
-/// Width of a curve.
+/// Width of a curve, and of a faint one.
 const STROKE: f64 = 5.0;
+const FAINT_STROKE: f64 = 2.0;
+/// Opacity of the shade of a band.
+const SHADE: f64 = 0.4;
 /// Radius of a marker.
 const MARKER: f64 = 9.0;
 /// All points of a curve are marked if they are at most this many, else about half as many of them.
@@ -34,16 +38,16 @@ struct Layout {
 }
 
 impl Layout {
-    /// The largest plot below `top` that leaves room for its labels.
-    fn new(chart: &Lines, style: Style, top: f64) -> Self {
+    /// The widest plot of this height below `top` that leaves room for its labels.
+    fn new(chart: &Lines, style: Style, top: f64, height: f64) -> Self {
         let (x, y) = axes(chart);
         let em = style.em;
-        let y_ticks = y.ticks(HEIGHT, em, true);
-        let left = style.plot_left(&chart.y.label, HEIGHT, y_ticks.widest(em));
+        let y_ticks = y.ticks(height, em, true);
+        let left = style.plot_left(&chart.y.label, height, y_ticks.widest(em));
         let x_ticks = x.ticks(RIGHT - left, em, false);
         // Half of the last label of the horizontal axis may stand out to the right.
         let (_, out) = frame::overhang(&x, &x_ticks, RIGHT - left, em);
-        let plot = Area { left, top, right: RIGHT - out.max(0.3 * em), bottom: top + HEIGHT };
+        let plot = Area { left, top, right: RIGHT - out.max(0.3 * em), bottom: top + height };
         Layout { style, plot, x, y, x_ticks, y_ticks }
     }
 
@@ -74,11 +78,11 @@ fn axes(chart: &Lines) -> (ScaledAxis, ScaledAxis) {
 }
 
 /// Draws the chart, which has been checked and has something to show.
-pub(crate) fn draw(chart: &Lines, paper: &Paper) -> Scene {
+pub(crate) fn draw(chart: &Lines, paper: &Paper, stretch: f64) -> Scene {
     let mut scene = Scene::default();
     let style = Style::plot(paper);
     let top = style.heading(&mut scene, &chart.title, &chart.subtitle);
-    let layout = Layout::new(chart, style, top);
+    let layout = Layout::new(chart, style, top, stretch * HEIGHT);
     let plot = layout.plot;
     let x = Side { ticks: &layout.x_ticks, at: &|value| layout.x(value) };
     let y = Side { ticks: &layout.y_ticks, at: &|value| layout.y(value) };
@@ -88,6 +92,10 @@ pub(crate) fn draw(chart: &Lines, paper: &Paper) -> Scene {
     for border in [from, to].into_iter().filter(|share| (0.0 < *share) && (*share < 1.0)) {
         let x = plot.left + plot.width() * border;
         scene.line((x, plot.top), (x, plot.bottom), 2.0, FRAME);
+    }
+    let mut below = None;
+    for curve in chart.curves.iter().filter(|curve| curve.stroke == Stroke::Band) {
+        draw_shade(&mut scene, &layout, chart, curve, below.replace(curve));
     }
     for curve in &chart.curves {
         draw_line(&mut scene, &layout, chart, curve);
@@ -109,13 +117,14 @@ fn ink(colour: Colour) -> Ink {
         Colour::Kind(index) => palette::line_colour(index),
         Colour::Family(share) => palette::family_colour(share),
         Colour::Black => TEXT,
+        Colour::Faint => QUIET_TEXT,
     }
 }
 
 /// Lengths of dash and gap.
 fn pattern(stroke: Stroke) -> Option<(f64, f64)> {
     match stroke {
-        Stroke::Solid | Stroke::Points => None,
+        Stroke::Solid | Stroke::Points | Stroke::Band => None,
         Stroke::Dashed => Some((22.0, 13.0)),
         Stroke::Dotted => Some((5.0, 9.0)),
     }
@@ -126,9 +135,25 @@ fn is_joined(chart: &Lines, layout: &Layout, point: &Point) -> bool {
     chart.has_place(*point) && !layout.x.is_special(point.0)
 }
 
+/// Draws what lies between a band and the one below, or zero.
+fn draw_shade(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve, below: Option<&Curve>) {
+    let floor = |i: usize| below.map_or((curve.points[i].0, 0.0), |below| below.points[i]);
+    let joined = |i: &usize| is_joined(chart, layout, &curve.points[*i]) && is_joined(chart, layout, &floor(*i));
+    let all: Vec<usize> = (0..below.map_or(usize::MAX, |below| below.points.len()).min(curve.points.len())).collect();
+    for run in all.split(|i| !joined(i)) {
+        let upper = run.iter().map(|i| layout.at(curve.points[*i]));
+        let corners: Vec<Point> = upper.chain(run.iter().rev().map(|i| layout.at(floor(*i)))).collect();
+        let corners = polygon::clipped(&corners, &layout.plot);
+        if !corners.is_empty() {
+            scene.shapes.push(Shape::Polygon { corners, ink: faded(ink(curve.colour), SHADE) });
+        }
+    }
+}
+
 /// Draws the line of a curve, and the points that are joined to no other one.
 fn draw_line(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
     let (ink, plot) = (ink(curve.colour), layout.plot);
+    let width = if curve.colour == Colour::Faint { FAINT_STROKE } else { STROKE };
     let runs = curve.points.split(|point| !is_joined(chart, layout, point));
     let runs: Vec<Vec<Point>> = runs.map(|run| run.iter().map(|point| layout.at(*point)).collect()).collect();
     let length: f64 = runs.iter().flat_map(|places| clipped(places, &plot)).map(|piece| polyline::length(&piece)).sum();
@@ -136,9 +161,9 @@ fn draw_line(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve) {
     for places in runs {
         for piece in clipped(&places, &plot).into_iter().filter(|_| curve.stroke != Stroke::Points) {
             match pattern(curve.stroke).filter(has_room) {
-                None => scene.path(piece, STROKE, ink),
+                None => scene.path(piece, width, ink),
                 Some((dash, gap)) => {
-                    dashes(&piece, dash, gap).into_iter().for_each(|dash| scene.path(dash, STROKE, ink));
+                    dashes(&piece, dash, gap).into_iter().for_each(|dash| scene.path(dash, width, ink));
                 }
             }
         }
@@ -160,7 +185,7 @@ fn draw_markers(scene: &mut Scene, layout: &Layout, chart: &Lines, curve: &Curve
     let inside = |at: &Point| plot.grown(1e-6).contains(&Area::about(*at, 0.0));
     let special = curve.points.iter().filter(|point| chart.has_place(**point) && layout.x.is_special(point.0));
     for (x, y) in special.map(|point| layout.at(*point)).filter(inside) {
-        if matches!(curve.stroke, Stroke::Solid | Stroke::Points) {
+        if matches!(curve.stroke, Stroke::Solid | Stroke::Points | Stroke::Band) {
             marker::rimmed(scene, form, (x, y), MARKER, ink);
         } else {
             scene.line((x - 2.0 * MARKER, y), (x + 2.0 * MARKER, y), STROKE, ink);

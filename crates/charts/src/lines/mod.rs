@@ -66,6 +66,9 @@ pub enum Stroke {
     Dotted,
     /// Markers alone, for what was measured.
     Points,
+    /// A firm line above a shade that reaches down to the band before it, or to zero: one of several parts of a sum.
+    /// The points of all bands of a chart have the same places across.
+    Band,
 }
 
 /// The colour of a curve.
@@ -77,12 +80,14 @@ pub enum Colour {
     Family(f64),
     /// Black.
     Black,
+    /// Grey, for what stands behind the others.
+    Faint,
 }
 
 impl Drawing for Lines {
-    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper, stretch: f64) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self, paper))
+        Ok(layout::draw(self, paper, stretch))
     }
 }
 

@@ -13,6 +13,8 @@ use crate::paper::Paper;
 
 /// More columns than this are folded into several lines of panels.
 const MOST_COLUMNS: usize = 4;
+/// Least height of a panel over the size of the font.
+const LEAST_HEIGHT: f64 = 9.0;
 
 /// What all panels share.
 struct Layout {
@@ -28,7 +30,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn new(map: &Map, paper: &Paper) -> Self {
+    fn new(map: &Map, paper: &Paper, stretch: f64) -> Self {
         let folds = map.columns.len().div_ceil(MOST_COLUMNS);
         let columns = columns(map);
         let values: Vec<f64> = map.values().collect();
@@ -41,8 +43,8 @@ impl Layout {
             y_name: &map.y_label,
             colours: colours.map(|scale| (scale, map.scale.label.as_str())),
             label_room: 6.0,
-            height_over_width: if columns == 1 { 0.75 } else { 0.9 },
-            least_height: 9.0,
+            height_over_width: stretch * if columns == 1 { 0.75 } else { 0.9 },
+            least_height: LEAST_HEIGHT,
             bar_over_height: if map.rows.len() * folds == 1 { 1.0 } else { 1.6 },
         });
         let levels = match colours {
@@ -60,9 +62,9 @@ pub(crate) fn columns(map: &Map) -> usize {
 }
 
 /// Draws the chart, which has been checked.
-pub(crate) fn draw(map: &Map, paper: &Paper) -> Scene {
+pub(crate) fn draw(map: &Map, paper: &Paper, stretch: f64) -> Scene {
     let mut scene = Scene::default();
-    let layout = Layout::new(map, paper);
+    let layout = Layout::new(map, paper, stretch);
     let panels = &layout.panels;
     let style = panels.style;
     let top = style.heading(&mut scene, &map.title, &map.subtitle);

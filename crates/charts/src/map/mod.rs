@@ -77,9 +77,9 @@ pub struct ColourScale {
 }
 
 impl Drawing for Map {
-    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper, stretch: f64) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self, paper))
+        Ok(layout::draw(self, paper, stretch))
     }
 
     fn side_by_side(&self) -> usize {

@@ -29,6 +29,15 @@ pub(crate) const SOLVED: Ink = RGBAColor(120, 190, 220, 1.0);
 /// Cells whose quantity does not exist.
 pub(crate) const UNKNOWN: Ink = RGBAColor(208, 208, 208, 1.0);
 
+/// The name of a colour that a page may replace by its own, as its letters and lines are light on dark paper.
+pub(crate) fn name(ink: Ink) -> Option<String> {
+    let is = |other: &Ink| (ink.0, ink.1, ink.2) == (other.0, other.1, other.2);
+    const NAMED: [(Ink, &str); 5] =
+        [(TEXT, "text"), (QUIET_TEXT, "quiet-text"), (FRAME, "frame"), (GRID, "grid"), (PAPER, "paper")];
+    let named = NAMED.iter().find(|(other, _)| is(other)).map(|(_, name)| (*name).to_owned());
+    named.or_else(|| (0..7).find(|index| is(&line_colour(*index))).map(|index| format!("line-{index}")))
+}
+
 /// The colour of line `index`: four of Okabe and Ito's, and three darker ones in place of those too light for white.
 pub(crate) fn line_colour(index: usize) -> Ink {
     const COLOURS: [Ink; 7] = [

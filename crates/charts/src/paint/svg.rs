@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::paint::font::{FAMILY, runs};
-use crate::paint::palette::{Ink, PAPER};
+use crate::paint::palette::{self, Ink, PAPER};
 use crate::paint::scene::{Anchor, Point, Scene, Shape, Text};
 use crate::paper::{Paper, WIDTH};
 
@@ -18,15 +18,30 @@ pub(crate) fn svg(scene: &Scene, paper: &Paper) -> String {
         paper.mark(),
         number(paper.width),
         number(paper.width * height / WIDTH),
-        filled(PAPER),
+        filled(PAPER, fixed),
     );
     for shape in &scene.shapes {
-        push(&mut text, shape).expect("memory takes text");
+        push(&mut text, shape, fixed).expect("memory takes text");
     }
     text + "</svg>\n"
 }
 
-fn push(text: &mut String, shape: &Shape) -> std::fmt::Result {
+/// The scene as an element of a page, which gives it its size, and its colours where it has others.
+pub(crate) fn svg_in_page(scene: &Scene) -> String {
+    let mut text = format!(
+        "<svg viewBox=\"0 0 {WIDTH} {}\" font-family=\"{FAMILY}\" stroke-linejoin=\"round\">\n",
+        scene.height.ceil()
+    );
+    for shape in &scene.shapes {
+        push(&mut text, shape, of_page).expect("memory takes text");
+    }
+    text + "</svg>\n"
+}
+
+/// How a colour is written.
+type Colours = fn(Ink) -> String;
+
+fn push(text: &mut String, shape: &Shape, colours: Colours) -> std::fmt::Result {
     match shape {
         Shape::Rectangle { area, ink } => {
             // Whole pixels, so that neighbours touch.
@@ -34,26 +49,26 @@ fn push(text: &mut String, shape: &Shape) -> std::fmt::Result {
                 [area.left, area.top, area.right, area.bottom].map(|place| place.round().clamp(-FAR, FAR));
             let (width, height) = (right - left, bottom - top);
             let place = format!("x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\"");
-            writeln!(text, "<rect {place} {}/>", filled(*ink))
+            writeln!(text, "<rect {place} {}/>", filled(*ink, colours))
         }
         Shape::Path { points, width, ink } => {
             let stroke =
-                format!("opacity=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", ink.3, colour(*ink), number(*width));
+                format!("opacity=\"{}\" stroke=\"{}\" stroke-width=\"{}\"", ink.3, colours(*ink), number(*width));
             writeln!(text, "<polyline fill=\"none\" {stroke} points=\"{}\"/>", places(points))
         }
         Shape::Polygon { corners, ink } => {
-            writeln!(text, "<polygon {} points=\"{}\"/>", filled(*ink), places(corners))
+            writeln!(text, "<polygon {} points=\"{}\"/>", filled(*ink, colours), places(corners))
         }
         Shape::Disc { centre, radius, ink } => {
             let [x, y, radius] = [centre.0, centre.1, *radius].map(number);
-            writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {}/>", filled(*ink))
+            writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {}/>", filled(*ink, colours))
         }
-        Shape::Text(words) => push_text(text, words),
+        Shape::Text(words) => push_text(text, words, colours),
     }
 }
 
 /// A line of text, its subscripts in spans of their own.
-fn push_text(text: &mut String, words: &Text) -> std::fmt::Result {
+fn push_text(text: &mut String, words: &Text, colours: Colours) -> std::fmt::Result {
     let anchor = match words.anchor {
         Anchor::Start => "start",
         Anchor::Middle => "middle",
@@ -65,7 +80,7 @@ fn push_text(text: &mut String, words: &Text) -> std::fmt::Result {
     write!(
         text,
         "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" font-size=\"{size}\" {}{turn}>",
-        filled(words.ink)
+        filled(words.ink, colours)
     )?;
     let mut drop = 0.0;
     for run in runs(&words.words) {
@@ -95,12 +110,17 @@ fn places(points: &[Point]) -> String {
     points.iter().map(|(x, y)| format!("{},{}", number(*x), number(*y))).collect::<Vec<_>>().join(" ")
 }
 
-fn colour(ink: Ink) -> String {
+fn fixed(ink: Ink) -> String {
     format!("#{:02X}{:02X}{:02X}", ink.0, ink.1, ink.2)
 }
 
-fn filled(ink: Ink) -> String {
-    format!("opacity=\"{}\" fill=\"{}\"", ink.3, colour(ink))
+/// The colour that a page gives to the name of this one, or this one.
+fn of_page(ink: Ink) -> String {
+    palette::name(ink).map_or_else(|| fixed(ink), |name| format!("var(--ink-{name}, {})", fixed(ink)))
+}
+
+fn filled(ink: Ink, colours: Colours) -> String {
+    format!("opacity=\"{}\" fill=\"{}\"", ink.3, colours(ink))
 }
 
 fn escaped(words: &str) -> String {

@@ -17,6 +17,8 @@ pub(crate) struct Axes {
     pub(crate) z: ColourRange,
     /// Size of the font.
     pub(crate) em: f64,
+    /// How much higher boxes are than they are seen.
+    pub(crate) stretch: f64,
 }
 
 /// The ticks that fit a box.
@@ -35,7 +37,7 @@ const TITLE: f64 = 1.1;
 impl Axes {
     /// The ticks in a box of this width.
     pub(crate) fn ticks(&self, width: f64) -> BoxTicks {
-        let (em, space) = (self.em, Space::new((0.0, 0.0), width));
+        let (em, space) = (self.em, Space::new((0.0, 0.0), width, self.stretch));
         let x_extent = |tick: &Tick| {
             let (middle, half) = (space.at((self.x.share(tick.value), 0.0, 0.0)).0, 0.5 * font::width(&tick.label, em));
             (middle - half, middle + half)

@@ -42,17 +42,17 @@ impl Layout {
     /// The height of a box follows from its width, and the room that labels take follows from both, so the width is
     /// found in rounds, which start with a guess of that room. It grows from round to round until the labels of the
     /// width that is left fit it.
-    fn new(chart: &Surface3d, paper: &Paper) -> Self {
+    fn new(chart: &Surface3d, paper: &Paper, stretch: f64) -> Self {
         let count = chart.panels.len() as f64;
         let style = Style { below_all: 0.5, ..Style::panels(chart.panels.len(), paper) };
         let em = style.em;
         let ends = |values: &[f64]| LogAxis::between(values[0], values[values.len() - 1]);
-        let axes = Axes { x: ends(&chart.x), y: ends(&chart.y), z: range(chart), em };
+        let axes = Axes { x: ends(&chart.x), y: ends(&chart.y), z: range(chart), em, stretch };
         let mut width = (RIGHT - MARGIN - 8.0 * em) / count;
         let (mut left, mut gap, mut beside, mut bar) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
         let (mut name_room, mut bar_length) = (0.0, 0.0);
         for _ in 0..MOST_ROUNDS {
-            let (before, height) = ((left, gap, beside, bar), Space::height(width));
+            let (before, height) = ((left, gap, beside, bar), Space::height(width, stretch));
             (name_room, bar_length) = (height.max(8.0 * em), (0.9 * height).max(8.0 * em));
             let (of_heights, of_x, of_y) = axes.overhang(&axes.ticks(width));
             let names = axes.height_name_width(name_room, &chart.z_label) + 0.3 * em;
@@ -76,14 +76,15 @@ impl Layout {
 }
 
 /// Draws the chart, which has been checked and has a height to show.
-pub(crate) fn draw(chart: &Surface3d, paper: &Paper) -> Scene {
+pub(crate) fn draw(chart: &Surface3d, paper: &Paper, stretch: f64) -> Scene {
     let mut scene = Scene::default();
-    let layout = Layout::new(chart, paper);
+    let layout = Layout::new(chart, paper, stretch);
     let (em, width, bar_length) = (layout.style.em, layout.width, layout.bar_length);
+    let box_height = Space::height(width, stretch);
     let top = layout.style.heading(&mut scene, &chart.title, &chart.subtitle);
     let label_height = |panel: &Surface3dPanel| thickness(&panel.label, em, width);
     let labels_bottom = top + chart.panels.iter().map(label_height).fold(0.0, f64::max);
-    let box_top = labels_bottom + 0.3 * em + 0.5 * (bar_length - Space::height(width)).max(0.0);
+    let box_top = labels_bottom + 0.3 * em + 0.5 * (bar_length - box_height).max(0.0);
     let mut bottom = box_top;
     for (i, panel) in chart.panels.iter().enumerate() {
         let centre = layout.left(i) + 0.5 * width;
@@ -93,7 +94,7 @@ pub(crate) fn draw(chart: &Surface3d, paper: &Paper) -> Scene {
     }
     let scale = &layout.axes.z;
     let bar_left = RIGHT - scale.width(bar_length, em, &chart.z_label);
-    let bar_top = box_top + 0.5 * (Space::height(width) - bar_length);
+    let bar_top = box_top + 0.5 * (box_height - bar_length);
     scale.draw(&mut scene, (bar_left, bar_top), bar_length, em, &chart.z_label);
     bottom = bottom.max(bar_top + bar_length + 0.7 * em);
     layout.style.finish(&mut scene, &entries(chart, em), (MARGIN, bottom));
@@ -104,7 +105,7 @@ pub(crate) fn draw(chart: &Surface3d, paper: &Paper) -> Scene {
 fn draw_panel(scene: &mut Scene, chart: &Surface3d, layout: &Layout, i: usize, top: f64) -> f64 {
     let (axes, ticks, em) = (&layout.axes, &layout.ticks, layout.style.em);
     let panel = &chart.panels[i];
-    let space = Space::new((layout.left(i), top), layout.width);
+    let space = Space::new((layout.left(i), top), layout.width, axes.stretch);
     axes.draw_walls(scene, &space, ticks);
     let surface = surface(chart, panel, axes);
     let names = curve_names(chart);

@@ -71,9 +71,9 @@ pub struct Surface3dCurve {
 const MOST_PANELS: usize = 3;
 
 impl Drawing for Surface3d {
-    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper, stretch: f64) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self, paper))
+        Ok(layout::draw(self, paper, stretch))
     }
 
     fn side_by_side(&self) -> usize {

@@ -20,6 +20,8 @@ pub(crate) struct Space {
     origin: Point,
     /// Pixels for a length of 1.
     scale: f64,
+    /// Pixels upwards over those to the side.
+    stretch: f64,
 }
 
 /// To the right and upwards in the picture, from the origin, for a length of 1.
@@ -31,23 +33,23 @@ fn projected((x, y, z): Place) -> Point {
 }
 
 impl Space {
-    /// The box in this width, with its upper left corner there.
-    pub(crate) fn new((left, top): Point, width: f64) -> Self {
+    /// The box in this width, `stretch` times as high as it is seen, with its upper left corner there.
+    pub(crate) fn new((left, top): Point, width: f64, stretch: f64) -> Self {
         let scale = width / projected((1.0, 1.0, 0.0)).0;
         let above = projected((0.0, 1.0, 1.0)).1;
-        Space { origin: (left, top + scale * above), scale }
+        Space { origin: (left, top + stretch * scale * above), scale, stretch }
     }
 
-    /// Height of the picture of a box of this width.
-    pub(crate) fn height(width: f64) -> f64 {
+    /// Height of the picture of a box of this width, so stretched.
+    pub(crate) fn height(width: f64, stretch: f64) -> f64 {
         let (highest, lowest) = (projected((0.0, 1.0, 1.0)).1, projected((1.0, 0.0, 0.0)).1);
-        width / projected((1.0, 1.0, 0.0)).0 * (highest - lowest)
+        stretch * width / projected((1.0, 1.0, 0.0)).0 * (highest - lowest)
     }
 
     /// Where a place lies in the picture.
     pub(crate) fn at(&self, place: Place) -> Point {
         let (right, up) = projected(place);
-        (self.origin.0 + self.scale * right, self.origin.1 - self.scale * up)
+        (self.origin.0 + self.scale * right, self.origin.1 - self.stretch * self.scale * up)
     }
 }
 
@@ -57,13 +59,13 @@ mod tests {
 
     #[test]
     fn the_box_fills_its_part_of_the_picture() {
-        let space = Space::new((100.0, 50.0), 700.0);
+        let space = Space::new((100.0, 50.0), 700.0, 1.5);
         let ends = |of: fn(Point) -> f64| {
             let corners = (0..8).map(|i| of(space.at((f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)))));
             corners.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, end| (ends.0.min(end), ends.1.max(end)))
         };
         let ((left, right), (top, bottom)) = (ends(|point| point.0), ends(|point| point.1));
         assert!((left - 100.0).abs() + (right - 800.0).abs() + (top - 50.0).abs() < 1e-9);
-        assert!((bottom - 50.0 - Space::height(700.0)).abs() < 1e-9);
+        assert!((bottom - 50.0 - Space::height(700.0, 1.5)).abs() < 1e-9);
     }
 }

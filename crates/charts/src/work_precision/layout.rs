@@ -15,8 +15,11 @@ use crate::paper::Paper;
 
 /// Size of the font of the labels of settings over that of all others.
 const LABEL: f64 = 0.85;
-/// Height of the part between the bands if no error is above zero.
-const EMPTY_HEIGHT: f64 = 360.0;
+/// Height of the part between the bands by default, and where labels crowd.
+const HEIGHT: f64 = 900.0;
+const ROOMY: [f64; 2] = [1200.0, 1600.0];
+/// The same if no error is above zero, over the default.
+const EMPTY: f64 = 0.4;
 /// Height of one method's row in a band, over the size of the font.
 const ROW: f64 = 0.85;
 /// Names of the bands.
@@ -58,7 +61,7 @@ impl Layout {
         let failing = lines_with(chart, |point| point.failures() > 0);
         let exact = lines_with(chart, |point| point.known().any(|(_, error)| error == 0.0));
         let plot_top = top + band_height(&failing, em);
-        let plot_bottom = plot_top + if y_axis.is_some() { height } else { EMPTY_HEIGHT };
+        let plot_bottom = plot_top + if y_axis.is_some() { height } else { EMPTY * height };
         let bottom = plot_bottom + band_height(&exact, em);
         // Beside a band the scale ends early, so that the label of its last tick stays clear of the label of the band.
         let clear = |lines: &[usize]| if lines.is_empty() { 0.0 } else { 0.7 * em };
@@ -145,13 +148,21 @@ enum Wording {
 }
 
 /// Draws the chart, which has been checked and has a case. Where labels crowd they become shorter, then the chart
-/// higher.
-pub(crate) fn draw(chart: &WorkPrecision, paper: &Paper) -> Scene {
+/// higher if its height is free.
+pub(crate) fn draw(chart: &WorkPrecision, paper: &Paper, stretch: f64) -> Scene {
     let style = Style { name_below: 1.8, ..Style::plot(paper) };
-    let roomy = [(900.0, Wording::Full), (900.0, Wording::Short), (1200.0, Wording::Short)];
-    let scenes = roomy.into_iter().map(|(height, wording)| lay_out(chart, style, height, wording));
-    let found = scenes.into_iter().find(|(_, crowded)| !crowded);
-    found.unwrap_or_else(|| lay_out(chart, style, 1600.0, Wording::Short)).0
+    let lay_out = |height: f64, wording| lay_out(chart, style, stretch * height, wording);
+    let (full, crowded) = lay_out(HEIGHT, Wording::Full);
+    if !crowded {
+        return full;
+    }
+    let (mut short, mut crowded) = lay_out(HEIGHT, Wording::Short);
+    for height in ROOMY.into_iter().filter(|_| paper.height.is_none()) {
+        if crowded {
+            (short, crowded) = lay_out(height, Wording::Short);
+        }
+    }
+    short
 }
 
 /// The chart with `height` pixels between the bands, and whether its labels crowd.

@@ -95,9 +95,9 @@ impl SettingPoint {
 }
 
 impl Drawing for WorkPrecision {
-    fn scene(&self, paper: &Paper) -> Result<Scene, ChartError> {
+    fn scene(&self, paper: &Paper, stretch: f64) -> Result<Scene, ChartError> {
         self.check()?;
-        Ok(layout::draw(self, paper))
+        Ok(layout::draw(self, paper, stretch))
     }
 }
 

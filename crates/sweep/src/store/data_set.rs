@@ -142,7 +142,7 @@ impl DataSet {
             partial,
             dimensions,
             laboratory,
-            is_swapped: has(AVERAGES[0].0),
+            is_swapped: has(AVERAGES[0].name),
             fixed,
             x: if fields.is_empty() { Vec::new() } else { axis("x")? },
             fields,

@@ -26,14 +26,44 @@ pub fn columns(first: Option<&Point>, output: &Output) -> Vec<FurtherColumn> {
     columns
 }
 
-/// The averages over both runs of an instrument that swaps the faster body: name and what it is.
-pub const AVERAGES: [(&str, &str); 2] = [
-    ("mu_sliding", "half the difference of mu_drag with the flat and with the roller faster"),
-    ("mu_rolling", "mean of mu_drag with the flat and with the roller faster"),
+/// An average over both runs of an instrument that swaps the faster body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Average {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is called; behind it stands its symbol.
+    pub words: &'static str,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// What else is to be said of it.
+    rest: &'static str,
+}
+
+/// The averages over both runs of an instrument that swaps the faster body.
+pub const AVERAGES: [Average; 2] = [
+    Average {
+        name: "mu_sliding",
+        words: "friction by sliding, of both runs",
+        symbol: "μ_{sliding}",
+        rest: ": half the difference of mu_drag with the flat and with the roller faster",
+    },
+    Average {
+        name: "mu_rolling",
+        words: "friction by rolling, of both runs",
+        symbol: "μ_{rolling}",
+        rest: ": the mean of mu_drag with the flat and with the roller faster",
+    },
 ];
 
+impl Average {
+    /// The words with what else is to be said of it.
+    pub fn long_name(&self) -> String {
+        format!("{}{}", self.words, self.rest)
+    }
+}
+
 fn averages() -> [FurtherColumn; 2] {
-    AVERAGES.map(|(name, long_name)| FurtherColumn { name: name.to_owned(), long_name: long_name.to_owned() })
+    AVERAGES.map(|average| FurtherColumn { name: average.name.to_owned(), long_name: average.long_name() })
 }
 
 /// [D(S) − D(−S)]/2 with S ≥ 0 and [D(S) + D(−S)]/2, in this order, from the values of both runs.

@@ -62,7 +62,7 @@ pub use data_set::{Cost, DataSet};
 pub use entry::{CaseEntry, Status, Timing};
 pub use error::StoreError;
 pub use files::{create_directory, holds_text, write_whole};
-pub use further_columns::{AVERAGES, FurtherColumn, columns as further_columns};
+pub use further_columns::{AVERAGES, Average, FurtherColumn, columns as further_columns};
 pub use hdf5_environment::initialise as initialise_hdf5;
 pub use history::{Beginning, History, Start};
 pub use joining::{Agreement, Joined};

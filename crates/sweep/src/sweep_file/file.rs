@@ -8,7 +8,7 @@ use super::bodies::{self, ReadBodies};
 use super::named_series::NamedSeries;
 use super::sections::{home, keys, section};
 use super::specification::{Method, Sweep};
-use super::spelling::Spelt;
+use super::spelling::{Keys, Spelt};
 use super::{laboratory, output, solver, surface};
 use crate::{Axes, Grid};
 use stribeck_input::{Entry, Fault, InputError, Quantity, Readings, Section, read_axis};
@@ -44,7 +44,7 @@ impl Sweep {
 }
 
 fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<Sweep, Fault> {
-    let spelt = Spelt::of(stribeck_input::document(text)?.into_inner());
+    let spelt = Spelt::of(stribeck_input::document(text)?.into_inner(), Keys::OF_SWEEP);
     let read = interpret_document(name, text, &spelt.document, folder);
     spelt.judge(read)
 }
@@ -136,18 +136,25 @@ fn read_grid(root: &Section<'_>, bodies: &ReadBodies) -> Result<Grid, Fault> {
     laboratory::read(&laboratory, axis_of_f, bodies).map(Grid::Laboratory)
 }
 
-/// Refuses what a ratio S makes of bodies at rest: at S = −1 the flat rests and is relaxed, whatever the axis α says.
+/// Refuses what a ratio S makes of bodies at rest. At S = −1 the flat rests and is relaxed, whatever the axis α says; and
+/// α, which is that of the flat, says nothing of a soft roller, which alone moves then.
 fn check_ratios(entry: &Entry<'_>, axes: &Axes, roller_retards: bool) -> Result<(), Fault> {
     let rests = axes.slide_roll.as_ref().is_some_and(|ratios| ratios[0] == -1.0);
     let ratios = section(entry)?.get("slide_roll");
     let Some(ratios) = ratios.filter(|_| rests) else { return Ok(()) };
-    let relaxed = axes.alpha == [f64::INFINITY] || axes.f == [0.0];
-    if relaxed && !roller_retards {
+    if roller_retards {
+        let what = "at slide_roll = -1 the flat is at rest and the soft roller alone moves: `axes.alpha` is that of the \
+                    flat, and infinite whatever the speed of the roller is";
+        let help = "begin above -1, say slide_roll = [-0.99]; or describe both bodies and their speeds in [laboratory], \
+                    where slide_roll_ratio = -2 is a flat at rest";
+        return Err(ratios.fault(what, "no time of the roller is known here", help).unquoted());
+    }
+    if axes.alpha == [f64::INFINITY] || axes.f == [0.0] {
         return Ok(());
     }
     let what = "where slide_roll is -1 the flat is at rest in the contact, where alpha is infinite: \
                 `axes.alpha` must be [inf] then";
-    let help = "begin above -1, or write alpha = [inf]; a soft roller over a flat at rest is a sweep of [laboratory]";
+    let help = "begin above -1, or write alpha = [inf]";
     Err(ratios.fault(what, "-1 beside a finite alpha", help).unquoted())
 }
 

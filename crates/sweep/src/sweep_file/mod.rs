@@ -35,7 +35,9 @@ mod temperature;
 
 pub use file::{read_axes, read_title};
 pub use schema::{schema, section_schema};
+pub use sections::keys as section_keys;
 pub use solver::{read_error, read_points};
 pub use specification::{Method, SolverSettings, Sweep};
+pub use spelling::{Keys, Spelt};
 pub use substrate::read as read_substrate;
 pub use surface::{RangeAxis, SurfaceSweep};

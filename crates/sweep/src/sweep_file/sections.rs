@@ -234,9 +234,18 @@ pub(super) fn entries(section: &str) -> &'static [Key] {
     SECTIONS.iter().find(|(name, _)| *name == section).map_or(&[], |(_, keys)| keys)
 }
 
-/// The keys of a section.
-pub(super) fn keys(section: &str) -> Vec<&'static str> {
+/// The keys of a section of sweep files, for files that have it too.
+pub fn keys(section: &str) -> Vec<&'static str> {
     entries(section).iter().map(|key| key.name).collect()
+}
+
+/// The keys of a section that are sections themselves, each with the name of its own.
+pub(super) fn within(section: &str) -> Vec<(&'static str, &'static str)> {
+    let named = entries(section).iter().filter_map(|key| match key.shape {
+        Shape::Section(name) => Some((key.name, name)),
+        _ => None,
+    });
+    named.collect()
 }
 
 /// The first section below the top level that knows a key.

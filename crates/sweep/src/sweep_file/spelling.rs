@@ -8,14 +8,30 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::modulus::{self, Ambiguous};
-use super::schema::Shape;
-use super::sections::{entries, home, keys};
+use super::sections;
 use stribeck_input::{Fault, nearest, unknown_key};
 
-/// The document of a sweep file whose sections have known keys only.
-pub(super) struct Spelt<'t> {
+/// The keys that sections of a kind of file have; the section without a name is the top level.
+#[derive(Clone, Copy, Debug)]
+pub struct Keys {
+    /// The keys of a section.
+    pub of: fn(&str) -> Vec<&'static str>,
+    /// Those of them that are sections, or lists of such, with the name of the section.
+    pub within: fn(&str) -> Vec<(&'static str, &'static str)>,
+    /// The section below the top level that knows a key.
+    pub home: fn(&str) -> Option<&'static str>,
+}
+
+impl Keys {
+    /// Those of a sweep file.
+    pub(super) const OF_SWEEP: Self = Self { of: sections::keys, within: sections::within, home: sections::home };
+}
+
+/// The document of a file whose sections have known keys only.
+pub struct Spelt<'t> {
+    keys: Keys,
     /// The document.
-    pub(super) document: DeTable<'t>,
+    pub document: DeTable<'t>,
     /// The keys that it had beside.
     unknown: Option<Fault>,
     /// Where values stand of which nobody knows for certain what they are.
@@ -30,9 +46,9 @@ struct Stray<'t> {
 }
 
 impl<'t> Spelt<'t> {
-    /// Takes the document of a sweep file.
-    pub(super) fn of(mut document: DeTable<'t>) -> Self {
-        let mut spelt = Self { document: DeTable::new(), unknown: None, guessed: Vec::new() };
+    /// Takes a document whose sections should have these keys.
+    pub fn of(mut document: DeTable<'t>, keys: Keys) -> Self {
+        let mut spelt = Self { keys, document: DeTable::new(), unknown: None, guessed: Vec::new() };
         let mut strays = Vec::new();
         spelt.mend("", &mut document, &mut strays);
         for Stray { home, key, value } in strays {
@@ -63,7 +79,8 @@ impl<'t> Spelt<'t> {
 
     /// Names the keys of a section and of those within it.
     fn mend(&mut self, section: &'static str, table: &mut DeTable<'t>, strays: &mut Vec<Stray<'t>>) {
-        let known = keys(section);
+        let Keys { of, within, home } = self.keys;
+        let known = of(section);
         let is_known = |key: &Spanned<DeString<'t>>| known.contains(&key.get_ref().as_ref());
         let unknown: Vec<_> = table.keys().filter(|key| !is_known(key)).cloned().collect();
         for key in unknown {
@@ -79,7 +96,7 @@ impl<'t> Spelt<'t> {
                 Some(ambiguous) => Some(ambiguous.meant).filter(|_| !has_modulus(table)),
                 None => nearest(written, &known).filter(|meant| !table.contains_key(*meant)),
             };
-            match (meant, home(written).filter(|home| !home.contains('.'))) {
+            match (meant, home(written).filter(|home| of("").contains(home))) {
                 (Some(meant), _) => {
                     if !value.get_ref().is_table() {
                         self.guessed.push(value.span());
@@ -90,15 +107,26 @@ impl<'t> Spelt<'t> {
                 (None, None) => {}
             }
         }
-        for (name, within) in entries(section).iter().filter_map(|key| Some((key.name, key.shape.section()?))) {
-            if let Some(DeValue::Table(table)) = table.get_mut(name).map(Spanned::get_mut) {
-                self.mend(within, table, strays);
+        for (name, within) in within(section) {
+            match table.get_mut(name).map(Spanned::get_mut) {
+                Some(DeValue::Table(table)) => self.mend(within, table, strays),
+                Some(DeValue::Array(items)) => {
+                    for item in items.iter_mut() {
+                        if let DeValue::Table(table) = item.get_mut() {
+                            self.mend(within, table, strays);
+                        }
+                    }
+                }
+                _ => {}
             }
         }
     }
 
     /// What was read of the document, or every fault of the file.
-    pub(super) fn judge<T>(self, read: Result<T, Fault>) -> Result<T, Fault> {
+    ///
+    /// # Errors
+    /// The unknown keys, and what is wrong outside of the places that they leave open.
+    pub fn judge<T>(self, read: Result<T, Fault>) -> Result<T, Fault> {
         match (self.unknown, read) {
             (None, read) => read,
             (Some(unknown), Ok(_)) => Err(unknown),
@@ -112,14 +140,4 @@ impl<'t> Spelt<'t> {
 /// True for a section that says a modulus in its own words.
 fn has_modulus(section: &DeTable<'_>) -> bool {
     modulus::KEYS.iter().any(|(key, ..)| section.contains_key(*key))
-}
-
-impl Shape {
-    /// The section that a key of this shape is.
-    fn section(&self) -> Option<&'static str> {
-        match self {
-            Self::Section(name) => Some(name),
-            _ => None,
-        }
-    }
 }

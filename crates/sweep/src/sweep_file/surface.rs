@@ -12,7 +12,7 @@ use toml::de::{DeArray, DeValue};
 use super::file::{KIND, interpret_document};
 use super::sections::section;
 use super::specification::{Method, Sweep};
-use super::spelling::Spelt;
+use super::spelling::{Keys, Spelt};
 use crate::{Column, Grid};
 use stribeck_input::{Entry, Fault, InputError, RANGE_KEYS, Readings, Section, each};
 use stribeck_surface::Spread;
@@ -94,7 +94,7 @@ impl SurfaceSweep {
 }
 
 fn interpret(name: &str, text: &str, folder: Option<&Path>) -> Result<SurfaceSweep, Fault> {
-    let mut spelt = Spelt::of(stribeck_input::document(text)?.into_inner());
+    let mut spelt = Spelt::of(stribeck_input::document(text)?.into_inner(), Keys::OF_SWEEP);
     let mut ranges = Vec::new();
     let mut faults = Vec::new();
     for (section, table) in spelt.document.iter_mut() {

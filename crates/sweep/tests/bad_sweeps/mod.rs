@@ -183,6 +183,13 @@ pub fn bad_files() -> Vec<Row> {
             "below 0",
         ),
         (with_axes("slide_roll = [-1.0, 1.0]\n"), "5:14", "at rest in the contact", "alpha = [inf]"),
+        (
+            with_alpha("[inf]").replace("beta", "slide_roll = [-1.0, 0.0]\nbeta")
+                + "[roller]\nmodes = [{ share = 1.0, time = 1.0 }]\n",
+            "4:14",
+            "at slide_roll = -1 the flat is at rest and the soft roller alone moves",
+            "slide_roll_ratio = -2",
+        ),
         (with_axes("slide_roll = [1.5]\n"), "5:15", "from -1 to 1", "pure rolling"),
         // Substrate.
         (with_axes("[substrate]\nmodes = []\n"), "6:9", "at least one retardation mode", "leave [substrate] out"),
