@@ -91,7 +91,7 @@ pub fn material_file<'py>(py: Python<'py>, path: PathBuf, options: FileOptions) 
     };
     let measured = match file.data {
         MaterialData::Series(_) if options.terms.is_some() => {
-            return Err(refused("a Prony series is not fitted; leave out --terms".to_owned()));
+            return Err(refused("a Prony series is not fitted; leave out --terms N".to_owned()));
         }
         MaterialData::Series(series) => {
             let curve = shifting.of_series().map_err(|error| refused(error.to_string()))?;
