@@ -286,7 +286,9 @@ fn no_option_is_left_out_in_silence() {
         ("one.csv", "omega,storage (Pa),loss (Pa),T (degC)\n1,100,10,20\n10,120,20,20\n100,150,30,20\n"),
         ("factors.csv", "temperature (degC),log_shift_factor\n0,1.5\n20,0\n40,-1.2\n"),
     ];
-    files.map(|(name, text)| fs::write(directory.path().join(name), text).expect("written"));
+    for (name, text) in files {
+        fs::write(directory.path().join(name), text).expect("written");
+    }
     for (arguments, said) in [
         (&["fractions.csv", "--terms", "4"][..], "--terms would change nothing: a Prony series is converted"),
         (&["fractions.csv", "--shear", "--poisson-ratio", "0.5"], "those of shear and of Young's moduli are the same"),
