@@ -20,6 +20,7 @@ mod in_python;
 mod instrument_files;
 mod laboratory;
 mod material;
+mod own_tables;
 mod parts;
 mod plot;
 mod program;
@@ -37,5 +38,6 @@ mod surface;
 #[path = "../crates/sweep/tests/synthetic/mod.rs"]
 mod synthetic;
 mod systems;
+mod temperatures;
 mod terminal_width;
 mod torture;

@@ -272,3 +272,76 @@ fn what_cannot_be_fitted_ends_with_2() {
     }
     assert_eq!(paths(directory.path()).len(), 2, "nothing is written");
 }
+
+/// Each option that says nothing of a file is refused with what to do, whatever the file is.
+#[test]
+fn no_option_is_left_out_in_silence() {
+    let directory = with_table();
+    let files = [
+        ("fractions.csv", "tau,fraction\n1,0.25\n10,0.5\n"),
+        ("series.csv", "E0 = 2 MPa\ntau,fraction\n1,0.25\n10,0.5\n"),
+        ("abaqus.inp", "*ELASTIC\n2.0, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.25, 0., 1.\n"),
+        ("bare.inp", "*VISCOELASTIC, TIME=PRONY\n0.25, 0., 1.\n"),
+        ("shear.csv", "omega,G' (kPa),G'' (kPa)\n1,100,10\n10,120,20\n100,150,30\n"),
+        ("one.csv", "omega,storage (Pa),loss (Pa),T (degC)\n1,100,10,20\n10,120,20,20\n100,150,30,20\n"),
+        ("factors.csv", "temperature (degC),log_shift_factor\n0,1.5\n20,0\n40,-1.2\n"),
+    ];
+    for (name, text) in files {
+        fs::write(directory.path().join(name), text).expect("written");
+    }
+    for (arguments, said) in [
+        (&["fractions.csv", "--terms", "4"][..], "--terms would change nothing: a Prony series is converted"),
+        (&["fractions.csv", "--shear", "--poisson-ratio", "0.5"], "those of shear and of Young's moduli are the same"),
+        (
+            &["series.csv", "--poisson-ratio", "0.5"],
+            "--poisson-ratio would change nothing: moduli are taken for Young's",
+        ),
+        (&["fractions.csv", "--modulus-unit", "MPa"], "it holds no modulus without a unit; leave out --modulus-unit"),
+        (&["series.csv", "--modulus-unit", "MPa"], "it holds no modulus without a unit; leave out --modulus-unit"),
+        (&["shear.csv", "--modulus-unit", "MPa", "--poisson-ratio", "0.5"], "it holds no modulus without a unit"),
+        (&["fractions.csv", "--reference-temperature", "20 degC"], "a Prony series is at one temperature"),
+        (&["fractions.csv", "--vertical-shift", "fit"], "there are no isotherms here whose moduli could be shifted"),
+        (&["rubber.csv", "--vertical-shift", "fit"], "there are no isotherms here whose moduli could be shifted"),
+        (&["one.csv", "--vertical-shift", "density"], "there are no isotherms here whose moduli could be shifted"),
+        (&["rubber.csv", "--expansion", "6e-4"], "--expansion would change nothing: no density is known"),
+        (&["rubber.csv", "--poisson-ratio", "0.5"], "add --shear if they are shear moduli"),
+        (&["rubber.csv", "--reference-temperature", "20 degC"], "no column has a temperature"),
+        (&["rubber.csv", "--title", "Rubber"], "--title would change nothing: no picture is drawn; add -o FILE"),
+        (&["rubber.csv", "--shift-columns", "temperature=#1"], "--shift-factors <FILE>"),
+        (&["abaqus.inp", "--shear", "--poisson-ratio", "0.5"], "the modulus in an input file of Abaqus is Young's"),
+        (&["abaqus.inp", "--columns", "tau=#1"], "an input file of Abaqus has no columns"),
+        (&["bare.inp", "--modulus-unit", "MPa"], "this input file of Abaqus holds no modulus"),
+    ] {
+        let output = say(directory.path(), &[&["material"], arguments].concat());
+        assert_eq!(code(&output), 2, "{arguments:?}: {}{}", out(&output), err(&output));
+        assert!(err(&output).contains(said), "{arguments:?}: {}", err(&output));
+    }
+}
+
+/// Shift factors beside a Prony series give the law of its times, in print, in JSON and as a picture.
+#[test]
+fn shift_factors_beside_a_series_give_its_law() {
+    let directory = tempdir().expect("a temporary directory");
+    let law = ShiftLaw::Arrhenius { activation_energy: 9e4, reference: 293.15 };
+    let factors: String = (0..=8)
+        .map(|step| {
+            let celsius = 10.0 * f64::from(step) - 20.0;
+            let log = law.log_shift_factor(celsius + 273.15).expect("above absolute zero");
+            format!("{celsius};{log:.6}\n")
+        })
+        .collect();
+    fs::write(directory.path().join("factors.csv"), format!("T (°C);log_aT\n{factors}")).expect("written");
+    fs::write(directory.path().join("series.csv"), "# E0 = 2\ntau,fraction\n1,0.25\n10,0.5\n").expect("written");
+    let given = ["material", "series.csv", "--shift-factors", "factors.csv", "--modulus-unit", "MPa"];
+    let said = say(directory.path(), &[&given[..], &["--shift-picture", "shifts.svg"]].concat());
+    assert_eq!(code(&said), 0, "{}", err(&said));
+    let text = out(&said);
+    assert!(text.starts_with("master curve at 20 degC") && text.contains("2.00000e6  Pa, instantaneous"), "{text}");
+    assert!(text.contains("shift = { law = \"arrhenius\", activation_energy = \"9"), "{text}");
+    assert!(directory.path().join("shifts.svg").exists());
+    let said = say(directory.path(), &[&given[..], &["--json", "--reference-temperature", "30 degC"]].concat());
+    let found: Value = serde_json::from_str(&out(&said)).expect("JSON");
+    assert_eq!(found["master_curve"]["reference"].as_f64(), Some(303.15), "{found}");
+    let bare = say(directory.path(), &given[..4]);
+    assert!(err(&bare).contains("has no unit there and is left out; give the unit of moduli"), "{}", err(&bare));
+}

@@ -14,7 +14,7 @@ use super::{CliError, Exit, console, threads};
 use crate::format::{Align, count, filled, filled_list, table_line};
 use crate::pictures::{Quantity, Table, nearest};
 use stribeck_input::shown;
-use stribeck_lab::{Experiment, Measured};
+use stribeck_lab::{Experiment, LaboratoryQuantity, Measured};
 use stribeck_solver::{FieldSelection, Interrupt, Output, shortest};
 use stribeck_sweep::campaign::{InMemory, read_sweep, solve_in_memory};
 use stribeck_sweep::store::{CaseEntry, Status};
@@ -58,7 +58,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut sweep = read_sweep(&arguments.sweep)?;
     let axes = laboratory(&sweep, &arguments.sweep)?;
     let measured = arguments.measured.read(sweep.grid.radius())?;
-    measured.iter().for_each(|measured| measured::note_units(measured, &sweep.grid.dimensions()));
+    let has_temperature = axes.given.iter().any(|given| given.quantity == LaboratoryQuantity::Temperature);
+    measured.iter().for_each(|measured| {
+        measured::note_units(measured, &sweep.grid.dimensions());
+        measured::note_temperatures(measured, has_temperature);
+    });
     sweep.grid = Grid::Laboratory(choose(axes, &at::all(&arguments.at), Choice::Curve)?);
     sweep.output = Output { fields: FieldSelection::default(), sensitivities: false, ..sweep.output };
     let inputs = arguments.measured.files().chain([arguments.sweep.as_path()]);

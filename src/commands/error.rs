@@ -316,6 +316,14 @@ pub enum CliError {
         /// The file of the material.
         data: PathBuf,
     },
+    /// An option that would change nothing.
+    #[error("{option} would change nothing: {why}")]
+    Unused {
+        /// The option.
+        option: &'static str,
+        /// Why, and what to do.
+        why: String,
+    },
     /// The operating system refused something that is no file of ours.
     #[error("cannot {action}: {source}")]
     System {
@@ -364,6 +372,7 @@ impl CliError {
             | CliError::Series { .. }
             | CliError::MasterCurve { .. }
             | CliError::NoShifts { .. }
+            | CliError::Unused { .. }
             | CliError::NoTarget
             | CliError::IsInput { .. }
             | CliError::NoName { .. }

@@ -16,9 +16,7 @@ use super::paper::PaperArguments;
 use super::{CliError, Exit, console};
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::nearest;
-use stribeck_lab::{
-    Bounds, Experiment, FittedCurve, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown,
-};
+use stribeck_lab::{Bounds, FittedCurve, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown};
 use stribeck_sweep::campaign::read_sweep;
 use stribeck_sweep::store::create_directory;
 use stribeck_sweep::{friction_task, points_to_fit};
@@ -61,7 +59,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Format of the pictures
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_enum, default_value_t, requires = "output")]
     format: Format,
     #[command(flatten)]
     paper: PaperArguments,
@@ -99,6 +97,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let (sweep_file, data) = arguments.files.split_last().expect("one is required");
     // A chart of one plot; before the work begins.
     arguments.paper.paper(&[]).check(1)?;
+    arguments.paper.check_drawn(arguments.output.is_some(), "add -o DIR")?;
     let sweep = read_sweep(sweep_file)?;
     if data.is_empty() {
         let what = "there are no measured points; name their files before the sweep file".to_owned();
@@ -107,13 +106,14 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let refuse = |what: String| CliError::NoFit { files: data.to_vec(), what };
     let is_unknown = arguments.unknown.iter().any(|unknown| unknown.name() == LaboratoryQuantity::Radius.name());
     let radius = sweep.grid.radius().filter(|_| !is_unknown);
-    let parts = data.iter().map(|path| measured::read(path, &arguments.columns, radius));
+    let columns = arguments.columns.choices();
+    let parts = data.iter().map(|path| measured::read(path, &columns, radius));
     let measured = Measured::join(parts.collect::<Result<Vec<_>, _>>()?).map_err(refuse)?;
     let measured = points_to_fit(measured, &arguments.unknown);
     laboratory(&sweep, sweep_file)?;
     measured::note_units(&measured, &sweep.grid.dimensions());
     let task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
-    note_temperatures(&measured, &task.experiment);
+    measured::note_temperatures(&measured, task.experiment.temperature.is_some());
     let directory = arguments.output.as_deref();
     let outputs = directory.map(|directory| outputs(arguments, directory)).transpose()?;
     let (fit, intervals) = watched(&arguments.unknown, arguments.time_limit, |watch| {
@@ -142,20 +142,6 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         console::tell("note: the time was up before all intervals were found: give more time");
     }
     Ok(if fit.is_minimum && !lacks_intervals { Exit::Success } else { Exit::TimeIsUp })
-}
-
-/// Says that points at several temperatures are taken for points at one, where the sweep file has no temperature.
-fn note_temperatures(measured: &Measured, experiment: &Experiment) {
-    const APART: f64 = 5.0;
-    let (Some(values), None) = (measured.coordinate("temperature"), experiment.temperature) else { return };
-    let (least, most) =
-        values.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), it| (least.min(*it), most.max(*it)));
-    if most - least > APART {
-        console::tell(&format!(
-            "note: the points are from {least:.1} K to {most:.1} K, and the sweep file has no temperature: viscosity and \
-             times are taken to be the same at all of them"
-        ));
-    }
 }
 
 /// The files of the table and of the two pictures, before the work begins.

@@ -14,8 +14,8 @@ use super::{CliError, Exit, console, shifted};
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::shown;
 use stribeck_lab::{
-    AtOneTemperature, Dimension, MasterCurve, MaterialData, MaterialFile, MaterialOptions, RelaxationFit, ShiftFactors,
-    TermChoice, VerticalShift, parse_temperature,
+    AtOneTemperature, Dimension, MasterCurve, MaterialData, MaterialFile, MaterialOptions, PronySeries, RelaxationFit,
+    ShiftFactors, Shifting, TermChoice, VerticalShift, parse_temperature,
 };
 
 #[derive(Clone, Debug, Args)]
@@ -36,9 +36,9 @@ pub struct Arguments {
     /// A table of measured moduli, or a Prony series
     #[arg(value_name = "DATA")]
     data: PathBuf,
-    /// Relaxation terms that are offered to the fit, from 1 to 100, or auto: as many as the residuals ask for
-    #[arg(long, value_name = "N", default_value = "auto")]
-    terms: Terms,
+    /// Relaxation terms offered to the fit, from 1 to 100, or auto: as many as the residuals ask for [default: auto]
+    #[arg(long, value_name = "N")]
+    terms: Option<Terms>,
     /// The moduli are shear moduli: Young's modulus is 2 (1 + nu) times as large
     #[arg(long, requires = "poisson_ratio")]
     shear: bool,
@@ -142,40 +142,76 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     let file = MaterialFile::read(&arguments.data, &options)?;
     console::tell(file.understood.trim_end());
-    let name = arguments.data.file_stem().unwrap_or_default().to_string_lossy();
-    let measured = match &file.data {
+    check_options(arguments, &file)?;
+    let factors = factors(arguments)?;
+    let shifting = Shifting {
+        factors: factors.as_ref(),
+        reference: arguments.reference_temperature,
+        vertical: match arguments.vertical_shift {
+            Vertical::None => VerticalShift::None,
+            Vertical::Fit => VerticalShift::Overlap,
+            Vertical::Density => VerticalShift::Density { expansion: arguments.expansion.unwrap_or(0.0) },
+        },
+    };
+    let refused = |source| CliError::MasterCurve { data: arguments.data.clone(), source };
+    match file.data {
         MaterialData::Series(series) => {
-            let refused = |source| CliError::Series { file: arguments.data.clone(), source };
-            let relaxation = series.relaxation().map_err(refused)?;
-            let material = PronyMaterial { name: &name, series, relaxation: &relaxation };
-            let drawn = Drawn { chart: material.chart(), master_curve: None };
-            return finish(arguments, &material.table(), &material.json(), drawn);
+            let curve = shifting.of_series().map_err(refused)?;
+            converted(arguments, &series, curve.as_ref())
         }
-        MaterialData::Moduli(measurements) => {
-            let measurements = measurements.clone();
-            AtOneTemperature::of_moduli(measurements, factors(arguments)?.as_ref(), arguments.reference_temperature)
+        MaterialData::Moduli(moduli) => {
+            fitted(arguments, &AtOneTemperature::of_moduli(moduli, &shifting).map_err(refused)?)
         }
         MaterialData::Isotherms(isotherms) => {
-            let vertical = match arguments.vertical_shift {
-                Vertical::None => VerticalShift::None,
-                Vertical::Fit => VerticalShift::Overlap,
-                Vertical::Density => VerticalShift::Density { expansion: arguments.expansion.unwrap_or(0.0) },
-            };
-            let factors = factors(arguments)?;
-            AtOneTemperature::of_isotherms(isotherms, factors.as_ref(), arguments.reference_temperature, vertical)
+            fitted(arguments, &AtOneTemperature::of_isotherms(&isotherms, &shifting).map_err(refused)?)
         }
-    };
-    let measured = measured.map_err(|source| CliError::MasterCurve { data: arguments.data.clone(), source })?;
-    let fitted = |source| CliError::Fit { data: arguments.data.clone(), source };
+    }
+}
+
+/// Refuses options that say nothing of this file, or of what is done with it.
+fn check_options(arguments: &Arguments, file: &MaterialFile) -> Result<(), CliError> {
+    let unused = |option: &'static str, why: &str| Err(CliError::Unused { option, why: why.to_owned() });
+    if arguments.terms.is_some() && matches!(file.data, MaterialData::Series(_)) {
+        return unused("--terms", "a Prony series is converted and not fitted; leave it out");
+    }
+    if arguments.poisson_ratio.is_some() && !file.is_of_shear {
+        let why = "moduli are taken for Young's; add --shear if they are shear moduli, or leave it out";
+        return unused("--poisson-ratio", why);
+    }
+    if arguments.expansion.is_some() && arguments.vertical_shift != Vertical::Density {
+        return unused("--expansion", "no density is known; add --vertical-shift density, or leave it out");
+    }
+    let is_drawn = arguments.output.is_some() || arguments.shift_picture.is_some();
+    arguments.paper.check_drawn(is_drawn, "add -o FILE")
+}
+
+/// Prints a series as it stands in the file, and the law of the shift factors beside it.
+fn converted(
+    arguments: &Arguments,
+    series: &PronySeries,
+    master_curve: Option<&MasterCurve>,
+) -> Result<Exit, CliError> {
+    let refused = |source| CliError::Series { file: arguments.data.clone(), source };
+    let relaxation = series.relaxation().map_err(refused)?;
+    let name = name(arguments);
+    let material = PronyMaterial { name: &name, series, relaxation: &relaxation, master_curve };
+    finish(arguments, &material.table(), &material.json(), Drawn { chart: material.chart(), master_curve })
+}
+
+/// Fits a series to moduli and prints it.
+fn fitted(arguments: &Arguments, measured: &AtOneTemperature) -> Result<Exit, CliError> {
+    let refused = |source| CliError::Fit { data: arguments.data.clone(), source };
     let (fit, offered, choice) = match arguments.terms {
-        Terms::Number(terms) => (RelaxationFit::new(&measured.measurements, terms).map_err(fitted)?, terms, None),
-        Terms::Auto => {
-            let choice = TermChoice::new(&measured.measurements).map_err(fitted)?;
+        Some(Terms::Number(terms)) => {
+            (RelaxationFit::new(&measured.measurements, terms).map_err(refused)?, terms, None)
+        }
+        Some(Terms::Auto) | None => {
+            let choice = TermChoice::new(&measured.measurements).map_err(refused)?;
             (choice.fit.clone(), choice.offered, Some(choice))
         }
     };
     let material = FittedMaterial {
-        name: &name,
+        name: &name(arguments),
         measurements: &measured.measurements,
         fit: &fit,
         offered,
@@ -184,6 +220,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     let drawn = Drawn { chart: material.chart(), master_curve: measured.master_curve.as_ref() };
     finish(arguments, &material.table(), &material.json(), drawn)
+}
+
+/// The name of the file, for titles.
+fn name(arguments: &Arguments) -> String {
+    arguments.data.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// Reads shift factors where they are given, and tells what was understood of them.

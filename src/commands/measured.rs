@@ -12,6 +12,8 @@ use stribeck_sweep::{Dimension, range};
 
 /// So many times a sweep's fastest speed, or a part of its slowest, is far outside of it.
 const FAR: f64 = 10.0;
+/// Temperatures this far apart, in K, are several.
+const APART: f64 = 5.0;
 
 /// Options of commands that lay measured points over solutions.
 #[derive(Clone, Debug, Args)]
@@ -19,8 +21,9 @@ pub struct MeasuredArguments {
     /// A table of measured points, laid over the curves of friction
     #[arg(long, value_name = "FILE")]
     measured: Option<PathBuf>,
-    #[command(flatten)]
-    columns: ColumnArguments,
+    /// What columns hold whose names do not tell, as in "speed=My V (mm/s),mu=#3"
+    #[arg(long = "columns", value_name = "NAME=COLUMN,…", requires = "measured", value_parser = choices)]
+    columns: Vec<Choices>,
 }
 
 /// What a user says of the columns of a table.
@@ -61,7 +64,7 @@ impl MeasuredArguments {
     /// Reads the points, if there are some, and tells what was understood; speeds in turns need the radius of the
     /// cylinder (m).
     pub fn read(&self, radius: Option<f64>) -> Result<Option<Measured>, CliError> {
-        self.measured.as_deref().map(|path| read(path, &self.columns, radius)).transpose()
+        self.measured.as_deref().map(|path| read(path, &all(&self.columns), radius)).transpose()
     }
 }
 
@@ -98,9 +101,29 @@ fn note_far(what: &str, axis: &str, values: &[f64], sweep: &[Dimension]) {
     ));
 }
 
+/// Says on stderr that points at several temperatures are taken for points at one, where the sweep has none.
+pub fn note_temperatures(measured: &Measured, sweep_has_one: bool) {
+    let values = measured.coordinate(LaboratoryQuantity::Temperature.name()).unwrap_or_default();
+    let ends = |(least, most): (f64, f64), it: &f64| (least.min(*it), most.max(*it));
+    let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), ends);
+    if most - least > APART && !sweep_has_one {
+        let [least, most] = [least, most].map(|kelvins| kelvins - 273.15);
+        console::tell(&format!(
+            "note: the points are from {least:.1} to {most:.1} degC, and the sweep has no temperature: viscosity and \
+             times are taken to be the same at all of them"
+        ));
+    }
+}
+
+/// True if a published sweep has a temperature.
+pub fn has_temperature(data: &DataSet) -> bool {
+    let mut names = data.fixed.iter().map(|(name, _)| name).chain(data.dimensions.iter().map(|it| &it.name));
+    names.any(|name| name == LaboratoryQuantity::Temperature.name())
+}
+
 /// Reads measured points, and tells on stderr what was understood of them.
-pub fn read(path: &Path, columns: &ColumnArguments, radius: Option<f64>) -> Result<Measured, CliError> {
-    let (measured, understood) = Measured::read(path, &columns.choices(), radius)?;
+pub fn read(path: &Path, columns: &[ColumnChoice], radius: Option<f64>) -> Result<Measured, CliError> {
+    let (measured, understood) = Measured::read(path, columns, radius)?;
     console::tell(understood.to_string().trim_end());
     Ok(measured)
 }

@@ -2,6 +2,7 @@
 
 use clap::Args;
 
+use super::CliError;
 use super::number::number;
 use crate::pictures::Chart;
 use stribeck_charts::Paper;
@@ -66,6 +67,16 @@ impl PaperArguments {
         let height = self.height.map(|height| height.on_paper);
         let note = others.iter().copied().chain(self.given()).collect::<Vec<_>>().join(" ");
         Paper { width, height, pixels, font_size: self.font_size, heading: !self.no_title, note }
+    }
+
+    /// Refuses these options where no picture is drawn; `draw` says how one is.
+    pub fn check_drawn(&self, is_drawn: bool, draw: &str) -> Result<(), CliError> {
+        match self.given().next().filter(|_| !is_drawn) {
+            Some(option) => {
+                Err(CliError::Unused { option, why: format!("no picture is drawn; {draw}, or leave it out") })
+            }
+            None => Ok(()),
+        }
     }
 
     /// Gives a chart its title, if one was asked for.

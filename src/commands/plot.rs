@@ -133,7 +133,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
         }
     };
     let measured = arguments.measured.read(measured::radius(&data))?;
-    measured.iter().for_each(|measured| measured::note_units(measured, &data.dimensions));
+    measured.iter().for_each(|measured| {
+        measured::note_units(measured, &data.dimensions);
+        measured::note_temperatures(measured, measured::has_temperature(&data));
+    });
     let named = [("f", &arguments.f), ("alpha", &arguments.alpha), ("beta", &arguments.beta)].into_iter();
     let named = named.filter(|(_, values)| !values.is_empty()).map(|(name, values)| (name.to_owned(), values.clone()));
     let values: Vec<(String, Vec<f64>)> = named.chain(at::all(&arguments.at)).collect();

@@ -1,13 +1,13 @@
 //! A Prony series that was read, as a table, as JSON, as lines for a sweep file and as a chart.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
-use super::material_text;
+use super::{material_text, shifted};
 use crate::format::count;
 use crate::pictures::Chart;
 use stribeck_charts::{Colour, Curve, LineAxis, Lines, Stroke};
 use stribeck_input::printable;
-use stribeck_lab::{PronySeries, Relaxation};
+use stribeck_lab::{MasterCurve, PronySeries, Relaxation};
 
 /// Points of a curve.
 const POINTS: u32 = 300;
@@ -22,13 +22,16 @@ pub struct PronyMaterial<'a> {
     pub series: &'a PronySeries,
     /// Over E₀ if the modulus is not known.
     pub relaxation: &'a Relaxation,
+    /// The shift factors beside it.
+    pub master_curve: Option<&'a MasterCurve>,
 }
 
 impl PronyMaterial<'_> {
     /// The numbers of the material, its two spectra, and the lines for a sweep file.
     pub fn table(&self) -> String {
         let known = self.series.modulus.is_some();
-        let mut text = format!("{}, as they stand there\n", count(self.series.terms.len() as u64, "term"));
+        let mut text = self.master_curve.map(shifted::table).unwrap_or_default();
+        text += &format!("{}, as they stand there\n", count(self.series.terms.len() as u64, "term"));
         text += &material_text::numbers(self.relaxation, known);
         let left = self.relaxation.relaxed_modulus() / self.relaxation.instantaneous_modulus();
         if left < HARDLY_SOLID {
@@ -38,7 +41,8 @@ impl PronyMaterial<'_> {
             );
         }
         text += &material_text::spectra(self.relaxation, known);
-        text + "\nFor a sweep file:\n\n" + &self.toml()
+        text += &format!("\nFor a sweep file:\n\n{}", self.toml());
+        text + &self.master_curve.map(shifted::law_lines).unwrap_or_default()
     }
 
     fn toml(&self) -> String {
@@ -48,6 +52,7 @@ impl PronyMaterial<'_> {
     /// All numbers, and the lines for a sweep file.
     pub fn json(&self) -> String {
         let mut object = material_text::json(self.relaxation, self.series.modulus.is_some());
+        object.insert("master_curve".to_owned(), self.master_curve.map_or(Value::Null, shifted::json));
         object.insert("toml".to_owned(), json!(self.toml()));
         serde_json::to_string_pretty(&object).expect("strings and numbers can be written") + "\n"
     }

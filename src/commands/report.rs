@@ -44,7 +44,10 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let is_report = |beginning: &[u8]| beginning.starts_with(BEGINNING.as_bytes());
     let output = OutputFiles::new("report", inputs).check(&file, is_report)?;
     let measured = arguments.measured.read(measured::radius(&data))?;
-    measured.iter().for_each(|measured| measured::note_units(measured, &data.dimensions));
+    measured.iter().for_each(|measured| {
+        measured::note_units(measured, &data.dimensions);
+        measured::note_temperatures(measured, measured::has_temperature(&data));
+    });
     let page = page(&data, measured.as_ref())?;
     output.write(page.html.as_bytes())?;
     let mut text = format!("{}: {}\n", shown(&file), bytes(page.html.len() as u64));

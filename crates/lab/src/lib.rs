@@ -54,10 +54,10 @@ pub use friction_fit::{
     Watch,
 };
 pub use material::{
-    AtOneTemperature, Doubt, Isotherm, Isotherms, IsothermsError, MasterCurve, MasterCurveError, Material,
+    AtOneTemperature, Doubt, Isotherm, Isotherms, IsothermsError, Laid, MasterCurve, MasterCurveError, Material,
     MaterialData, MaterialError, MaterialFile, MaterialFileError, MaterialOptions, Measurement, Measurements,
     ModulusKind, PronyError, PronyFile, PronyParts, PronySeries, Relaxation, RelaxationFit, RelaxationFitError,
-    RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError, TermChoice, VerticalShift,
+    RelaxationTerm, Shift, ShiftFactors, ShiftFactorsError, Shifting, TermChoice, VerticalShift,
 };
 pub use measured::Measured;
 pub use motion::Motion;

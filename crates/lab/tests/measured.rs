@@ -211,6 +211,22 @@ fn repeated_readings_are_one_point() {
     assert_eq!(read(&format!("speed,mu,error\n{with_errors}")).expect("readings").friction.len(), 30);
 }
 
+/// Readings at 20 and at 24 °C by thermostats that waver are two places, and so are those at 20 and 60 °C; where few
+/// readings drift by some kelvins they are one.
+#[test]
+fn temperatures_that_step_are_places_of_their_own() {
+    let places = |celsius: &[f64]| {
+        let row = |(i, celsius): (usize, &f64)| format!("{celsius},1,{}\n", 0.5 + 0.01 * (i % 3) as f64);
+        let rows: String = celsius.iter().enumerate().map(row).collect();
+        let found = read(&format!("temperature (degC),speed,mu\n{rows}")).expect("readings");
+        found.coordinate("temperature").expect("a column").iter().map(|it| (it - 273.15).round()).collect::<Vec<_>>()
+    };
+    assert_eq!(places(&[20.1, 24.2, 19.9, 24.0, 20.0, 23.8]), [20.0, 24.0]);
+    assert_eq!(places(&[59.4, 60.1, 60.4, 20.0, 20.4, 19.6]), [60.0, 20.0]);
+    assert_eq!(places(&[20.0, 21.5, 23.0, 24.5]), [22.0]);
+    assert_eq!(places(&[20.0, 21.5, 23.0, 24.5, 60.0]).len(), 5);
+}
+
 #[test]
 fn files_are_joined_where_they_hold_the_same() {
     let part = |name: &str, text: &str| Measured::of(Path::new(name), text.as_bytes(), &[], None).expect("points").0;

@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 use stribeck_lab::{
     AtOneTemperature, ColumnChoice, Doubt, MasterCurve, MaterialData, MaterialFile, MaterialFileError, MaterialOptions,
     Measurement, Measurements, Modulus, ModulusKind, PronyParts, PronySeries, Relaxation, RelaxationFit,
-    RelaxationFitError, ShiftFactors, ShiftLaw, ShiftLawFit, TermChoice, VerticalShift,
+    RelaxationFitError, ShiftFactors, ShiftLaw, ShiftLawFit, Shifting, TermChoice, VerticalShift,
 };
 
 use crate::errors;
@@ -84,22 +84,24 @@ pub fn material_file<'py>(py: Python<'py>, path: PathBuf, options: FileOptions) 
     let factors =
         factors.map(|file| ShiftFactors::read(file, &[])).transpose().map_err(|error| errors::table(&error))?;
     understood += &factors.as_ref().map(|(_, understood)| understood.to_string()).unwrap_or_default();
-    let (factors, reference) = (factors.as_ref().map(|(factors, _)| factors), options.reference_temperature);
+    let shifting = Shifting {
+        factors: factors.as_ref().map(|(factors, _)| factors),
+        reference: options.reference_temperature,
+        vertical: VerticalShift::None,
+    };
     let measured = match file.data {
-        MaterialData::Series(_) if factors.is_some() || reference.is_some() => {
-            let what = "a Prony series is at one temperature, and cannot be shifted; leave out --reference-temperature T \
-                        and --shift-factors FILE, and give its law as shift";
-            return Err(refused(what.to_owned()));
+        MaterialData::Series(_) if options.terms.is_some() => {
+            return Err(refused("a Prony series is not fitted; leave out --terms N".to_owned()));
         }
         MaterialData::Series(series) => {
+            let curve = shifting.of_series().map_err(|error| refused(error.to_string()))?;
             let material = describe(py, &series.relaxation().map_err(|error| refused(error.to_string()))?)?;
             material.set_item("understood", errors::with_keywords(&understood))?;
+            curve.iter().try_for_each(|curve| describe_shifts(&material, curve))?;
             return Ok(material);
         }
-        MaterialData::Moduli(measurements) => AtOneTemperature::of_moduli(measurements, factors, reference),
-        MaterialData::Isotherms(isotherms) => {
-            AtOneTemperature::of_isotherms(&isotherms, factors, reference, VerticalShift::None)
-        }
+        MaterialData::Moduli(measurements) => AtOneTemperature::of_moduli(measurements, &shifting),
+        MaterialData::Isotherms(isotherms) => AtOneTemperature::of_isotherms(&isotherms, &shifting),
     };
     let measured = measured.map_err(|error| refused(error.to_string()))?;
     let fit = options.fit(&measured.measurements).map_err(|error| refused(error.to_string()))?;

@@ -152,8 +152,11 @@ def test_messages_name_arguments_of_python(experiment, tmp_path):
         (material("warm.csv", shift_factors=tmp_path / "nowhere.csv"), r"nowhere\.csv.*check the path"),
         (
             material("series.inp", reference_temperature=300.0),
-            "leave out reference_temperature=T and shift_factors=FILE",
+            "leave out reference_temperature=T, or give shift_factors=FILE",
         ),
+        (material("series.inp", terms=2), "leave out terms=N"),
+        (material("series.inp", shear=True, poisson_ratio=0.5), "leave out shear=True"),
+        (material("series.inp", modulus_unit="MPa"), r"leave out its unit \(modulus_unit=MPa\)"),
     ]:
         with pytest.raises(stribeck.InputError, match=told) as error:
             call()

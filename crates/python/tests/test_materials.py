@@ -85,7 +85,10 @@ def test_isotherms_are_shifted_as_the_program_does_it(program, tmp_path):
     told = json.loads(program("material", file, "--shift-factors", factors, "--json").stdout)
     assert given.f == told["f"] and "factors.csv" in given.understood
     assert given.shift["activation_energy"] == pytest.approx(80e3, rel=1e-6)
-    # Beside moduli at one temperature they give the law alone.
+    # Beside moduli at one temperature, and beside a series, they give the law alone.
+    (tmp_path / "series.csv").write_text("tau,fraction\n1,0.25\n10,0.5\n")
+    series = stribeck.Material.from_file(tmp_path / "series.csv", shift_factors=factors)
+    assert series.shift["activation_energy"] == pytest.approx(80e3, rel=1e-6) and series.f == pytest.approx(3.0)
     alone = stribeck.Material.from_file(FILES / "moduli.csv", shift_factors=factors)
     assert alone.shift["activation_energy"] == pytest.approx(80e3, rel=1e-6)
     assert alone.f == stribeck.Material.from_file(FILES / "moduli.csv").f

@@ -40,6 +40,8 @@ pub enum MaterialData {
 pub struct MaterialFile {
     /// Its content.
     pub data: MaterialData,
+    /// True if its moduli were shear moduli, which Poisson's ratio made Young's.
+    pub is_of_shear: bool,
     /// How it was understood, in lines for the user.
     pub understood: String,
 }
@@ -70,6 +72,30 @@ impl MaterialOptions {
                 .to_owned()),
         }
     }
+
+    /// Refuses what says nothing of a file of a finite-element program: nothing is left out in silence.
+    ///
+    /// # Errors
+    /// What to leave out.
+    fn go_with(&self, file: &PronyFile) -> Result<(), String> {
+        let program = file.program;
+        if self.is_shear {
+            return Err(format!(
+                "the modulus in an input file of {program} is Young's, and fractions of either modulus are the same; \
+                 leave out --shear"
+            ));
+        }
+        if self.modulus_unit.is_some() && file.modulus.is_none() {
+            return Err(format!(
+                "this input file of {program} holds no modulus; leave out its unit (--modulus-unit MPa)"
+            ));
+        }
+        if !self.columns.is_empty() {
+            let what = "has no columns; leave out --columns \"tau=#1\" and the like";
+            return Err(format!("an input file of {program} {what}"));
+        }
+        Ok(())
+    }
 }
 
 impl MaterialFile {
@@ -90,16 +116,14 @@ impl MaterialFile {
         if let Ok(decoded) = decode(bytes) {
             let located = |fault: Fault| fault.located(&shown(path), &decoded.text);
             if let Some(file) = PronyFile::interpret(&decoded.text).map_err(located)? {
-                let refuse = |what: String| TableError::NotATable { path: path.to_owned(), what };
-                let factor = options.young_factor(ModulusKind::Young).map_err(refuse)?;
-                return Ok(Self::of_series(path, file, options.modulus_unit, factor));
+                options.go_with(&file).map_err(|what| TableError::NotATable { path: path.to_owned(), what })?;
+                return Ok(Self::of_series(path, file, options.modulus_unit));
             }
         }
-        let (data, understood) = material_table::read(&TableFile::of(path, bytes)?, options)?;
-        Ok(Self { data, understood: understood.to_string() })
+        Ok(material_table::read(&TableFile::of(path, bytes)?, options)?)
     }
 
-    fn of_series(path: &Path, file: PronyFile, unit: Option<f64>, factor: f64) -> Self {
+    fn of_series(path: &Path, file: PronyFile, unit: Option<f64>) -> Self {
         let (path, program) = (shown(path), file.program);
         let mut understood =
             format!("{path}: a Prony series of {program}, fractions of the modulus at once; times in s\n");
@@ -107,7 +131,7 @@ impl MaterialFile {
             understood += &format!("  note: {note}\n");
         }
         let series = match (file.modulus, unit) {
-            (Some(_), Some(unit)) => file.with_modulus_in(unit * factor),
+            (Some(_), Some(unit)) => file.with_modulus_in(unit),
             (Some(modulus), None) => {
                 let (which, value) = match modulus {
                     Modulus::Relaxed(value) => ("relaxed", value),
@@ -120,6 +144,6 @@ impl MaterialFile {
             }
             (None, _) => file.series,
         };
-        Self { data: MaterialData::Series(series), understood }
+        Self { data: MaterialData::Series(series), is_of_shear: false, understood }
     }
 }

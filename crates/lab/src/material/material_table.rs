@@ -1,6 +1,6 @@
 //! From a table to what it says of a material: moduli over frequency or time, or the terms of a series.
 
-use super::material_file::{MaterialData, MaterialOptions};
+use super::material_file::{MaterialData, MaterialFile, MaterialOptions};
 use super::measurement::{Measurement, Measurements};
 use super::table_fields::FIELDS;
 use super::{Isotherms, ModulusKind, PronyParts, PronySeries};
@@ -43,7 +43,7 @@ struct Description {
 }
 
 /// What a file of tables says of a material, and how it was understood.
-pub(super) fn read(file: &TableFile, options: &MaterialOptions) -> Result<(MaterialData, Understood), TableError> {
+pub(super) fn read(file: &TableFile, options: &MaterialOptions) -> Result<MaterialFile, TableError> {
     let refuse = |what: String| TableError::NotATable { path: file.path.clone(), what };
     let is_reptate = file.path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(REPTATE));
     let choices = if is_reptate && options.columns.is_empty() {
@@ -65,12 +65,14 @@ pub(super) fn read(file: &TableFile, options: &MaterialOptions) -> Result<(Mater
         understood
             .note("taken for Young's moduli; rheometers write shear moduli so: --shear and --poisson-ratio 0.5 say it");
     }
-    let mut reader = Reader { file, columns: &columns, options, understood };
+    let mut reader = Reader { file, columns: &columns, options, understood, has_bare_modulus: false };
     let data = match description.form {
         Form::Terms(parts) => MaterialData::Series(reader.series(&tables, parts, factor)?),
         form => reader.measurements(&tables, form, factor)?,
     };
-    Ok((data, reader.understood))
+    reader.check_options(description, &data).map_err(refuse)?;
+    let is_of_shear = options.is_shear || description.kind == ModulusKind::Shear;
+    Ok(MaterialFile { data, is_of_shear, understood: reader.understood.to_string() })
 }
 
 /// True for a column of moduli whose name, as in `Storage modulus`, leaves open of what they are.
@@ -187,6 +189,8 @@ struct Reader<'f> {
     columns: &'f Columns,
     options: &'f MaterialOptions,
     understood: Understood,
+    /// True if the lines above the table name a modulus without a unit.
+    has_bare_modulus: bool,
 }
 
 impl Reader<'_> {
@@ -229,16 +233,50 @@ impl Reader<'_> {
             }
             terms.push((part, self.value(&row, "tau", "a number above 0", |value| value > 0.0)?));
         }
-        let comments = tables.iter().flat_map(|table| &table.above);
-        let modulus = comments.filter_map(|(_, line)| modulus_of(line)).next();
-        if let Some(modulus) = modulus {
-            let (name, value) = match modulus {
-                Modulus::Relaxed(value) => ("relaxed", value),
-                Modulus::Instantaneous(value) => ("instantaneous", value),
-            };
-            self.understood.note(format!("the {name} modulus, {value:e} Pa, is that of the lines above the table"));
-        }
+        let modulus = self.modulus_above(tables);
         Ok(PronySeries { parts, terms, modulus: modulus.map(|it| it.times(factor)), kind: ModulusKind::Young })
+    }
+
+    /// The modulus that the lines above the tables name, in Pa; one without a unit is in that of the options.
+    fn modulus_above(&mut self, tables: &[&Table]) -> Option<Modulus> {
+        let comments = tables.iter().flat_map(|table| &table.above);
+        let (modulus, has_unit) = comments.filter_map(|(_, line)| modulus_of(line)).next()?;
+        self.has_bare_modulus = !has_unit;
+        let taken = if has_unit { Some(modulus) } else { self.options.modulus_unit.map(|unit| modulus.times(unit)) };
+        let (name, value) = match taken.unwrap_or(modulus) {
+            Modulus::Relaxed(value) => ("relaxed", value),
+            Modulus::Instantaneous(value) => ("instantaneous", value),
+        };
+        self.understood.note(match taken {
+            Some(_) => format!("the {name} modulus, {value:e} Pa, is that of the lines above the table"),
+            None => format!(
+                "the {name} modulus in the lines above the table, {value}, has no unit there and is left out; give the \
+                 unit of moduli, MPa say"
+            ),
+        });
+        taken
+    }
+
+    /// Refuses options that say nothing of what was read.
+    ///
+    /// # Errors
+    /// What to leave out.
+    fn check_options(&self, description: Description, data: &MaterialData) -> Result<(), String> {
+        let are_fractions = description.form == Form::Terms(PronyParts::Fractions);
+        let has_modulus = !matches!(data, MaterialData::Series(series) if series.modulus.is_none());
+        if self.options.is_shear && are_fractions && !has_modulus {
+            return Err("its terms are fractions without a modulus, and those of shear and of Young's moduli are the \
+                        same; leave out --shear"
+                .to_owned());
+        }
+        let lacks_unit = |column: &Column| column.dimension == Some(Dimension::Modulus) && !column.has_unit();
+        let has_unit = self.options.modulus_unit.is_some();
+        if has_unit && !self.has_bare_modulus && !self.columns.taken.iter().any(lacks_unit) {
+            return Err("it holds no modulus without a unit; leave out --modulus-unit MPa, or say the right unit of \
+                        a column, as in --columns \"storage=#2 (kPa)\""
+                .to_owned());
+        }
+        Ok(())
     }
 
     /// True for a row in which a column that is needed has nothing; it is left out.
@@ -319,16 +357,18 @@ fn is_measurable(value: f64) -> bool {
     value == 0.0 || (1e-100..=1e100).contains(&value.abs())
 }
 
-/// The modulus that a line such as `E0 = 1.7 GPa` names, in Pa.
-fn modulus_of(line: &str) -> Option<Modulus> {
+/// The modulus that a line such as `E0 = 1.7 GPa` names, in Pa, and true; or, without a unit, the number and false.
+fn modulus_of(line: &str) -> Option<(Modulus, bool)> {
     let (name, value) = line.trim_start_matches(['#', ' ']).split_once(['=', ':'])?;
     let (number, unit) = parts(value);
     let Comma::None(number) = with_point(number) else { return None };
-    let value = Dimension::Modulus.conversion(unit.trim())?.in_si(number.parse().ok()?);
+    let number: f64 = number.parse().ok()?;
+    let has_unit = !unit.trim().is_empty();
+    let value = if has_unit { Dimension::Modulus.conversion(unit.trim())?.in_si(number) } else { number };
     let name: String = name.chars().filter(|c| c.is_alphanumeric() || *c == '∞').flat_map(char::to_lowercase).collect();
     match name.as_str() {
-        "e0" | "instantaneousmodulus" => Some(Modulus::Instantaneous(value)),
-        "einf" | "e∞" | "relaxedmodulus" | "longtermmodulus" => Some(Modulus::Relaxed(value)),
+        "e0" | "instantaneousmodulus" => Some((Modulus::Instantaneous(value), has_unit)),
+        "einf" | "e∞" | "relaxedmodulus" | "longtermmodulus" => Some((Modulus::Relaxed(value), has_unit)),
         _ => None,
     }
 }

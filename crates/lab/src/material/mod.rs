@@ -18,7 +18,7 @@
 //! | `master_curve`, `overlap` | [`MasterCurve`]: isotherms shifted to one temperature, by how neighbours lie on one another |
 //! | `shift_factors`, `vertical_shift` | given shift factors; [`VerticalShift`]: moduli that change with temperature |
 //! | `shift_factor_file` | the reader of these |
-//! | `one_temperature` | [`AtOneTemperature`]: moduli as they are, or shifted |
+//! | `one_temperature` | [`Shifting`], [`AtOneTemperature`]: moduli as they are, or shifted |
 
 mod conversion;
 mod creep;
@@ -44,11 +44,11 @@ mod vertical_shift;
 pub use creep::Material;
 pub use doubt::Doubt;
 pub use isotherms::{Isotherm, Isotherms, IsothermsError};
-pub use master_curve::{MasterCurve, MasterCurveError, Shift};
+pub use master_curve::{Laid, MasterCurve, MasterCurveError, Shift};
 pub use material_file::{MaterialData, MaterialFile, MaterialFileError, MaterialOptions};
 pub use measurement::{Measurement, Measurements};
 pub use modulus_kind::ModulusKind;
-pub use one_temperature::AtOneTemperature;
+pub use one_temperature::{AtOneTemperature, Shifting};
 pub use prony::{PronyError, PronyParts, PronySeries};
 pub use prony_file::PronyFile;
 pub use relaxation::{MaterialError, Relaxation, RelaxationTerm};

@@ -6,6 +6,32 @@ use super::measurement::Measurements;
 use super::shift_factors::ShiftFactors;
 use super::vertical_shift::VerticalShift;
 
+/// How a material is to be brought to one temperature.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shifting<'a> {
+    /// Shift factors that are given, in place of those that follow from overlaps.
+    pub factors: Option<&'a ShiftFactors>,
+    /// The temperature to shift to, in K.
+    pub reference: Option<f64>,
+    /// How moduli are shifted.
+    pub vertical: VerticalShift,
+}
+
+impl Shifting<'_> {
+    /// What factors tell of a series: their law alone, at its temperature.
+    ///
+    /// # Errors
+    /// [`MasterCurveError`] if something else is asked for, or factors and reference do not go together.
+    pub fn of_series(&self) -> Result<Option<MasterCurve>, MasterCurveError> {
+        match (self.vertical, self.factors, self.reference) {
+            (VerticalShift::None, None, None) => Ok(None),
+            (VerticalShift::None, None, Some(_)) => Err(MasterCurveError::SeriesIsNotShifted),
+            (VerticalShift::None, Some(factors), reference) => MasterCurve::of_factors(factors, reference).map(Some),
+            (VerticalShift::Overlap | VerticalShift::Density { .. }, ..) => Err(MasterCurveError::NothingToLevel),
+        }
+    }
+}
+
 /// Moduli at one temperature, and how they came there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AtOneTemperature {
@@ -19,16 +45,16 @@ impl AtOneTemperature {
     /// Moduli of which no temperature is told: shift factors beside them give the law alone.
     ///
     /// # Errors
-    /// [`MasterCurveError`] if there is a reference temperature alone, or it does not go with the factors.
-    pub fn of_moduli(
-        measurements: Measurements,
-        factors: Option<&ShiftFactors>,
-        reference: Option<f64>,
-    ) -> Result<Self, MasterCurveError> {
-        let master_curve = match (factors, reference) {
+    /// [`MasterCurveError`] if there is a reference temperature alone, it does not go with the factors, or moduli are to
+    /// be shifted.
+    pub fn of_moduli(measurements: Measurements, shifting: &Shifting<'_>) -> Result<Self, MasterCurveError> {
+        if shifting.vertical != VerticalShift::None {
+            return Err(MasterCurveError::NothingToLevel);
+        }
+        let master_curve = match (shifting.factors, shifting.reference) {
             (None, None) => None,
             (None, Some(_)) => return Err(MasterCurveError::NoTemperatures),
-            (Some(factors), _) => Some(MasterCurve::of_shifted(measurements.clone(), factors, reference)?),
+            (Some(factors), reference) => Some(MasterCurve::of_factors(factors, reference)?),
         };
         Ok(Self { measurements, master_curve })
     }
@@ -37,23 +63,17 @@ impl AtOneTemperature {
     ///
     /// # Errors
     /// [`MasterCurveError`] if there are several without a reference, or they cannot be shifted.
-    pub fn of_isotherms(
-        isotherms: &Isotherms,
-        factors: Option<&ShiftFactors>,
-        reference: Option<f64>,
-        vertical: VerticalShift,
-    ) -> Result<Self, MasterCurveError> {
-        let curve = match (factors, reference, isotherms.all()) {
+    pub fn of_isotherms(isotherms: &Isotherms, shifting: &Shifting<'_>) -> Result<Self, MasterCurveError> {
+        let Shifting { factors, reference, vertical } = *shifting;
+        let (curve, measurements) = match (factors, reference, isotherms.all()) {
             (Some(factors), ..) => MasterCurve::by_factors(isotherms, factors, reference, vertical)?,
             (None, Some(reference), _) => MasterCurve::by_overlap(isotherms, reference, vertical)?,
-            (None, None, [only]) => {
-                return Ok(Self { measurements: only.measurements.clone(), master_curve: None });
-            }
+            (None, None, [only]) => return Self::of_moduli(only.measurements.clone(), shifting),
             (None, None, _) => {
                 let (from, to) = isotherms.range();
                 return Err(MasterCurveError::SeveralTemperatures { from, to });
             }
         };
-        Ok(Self { measurements: curve.measurements.clone(), master_curve: Some(curve) })
+        Ok(Self { measurements, master_curve: Some(curve) })
     }
 }

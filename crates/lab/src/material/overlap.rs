@@ -1,7 +1,6 @@
 //! Two isotherms laid over one another.
 
 use super::isotherms::Isotherm;
-use super::master_curve::MasterCurveError;
 use super::measurement::Measurement;
 use crate::temperature::least_of;
 use std::f64::consts::LN_10;
@@ -29,10 +28,8 @@ impl Overlap {
     /// The best one: the mean of |ΔE*|²/|E*|² is least. If moduli are free, (ln b)² counts beside it, a little: where a
     /// shift of rates and one of moduli do the same, moduli stay.
     ///
-    /// # Errors
-    /// [`MasterCurveError::NoOverlap`] if there is none of a fifth of the shorter isotherm.
-    pub(super) fn best(cold: &Isotherm, warm: &Isotherm, is_free: bool) -> Result<Self, MasterCurveError> {
-        let none = MasterCurveError::NoOverlap { cold: cold.temperature, warm: warm.temperature };
+    /// `None` if there is none of a fifth of the shorter isotherm.
+    pub(super) fn best(cold: &Isotherm, warm: &Isotherm, is_free: bool) -> Option<Self> {
         let pair = Pair::new(cold, warm);
         let (fixed, moved) = (pair.fixed.ends(), pair.moved.ends());
         let shared = OVERLAP * (fixed.1 - fixed.0).min(moved.1 - moved.0);
@@ -46,22 +43,18 @@ impl Overlap {
             pair.mean_square(at(step), level).map_or(f64::INFINITY, |square| square + price)
         };
         let tried = (0..=steps as u32).map(|step| (f64::from(step), square(f64::from(step))));
-        let (best, _) = tried.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or(none)?;
+        let (best, _) = tried.min_by(|a, b| a.1.total_cmp(&b.1))?;
         if best == 0.0 || best == steps {
-            return Err(none);
+            return None;
         }
         Self::at(cold, warm, at(least_of(square, best - 1.0, best + 1.0)), is_free)
     }
 
-    /// The one with a given step.
-    ///
-    /// # Errors
-    /// [`MasterCurveError::NoOverlap`] if moduli are free, and nothing lies over anything.
-    pub(super) fn at(cold: &Isotherm, warm: &Isotherm, step: f64, is_free: bool) -> Result<Self, MasterCurveError> {
+    /// The one with a given step; `None` if moduli are free, and nothing lies over anything.
+    pub(super) fn at(cold: &Isotherm, warm: &Isotherm, step: f64, is_free: bool) -> Option<Self> {
         let pair = Pair::new(cold, warm);
-        let none = MasterCurveError::NoOverlap { cold: cold.temperature, warm: warm.temperature };
-        let level = if is_free { pair.level(step).ok_or(none)? } else { 0.0 };
-        Ok(Self { step, level, residual: pair.mean_square(step, level).map(f64::sqrt) })
+        let level = if is_free { pair.level(step)? } else { 0.0 };
+        Some(Self { step, level, residual: pair.mean_square(step, level).map(f64::sqrt) })
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::ShiftFactors;
 use super::table_fields::SHIFT_FIELDS;
-use crate::table::{Column, ColumnChoice, TableError, TableFile, Understood};
+use crate::table::{Column, ColumnChoice, TableError, TableFile, Understood, bytes};
 use stribeck_input::printable;
 
 impl ShiftFactors {
@@ -14,7 +14,15 @@ impl ShiftFactors {
     /// # Errors
     /// [`TableError`] if the file cannot be read, a column is missing, or the values are no shift factors.
     pub fn read(path: &Path, choices: &[ColumnChoice]) -> Result<(Self, Understood), TableError> {
-        let file = TableFile::read("table of shift factors", path)?;
+        Self::of(path, &bytes("table of shift factors", path)?, choices)
+    }
+
+    /// The shift factors in the bytes of a file, likewise.
+    ///
+    /// # Errors
+    /// As [`ShiftFactors::read`].
+    pub fn of(path: &Path, bytes: &[u8], choices: &[ColumnChoice]) -> Result<(Self, Understood), TableError> {
+        let file = TableFile::of(path, bytes)?;
         let refuse = |what: String| TableError::NotATable { path: path.to_owned(), what };
         let table = &file.tables[0];
         let columns = table.columns(&SHIFT_FIELDS, choices).map_err(refuse)?;

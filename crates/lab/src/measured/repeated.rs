@@ -14,6 +14,8 @@ const ENOUGH: usize = 10;
 const TEMPERATURE: &str = "temperature";
 /// How far apart the temperatures of readings at one place may be, in K.
 const NEAR_KELVINS: f64 = 5.0;
+/// A step of the temperature, in K, behind which another place begins: more than a thermostat wavers.
+const STEP: f64 = 1.0;
 /// How far the readings of a step may be from their median, relative to it or, for ratios, as they are.
 const NEAR: f64 = 0.02;
 /// The part of the readings of a step that must be near the median.
@@ -35,27 +37,50 @@ pub(super) fn averaged(readings: &Measured) -> Option<Measured> {
 
 /// Readings by their places, in the order of the file. Temperatures that are near each other are one place.
 fn groups(readings: &Measured) -> Vec<Vec<usize>> {
-    let by = |is_key: &dyn Fn(&str) -> bool| {
-        let mut groups: Vec<Vec<usize>> = Vec::new();
-        let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
-        for reading in 0..readings.friction.len() {
-            let keys = readings.coordinates.iter().filter(|(name, _)| is_key(name));
-            let place = keys.map(|(_, values)| values[reading].to_bits()).collect();
-            let group = *known.entry(place).or_insert(groups.len());
-            if group == groups.len() {
-                groups.push(Vec::new());
-            }
-            groups[group].push(reading);
-        }
-        groups
-    };
-    let without = by(&|name| name != TEMPERATURE);
     let temperatures = readings.coordinate(TEMPERATURE).unwrap_or_default();
     let spread = |group: &Vec<usize>| {
         let values = || group.iter().filter_map(|reading| temperatures.get(*reading).copied());
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
     };
-    if without.iter().all(|group| spread(group) <= NEAR_KELVINS) { without } else { by(&|_| true) }
+    let without = by(readings, |name| name != TEMPERATURE);
+    let mut parts: Vec<Vec<usize>> = match temperatures {
+        [] => without,
+        _ => without.into_iter().flat_map(|group| at_steps(group, temperatures)).collect(),
+    };
+    parts.sort_by_key(|part| part[0]);
+    if parts.iter().all(|part| spread(part) <= NEAR_KELVINS) { parts } else { by(readings, |_| true) }
+}
+
+/// Readings that agree in some coordinates, in the order of the file.
+fn by(readings: &Measured, is_key: impl Fn(&str) -> bool) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut known: HashMap<Vec<u64>, usize> = HashMap::new();
+    for reading in 0..readings.friction.len() {
+        let keys = readings.coordinates.iter().filter(|(name, _)| is_key(name));
+        let place = keys.map(|(_, values)| values[reading].to_bits()).collect();
+        let group = *known.entry(place).or_insert(groups.len());
+        if group == groups.len() {
+            groups.push(Vec::new());
+        }
+        groups[group].push(reading);
+    }
+    groups
+}
+
+/// A group in parts at temperatures that are a step apart, if each part has readings enough; else as it is.
+fn at_steps(group: Vec<usize>, temperatures: &[f64]) -> Vec<Vec<usize>> {
+    let mut sorted = group.clone();
+    sorted.sort_by(|a, b| temperatures[*a].total_cmp(&temperatures[*b]));
+    let parts = sorted.chunk_by(|a, b| temperatures[*b] - temperatures[*a] <= STEP);
+    if parts.clone().any(|part| part.len() < FEWEST) {
+        return vec![group];
+    }
+    let in_order = |part: &[usize]| {
+        let mut part = part.to_vec();
+        part.sort_unstable();
+        part
+    };
+    parts.map(in_order).collect()
 }
 
 /// The readings of a step that were taken at one place; `None` if the step runs over several.

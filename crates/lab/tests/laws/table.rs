@@ -3,7 +3,13 @@
 use std::path::Path;
 
 use stribeck_lab::table::{ColumnChoice, TableFile};
-use stribeck_lab::{MaterialData, MaterialFile, MaterialOptions, Measured};
+use stribeck_lab::{
+    AtOneTemperature, Isotherms, MaterialData, MaterialFile, MaterialOptions, Measured, Measurements, ShiftFactors,
+    Shifting,
+};
+
+/// Rows that are shifted at most: more take too long for one of many inputs.
+const MOST_SHIFTED: usize = 60;
 
 /// Reads the bytes as tables and as measured points.
 pub fn check(bytes: &[u8]) {
@@ -31,16 +37,40 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// Reads the bytes as a material.
+/// Reads the bytes as a material, of Young's moduli or of shear moduli, and as shift factors.
 pub fn check_material(bytes: &[u8]) {
-    let options = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
-    for name in ["any.csv", "any.tts"] {
-        let Ok(MaterialFile { data: MaterialData::Moduli(moduli), .. }) =
-            MaterialFile::of(Path::new(name), bytes, &options)
-        else {
-            continue;
-        };
-        let numbers = moduli.rows().iter().flat_map(|row| [row.rate(), row.size()]);
-        assert!(numbers.into_iter().all(|number| number > 0.0 && number.is_finite()));
+    let young = MaterialOptions { modulus_unit: Some(1e6), ..MaterialOptions::default() };
+    let shear = MaterialOptions { is_shear: true, poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    let unknown = MaterialOptions { poisson_ratio: Some(0.5), ..MaterialOptions::default() };
+    for (name, options) in [("any.csv", &unknown), ("any.tts", &unknown), ("any.csv", &young), ("any.csv", &shear)] {
+        let Ok(file) = MaterialFile::of(Path::new(name), bytes, options) else { continue };
+        assert!(file.understood.starts_with(name));
+        match file.data {
+            MaterialData::Series(series) => assert!(series.terms.iter().all(|term| term.0 > 0.0 && term.1 > 0.0)),
+            MaterialData::Moduli(moduli) => check_moduli(&moduli),
+            MaterialData::Isotherms(isotherms) => check_isotherms(&isotherms),
+        }
+    }
+    if let Ok((factors, _)) = ShiftFactors::of(Path::new("any.csv"), bytes, &[]) {
+        let (least, most) = factors.range();
+        assert!(least < most && factors.reference().is_none_or(|reference| (least..=most).contains(&reference)));
+    }
+}
+
+fn check_moduli(moduli: &Measurements) {
+    let numbers = moduli.rows().iter().flat_map(|row| [row.rate(), row.size()]);
+    assert!(numbers.into_iter().all(|number| number > 0.0 && number.is_finite()));
+}
+
+/// Isotherms ascend, and a few of them are shifted or refused.
+fn check_isotherms(isotherms: &Isotherms) {
+    isotherms.all().iter().for_each(|isotherm| check_moduli(&isotherm.measurements));
+    assert!(isotherms.all().is_sorted_by(|a, b| a.temperature < b.temperature));
+    if isotherms.all().iter().map(|isotherm| isotherm.measurements.rows().len()).sum::<usize>() > MOST_SHIFTED {
+        return;
+    }
+    let shifting = Shifting { reference: Some(isotherms.range().0), ..Shifting::default() };
+    if let Ok(shifted) = AtOneTemperature::of_isotherms(isotherms, &shifting) {
+        assert!(shifted.master_curve.is_some_and(|curve| curve.shifts.len() == isotherms.all().len()));
     }
 }

@@ -45,15 +45,15 @@ fn isotherms(material: &Relaxation, law: &ShiftLaw, kind: Kind) -> Isotherms {
 fn a_known_law_comes_back_from_isotherms() {
     for kind in [wave as Kind, step] {
         for law in [WLF, ARRHENIUS] {
-            let curve = MasterCurve::by_overlap(&isotherms(&rubber(), &law, kind), REFERENCE, VerticalShift::None)
-                .expect("a curve");
+            let all = isotherms(&rubber(), &law, kind);
+            let (curve, measurements) = MasterCurve::by_overlap(&all, REFERENCE, VerticalShift::None).expect("a curve");
             assert_eq!(curve.shifts.len(), 11);
             for shift in &curve.shifts {
                 let exact = law.log_shift_factor(shift.temperature).expect("within the law");
                 assert!((shift.log_factor - exact).abs() < 0.05, "{law:?}: {shift:?}, not {exact}");
                 assert!(shift.residual.is_none_or(|residual| residual < 0.02), "{shift:?}");
             }
-            for row in curve.measurements.rows() {
+            for row in measurements.rows() {
                 let exact = rubber().answer(row);
                 let ([a, b], [c, d]) = (row.moduli(), exact.moduli());
                 assert!((a - c).hypot(b - d) < 0.05 * c.hypot(d), "{row:?}, not {exact:?}");
@@ -82,12 +82,12 @@ fn moduli_are_shifted_back() {
     let rows = all.map(|(temperature, row)| (temperature, row.stiffer(1.0 / b(temperature)))).collect();
     let all = Isotherms::new(rows).expect("isotherms");
     let error = |vertical: VerticalShift| {
-        let curve = MasterCurve::by_overlap(&all, REFERENCE, vertical).expect("a curve");
+        let (curve, measurements) = MasterCurve::by_overlap(&all, REFERENCE, vertical).expect("a curve");
         for shift in &curve.shifts {
             let exact = if vertical == VerticalShift::None { 0.0 } else { b(shift.temperature).log10() };
             assert!((shift.log_vertical - exact).abs() < 0.01, "{vertical:?}: {shift:?}, not {exact}");
         }
-        let misses = curve.measurements.rows().iter().map(|row| {
+        let misses = measurements.rows().iter().map(|row| {
             let ([a, b], [c, d]) = (row.moduli(), rubber().answer(row).moduli());
             (a - c).hypot(b - d) / c.hypot(d)
         });
@@ -106,7 +106,7 @@ fn given_factors_are_taken() {
     assert!((factors.reference().expect("one within") - REFERENCE).abs() < 0.01);
     let isotherms = isotherms(&rubber(), &WLF, wave);
     for (asked, reference) in [(None, REFERENCE), (Some(REFERENCE), REFERENCE), (Some(313.15), 313.15)] {
-        let curve = MasterCurve::by_factors(&isotherms, &factors, asked, VerticalShift::None).expect("a curve");
+        let (curve, _) = MasterCurve::by_factors(&isotherms, &factors, asked, VerticalShift::None).expect("a curve");
         assert!((curve.reference - reference).abs() < 0.01);
         let zero = exact(reference).1;
         for shift in &curve.shifts {
@@ -180,4 +180,23 @@ fn rows_that_are_no_isotherms_are_told() {
     let two = Isotherms::new(vec![row(280.1, 1.0), row(290.0, 2.0), row(279.9, 2.0), row(290.0, 1.0)]).expect("two");
     assert_eq!(two.all().iter().map(|one| one.temperature).collect::<Vec<_>>(), [280.0, 290.0]);
     assert_eq!(two.range(), (280.0, 290.0));
+}
+
+/// A glass, which hardly changes with rate and temperature, is no rubber, and factors far apart leave no overlap.
+#[test]
+fn moduli_that_cannot_be_shifted_are_told() {
+    let row = |temperature: f64, rate: f64| {
+        let (storage, loss) = (8e9 * rate.powf(0.002), 1e8);
+        (temperature, Measurement::Oscillation { omega: rate, storage, loss })
+    };
+    let rates = (0..=18).map(|i| 10_f64.powf(f64::from(i) / 6.0));
+    let rows = [230.0, 240.0].into_iter().flat_map(|temperature| rates.clone().map(move |rate| row(temperature, rate)));
+    let glass = Isotherms::new(rows.collect()).expect("isotherms");
+    let said = |found: Result<_, MasterCurveError>| found.expect_err("nothing overlaps").to_string();
+    let rubber = said(MasterCurve::by_overlap(&glass, 240.0, VerticalShift::Density { expansion: 0.0 }));
+    assert!(rubber.contains("those of a glass do not follow that. Leave out --vertical-shift density"), "{rubber}");
+    let factors = ShiftFactors::new(vec![(230.0, 9.0), (240.0, 0.0)]).expect("factors");
+    let far = said(MasterCurve::by_factors(&glass, &factors, None, VerticalShift::Overlap));
+    assert!(far.contains("do not overlap where the shift factors lay them"), "{far}");
+    assert!(MasterCurve::by_factors(&glass, &factors, None, VerticalShift::None).is_ok());
 }

@@ -156,7 +156,7 @@ class Material:
             Where moduli at several temperatures are shifted to, as in "20 degC"; K without a unit.
         shift_factors : path, optional
             A table of the factors by which they are shifted, in place of those found from their overlap. Beside moduli
-            that were shifted before it gives the law.
+            that were shifted before, or a Prony series, it gives the law.
         columns : str, optional
             What columns hold whose names do not tell, as in ``"storage=#2,loss=#3"``.
         shift : dict, optional
