@@ -376,7 +376,7 @@ fn drop_lone_points(points: &mut [(f64, f64)]) {
     let known: Vec<bool> = points.iter().map(|point| !point.1.is_nan()).collect();
     let is_known = |i: usize| known.get(i).copied().unwrap_or(false);
     for (i, point) in points.iter_mut().enumerate().filter(|_| known.len() > 2) {
-        if !(i > 0 && is_known(i - 1)) && !is_known(i + 1) {
+        if (i == 0 || !is_known(i - 1)) && !is_known(i + 1) {
             point.1 = f64::NAN;
         }
     }
