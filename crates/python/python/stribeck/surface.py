@@ -26,6 +26,7 @@ except ImportError:  # a copy, without the package
         """Have no surface."""
         raise InputError("the surface that is built in comes with the package stribeck; name a surface.json")
 
+
 _Array: TypeAlias = NDArray[Any]
 _Values: TypeAlias = dict[str, _Array]
 

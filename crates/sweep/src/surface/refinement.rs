@@ -11,8 +11,9 @@ use crate::{Column, SurfaceSweep};
 use stribeck_solver::{Parameters, collocation};
 use stribeck_surface::{Certificate, CheckPoint, FORMAT, NumberKind, QuantityRecord, Surface, SurfaceFile, encode};
 
-/// What lines may leave unsaid of a quantity in the first round, in tolerances. The errors of several axes add up.
-const FIRST_THRESHOLD: f64 = 0.2;
+/// What lines may leave unsaid of a quantity in the first round, in tolerances, for one to three axes. The errors of
+/// several axes add up; with three, less costs much.
+const FIRST_THRESHOLD: [f64; 3] = [0.1, 0.1, 0.2];
 /// What the threshold of a bad quantity is multiplied by where more lines do not help.
 const LOWER: f64 = 0.7;
 /// What lines leave unsaid makes an error of about so many thresholds.
@@ -21,8 +22,9 @@ const FLOOR: f64 = 8.0;
 const STALLED: usize = 2;
 /// Below this threshold the errors of the solver would be followed.
 const LEAST_THRESHOLD: f64 = 0.07;
-/// The largest error at the leading points with which a surface is compared with fresh ones, in tolerances.
-const GOOD: f64 = 0.9;
+/// The largest error at the leading points with which a surface is compared with fresh ones, in tolerances, for one to
+/// three axes. With few axes there are few leading points.
+const GOOD: [f64; 3] = [0.6, 0.6, 0.9];
 /// The largest error that compression may lead to at the leading points, in tolerances.
 const COMPRESSED: f64 = 0.95;
 /// What compression may leave out, in tolerances: the most that leads to no larger error is taken.
@@ -75,12 +77,12 @@ impl<'a> Work<'a> {
     /// Refines until fresh random points show no error above the tolerance; false if that needs too many cases.
     pub fn refine(&mut self, tell: &mut dyn FnMut(Progress)) -> Result<(Surface, bool), SurfaceBuildError> {
         let settings = &self.surface.settings;
-        let tolerance = settings.tolerance;
+        let (tolerance, good) = (settings.tolerance, self.good());
         let mut cross = Cross::new(self.domain.dimensions());
         self.first_points().iter().for_each(|point| cross.add_lines(point));
         let (mut leading, mut on_lines, mut seed) = (Known::default(), Known::default(), settings.seed);
         let (mut best, mut stalled) = (f64::INFINITY, 0);
-        let mut thresholds = vec![FIRST_THRESHOLD; self.domain.columns.len()];
+        let mut thresholds = vec![FIRST_THRESHOLD[self.domain.dimensions() - 1]; self.domain.columns.len()];
         for number in 1.. {
             let fits = self.solve_cross(&mut cross, &mut on_lines, &thresholds)?;
             let seed_of_round = u64::MAX - number as u64;
@@ -93,7 +95,7 @@ impl<'a> Work<'a> {
             tell(Progress::Round { number, cases: self.nodes.count(), largest });
             let least = thresholds.iter().copied().fold(f64::INFINITY, f64::min);
             let last = !fits || least < LEAST_THRESHOLD || self.nodes.count() >= MOST_CASES;
-            if largest <= GOOD || last {
+            if largest <= good || last {
                 let fresh = self.known(random_points(&self.domain, settings.points, seed))?;
                 let (surface, error) = self.compared(&cross, &leading, &fresh, seed)?;
                 let cases = surface.file().certificate.cases;
@@ -112,13 +114,17 @@ impl<'a> Work<'a> {
             best = best.min(largest);
             if stalled >= STALLED || (stalled > 0 && largest < FLOOR * least) {
                 for (threshold, errors) in thresholds.iter_mut().zip(of_each) {
-                    let is_bad = errors.into_iter().fold(0.0, f64::max) > GOOD * tolerance;
+                    let is_bad = errors.into_iter().fold(0.0, f64::max) > good * tolerance;
                     *threshold *= if is_bad { LOWER } else { 1.0 };
                 }
                 (best, stalled) = (f64::INFINITY, 0);
             }
         }
         unreachable!("the threshold falls, or the error does")
+    }
+
+    fn good(&self) -> f64 {
+        GOOD[self.domain.dimensions() - 1]
     }
 
     /// The points of the first lines, in mapped coordinates: along each axis a line at every combination of middles and
@@ -199,7 +205,7 @@ impl<'a> Work<'a> {
 
     /// Adds the lines through the points with the largest errors that are not near to each other.
     fn add_lines(&self, cross: &mut Cross, leading: &Known, worst: &[f64]) {
-        let enough = 0.5 * GOOD * self.surface.settings.tolerance;
+        let enough = 0.5 * self.good() * self.surface.settings.tolerance;
         let mut places: Vec<usize> = (0..worst.len()).filter(|&place| worst[place] > enough).collect();
         places.sort_by(|&a, &b| worst[b].total_cmp(&worst[a]));
         let is_near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < NEAR);
