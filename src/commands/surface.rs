@@ -71,15 +71,15 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     let file = report.surface.file();
     let bytes = std::fs::metadata(&report.file).map_or(0, |metadata| metadata.len());
-    let mut text = format!(
-        "{}: {} kB, made from {} ({} solved now) in {:.1} s\n",
+    let made = format!(
+        "{}: {} kB from {} ({} solved now), {:.1} s",
         shown(&report.file),
         bytes.div_ceil(1000),
         count(file.certificate.cases as u64, "case"),
         report.solved,
         start.elapsed().as_secs_f64()
     );
-    text += &certificate(file);
+    let mut text = filled(&made, "  ") + "\n" + &certificate(file);
     if !report.holds {
         text += &format!(
             "the largest error is above the tolerance of {:e} after the most cases that a surface may take: narrow the \
