@@ -17,6 +17,7 @@ __all__ = [
     "si",
     "solve",
     "solve_sweep",
+    "universe",
 ]
 __version__: str
 FIELDS: list[str]

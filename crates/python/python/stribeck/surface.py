@@ -76,7 +76,7 @@ class Surface:
     --------
     >>> surface = Surface()
     >>> surface(alpha=1.0, beta=[100.0, 200.0], f=100.0)["mu_drag"].round(3)
-    array([0.745, 0.723])
+    array([0.746, 0.723])
     """
 
     def __init__(self, path: str | os.PathLike[str] | None = None):
