@@ -67,9 +67,13 @@ def load(chromium, path, size):
 def stay(chromium, path, size):
     """The live picture stands where the first one stood when words had been filled in."""
     with window(chromium, *size) as watched:
-        watched.page.add_init_script(f"""window.addEventListener("DOMContentLoaded", () => {{
-            window.boxes = ({LOOK})()[2];
-        }});""")
+        # The box in the last frame that has the picture.
+        watched.page.add_init_script(f"""const watch = () => {{
+            const shown = [...document.querySelectorAll(".first svg")].some(it => it.checkVisibility());
+            if (shown) window.boxes = ({LOOK})()[2];
+            if (shown || !window.boxes) requestAnimationFrame(watch);
+        }};
+        requestAnimationFrame(watch);""")
         watched.open(path)
         assert watched.page.query_selector(".first") is None, "the first picture still stands before the live one"
         before, after = watched.page.evaluate("window.boxes"), watched.page.evaluate(LIVE)
