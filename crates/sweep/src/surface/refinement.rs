@@ -20,8 +20,8 @@ const LOWER: f64 = 0.7;
 const FLOOR: f64 = 8.0;
 /// More lines do not help after so many rounds without a smaller error.
 const STALLED: usize = 2;
-/// Below this threshold the errors of the solver would be followed.
-const LEAST_THRESHOLD: f64 = 0.07;
+/// Below this threshold the errors of the solver would be followed, for one to three axes.
+const LEAST_THRESHOLD: [f64; 3] = [0.01, 0.01, 0.07];
 /// The largest error at the leading points with which a surface is compared with fresh ones, in tolerances, for one to
 /// three axes. With few axes there are few leading points.
 const GOOD: [f64; 3] = [0.6, 0.6, 0.9];
@@ -94,7 +94,8 @@ impl<'a> Work<'a> {
             let largest = worst.iter().copied().fold(0.0, f64::max) / tolerance;
             tell(Progress::Round { number, cases: self.nodes.count(), largest });
             let least = thresholds.iter().copied().fold(f64::INFINITY, f64::min);
-            let last = !fits || least < LEAST_THRESHOLD || self.nodes.count() >= MOST_CASES;
+            let is_at_end = least < LEAST_THRESHOLD[self.domain.dimensions() - 1];
+            let last = !fits || is_at_end || self.nodes.count() >= MOST_CASES;
             if largest <= good || last {
                 let fresh = self.known(random_points(&self.domain, settings.points, seed))?;
                 let (surface, error) = self.compared(&cross, &leading, &fresh, seed)?;
