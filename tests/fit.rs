@@ -77,6 +77,47 @@ fn the_command_tells_and_writes_a_fit() {
     assert_eq!(json["points"].as_array().unwrap().len(), 10);
 }
 
+/// From values that are hundreds of times off, a fit ends nowhere or elsewhere; a search by the built-in surface comes to
+/// what the points were made with.
+#[test]
+fn a_search_finds_where_to_begin() {
+    let directory = tempfile::tempdir().unwrap();
+    write_points(directory.path());
+    for (values, unknowns) in [
+        (["100 kPa", "20 s", "10.0"], "retardation_time"),
+        (["20 MPa", "50 us", "100.0"], "relaxed_modulus,retardation_time,f"),
+    ] {
+        let far = [("150 kPa", values[0]), ("50 ms", values[1]), ("f = 10.0", &format!("f = {}", values[2]))];
+        let far = far.iter().fold(SWEEP.to_owned(), |text, (near, far)| text.replace(near, far));
+        fs::write(directory.path().join("sweep.toml"), far).unwrap();
+        let fit = ["fit", "points.csv", "sweep.toml", "--unknown", unknowns, "--json"];
+        let is_found = |said: &Value| {
+            let truth = |name: &str| {
+                [("relaxed_modulus", 1e5), ("retardation_time", 0.02), ("f", 10.0)]
+                    .into_iter()
+                    .find(|it| it.0 == name)
+                    .unwrap()
+                    .1
+            };
+            let is_near = |it: &Value| {
+                (it["value"].as_f64().unwrap() / truth(it["unknown"].as_str().unwrap()) - 1.0).abs() < 1e-3
+            };
+            said["estimates"].as_array().unwrap().iter().all(is_near)
+        };
+        let said = say(directory.path(), &fit);
+        assert!(code(&said) != 0 || !is_found(&serde_json::from_str(&out(&said)).unwrap()), "{}", out(&said));
+        let said = say(directory.path(), &[&fit[..], &["--search"]].concat());
+        assert_eq!(code(&said), 0, "{}", err(&said));
+        assert!(err(&said).contains("begins at "), "{}", err(&said));
+        assert!(is_found(&serde_json::from_str(&out(&said)).unwrap()), "{}", out(&said));
+    }
+    let rolling = SWEEP.replace("speed = [1e-3, 1e-2]", "entrainment_speed = [1e-3, 1e-2]\nslide_roll_ratio = 0.5");
+    fs::write(directory.path().join("sweep.toml"), rolling).unwrap();
+    fs::write(directory.path().join("points.csv"), "entrainment_speed,mu\n0.001,0.1\n0.002,0.1\n").unwrap();
+    let said = say(directory.path(), &["fit", "points.csv", "sweep.toml", "--unknown", "viscosity", "--search"]);
+    assert!(code(&said) == 2 && err(&said).contains("a rigid roller that slides"), "{}", err(&said));
+}
+
 #[test]
 fn the_command_names_what_is_wrong() {
     let directory = tempfile::tempdir().unwrap();

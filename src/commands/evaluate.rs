@@ -1,19 +1,17 @@
 //! `stribeck evaluate`: the numbers of a surface at points, and a check of it.
 
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
 use serde_json::{Map, Value, json};
 
 use super::at::{self, At};
-use super::output_file::{OutputFiles, or_empty, unwritten};
+use super::evaluate_points::{self, PointFiles};
 use super::{CliError, Exit, console, number, threads};
 use crate::universe::universe;
-use stribeck_input::{printable, shown};
+use stribeck_input::shown;
 use stribeck_solver::{Interrupt, shortest};
 use stribeck_surface::Surface;
 use stribeck_sweep::SurfaceSweep;
@@ -68,8 +66,8 @@ pub struct Arguments {
     /// Seed of the random points
     #[arg(long, value_name = "S", default_value_t = 2, requires = "check")]
     seed: u64,
-    /// Solver threads of the check [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads::parse, requires = "check")]
+    /// Threads of the check or of a file of points [default: all cores]
+    #[arg(long, value_name = "N", value_parser = threads::parse)]
     threads: Option<NonZeroUsize>,
 }
 
@@ -80,7 +78,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     };
     match (arguments.check, &arguments.points) {
         (Some(points), _) => check(arguments, &surface, points.get()),
-        (None, Some(points)) => evaluate_file(arguments, &surface, points),
+        (None, Some(points)) => {
+            let files =
+                PointFiles { surface: arguments.surface.as_deref(), points, output: arguments.output.as_deref() };
+            evaluate_points::evaluate(&surface, &files, threads::number(arguments.threads))
+        }
         (None, None) => evaluate_point(arguments, &surface),
     }
 }
@@ -157,96 +159,6 @@ fn check_fixed(surface: &Surface, name: &str, value: f64) -> Result<(), CliError
         true => Ok(()),
         false => Err(CliError::OtherValue { axis: name.to_owned(), made_for: fixed.values[0] }),
     }
-}
-
-/// The points of a file: each row with what it has, the quantities, and where it lies.
-fn evaluate_file(arguments: &Arguments, surface: &Surface, points: &Path) -> Result<Exit, CliError> {
-    let output = arguments.output.as_deref();
-    let unreadable = |what: String| CliError::Points { file: points.to_owned(), what };
-    let mut reader = csv::Reader::from_path(points).map_err(|error| unreadable(error.to_string()))?;
-    let header = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
-    let columns = surface.axes().iter().map(|axis| {
-        let found = header.iter().position(|name| name.trim() == axis.name);
-        found.ok_or_else(|| unreadable(format!("it has no column `{}`; name one so in the first line", axis.name)))
-    });
-    let columns: Vec<usize> = columns.collect::<Result<_, _>>()?;
-    if let Some(taken) = surface.quantities().chain(["status"]).find(|name| header.iter().any(|it| it == *name)) {
-        return Err(unreadable(format!("it has a column `{taken}` already, which would be there twice; rename it")));
-    }
-    let mut rows =
-        |sink: &mut dyn Write, name: &Path| write_rows(surface, &mut reader, &columns, &unreadable, (sink, name));
-    let Some(output) = output else {
-        return outside_told(surface, rows(&mut io::stdout().lock(), Path::new("standard output"))?);
-    };
-    let header = format!("{},status\n", surface.quantities().collect::<Vec<_>>().join(","));
-    let is_ours = |beginning: &[u8]| {
-        let line = beginning.split_inclusive(|byte| *byte == b'\n').next().unwrap_or_default();
-        line.ends_with(header.as_bytes())
-    };
-    let inputs = arguments.surface.as_deref().into_iter().chain([points]);
-    let file = OutputFiles::new("evaluate", inputs).check(output, or_empty(is_ours))?;
-    outside_told(surface, file.fill(|writer| rows(writer, output))?)
-}
-
-/// How many points there are, and how many of them lie outside.
-struct Points {
-    all: u64,
-    outside: u64,
-}
-
-/// Writes the rows of the points with their values.
-fn write_rows(
-    surface: &Surface,
-    reader: &mut csv::Reader<File>,
-    columns: &[usize],
-    unreadable: &dyn Fn(String) -> CliError,
-    (sink, name): (&mut dyn Write, &Path),
-) -> Result<Points, CliError> {
-    let mut writer = csv::Writer::from_writer(BufWriter::new(sink));
-    let failed = unwritten(name);
-    let write_failed = |error: csv::Error| failed(io::Error::other(error));
-    let mut row = reader.headers().map_err(|error| unreadable(error.to_string()))?.clone();
-    surface.quantities().for_each(|name| row.push_field(name));
-    row.push_field("status");
-    writer.write_record(&row).map_err(write_failed)?;
-    let mut evaluator = surface.evaluator();
-    let (mut counts, mut point) = (Points { all: 0, outside: 0 }, vec![0.0; columns.len()]);
-    while reader.read_record(&mut row).map_err(|error| unreadable(error.to_string()))? {
-        counts.all += 1;
-        for ((x, &column), axis) in point.iter_mut().zip(columns).zip(surface.axes()) {
-            let text = row[column].trim();
-            *x = number::number(text).ok_or_else(|| {
-                let line = row.position().map_or(counts.all + 1, csv::Position::line);
-                unreadable(format!("line {line}: `{}` in the column `{}` is no number", printable(text), axis.name))
-            })?;
-        }
-        match evaluator.values(&point) {
-            Ok(values) => {
-                values.iter().for_each(|value| row.push_field(&shortest(*value)));
-                row.push_field("inside");
-            }
-            Err(_) => {
-                counts.outside += 1;
-                surface.quantities().for_each(|_| row.push_field(""));
-                row.push_field("outside");
-            }
-        }
-        writer.write_record(&row).map_err(write_failed)?;
-    }
-    writer.flush().map_err(failed)?;
-    Ok(counts)
-}
-
-/// Tells of points that lie outside.
-fn outside_told(surface: &Surface, Points { all, outside }: Points) -> Result<Exit, CliError> {
-    if outside == 0 {
-        return Ok(Exit::Success);
-    }
-    let range =
-        |axis: &stribeck_surface::Axis| format!("{} from {} to {}", axis.name, shortest(axis.from), shortest(axis.to));
-    let ranges = surface.axes().iter().map(range).collect::<Vec<_>>().join(", ");
-    console::tell(&format!("{outside} of {all} points lie outside the surface, which has {ranges}"));
-    Ok(Exit::CasesFailed)
 }
 
 /// Compares a surface with fresh solutions.

@@ -6,6 +6,7 @@ use std::time::Duration;
 use clap::Args;
 
 use super::curve::laboratory;
+use super::fit_beginning;
 use super::fit_progress::{time_limit, watched};
 use super::fitted_curves::FittedCurves;
 use super::fitted_friction::{FittedFriction, LAST_COLUMNS};
@@ -47,6 +48,10 @@ pub struct Arguments {
     /// Where unknowns must stay, in SI units, as in f=0:100; either end may be left out
     #[arg(long, value_name = "NAME=LO:HI,…", value_delimiter = ',', value_parser = bounds)]
     bounds: Vec<Bounds>,
+    /// Begin at the best of thousands of values between the bounds, or up to a thousand times off, by the built-in surface:
+    /// for one retardation time and a rigid roller that slides
+    #[arg(long)]
+    search: bool,
     /// End the search after this time, as in 10m or 90s, with the best values so far and exit code 5
     #[arg(long, value_name = "TIME", value_parser = time_limit)]
     time_limit: Option<Duration>,
@@ -112,8 +117,11 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let measured = points_to_fit(measured, &arguments.unknown);
     laboratory(&sweep, sweep_file)?;
     measured::note_units(&measured, &sweep.grid.dimensions());
-    let task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
+    let mut task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
     measured::note_temperatures(&measured, task.experiment.temperature.is_some());
+    if arguments.search {
+        task.experiment = fit_beginning::searched(&task).map_err(refuse)?;
+    }
     let directory = arguments.output.as_deref();
     let outputs = directory.map(|directory| outputs(arguments, directory)).transpose()?;
     let (fit, intervals) = watched(&arguments.unknown, arguments.time_limit, |watch| {

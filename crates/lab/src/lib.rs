@@ -51,7 +51,7 @@ mod viscosity_law;
 pub use experiment::{Experiment, Modulus, Powers, Temperature, TemperatureLaws};
 pub use friction_fit::{
     Bounds, Estimate, FittedCurve, FittedPoint, FrictionFit, FrictionFitError, FrictionTask, Inseparable, Unknown,
-    Watch,
+    Watch, best_beginning,
 };
 pub use material::{
     AtOneTemperature, Doubt, Isotherm, Isotherms, IsothermsError, Laid, MasterCurve, MasterCurveError, Material,

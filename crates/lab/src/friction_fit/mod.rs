@@ -3,6 +3,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `unknown`, `bounds` | [`Unknown`]: what a fit may look for; [`Bounds`]: where it may be |
+//! | `beginning` | [`best_beginning`]: where a fit may begin, without solving |
 //! | `prediction` | friction at the measured points, and how it changes with the unknowns |
 //! | `problem` | residuals and their Jacobian, for the Levenberg–Marquardt method |
 //! | `statistics` | standard errors and correlations |
@@ -13,6 +14,7 @@
 //! errors σᵢ. For means of readings they are ln(μ/μᵢ) μᵢ/σᵢ. Otherwise they are ln(μ/μᵢ): equal relative errors, whose
 //! size then follows from the residuals.
 
+mod beginning;
 mod bounds;
 mod curve;
 mod prediction;
@@ -24,6 +26,7 @@ mod unknown;
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 
 use crate::{Experiment, Measured};
+pub use beginning::best_beginning;
 pub use bounds::Bounds;
 pub use curve::FittedCurve;
 use prediction::Predictor;
