@@ -265,9 +265,10 @@ function compare(checks, quantities, evaluate) {
 
 // A surface, from the object that its JSON is. `evaluate` and `derivatives` take a point, as a list in the order of
 // the axes or an object with a value of each. They give objects: each quantity, and for each quantity its derivative
-// with respect to each axis, NaN at the end 0 of a compact axis. A point outside is a RangeError. `line` takes the name of
-// an axis and a point, and gives a function of the coordinate on that axis, which is fast. `errors` takes what `evaluate`
-// gives, and says how far off each quantity may be: its largest measured error there, NaN where that is not known.
+// with respect to each axis, NaN at the end 0 of a compact axis. A point outside is a RangeError. `line` takes the name
+// of an axis and a point, and gives a function of the coordinate on that axis, which is fast. `errors` takes what
+// `evaluate` gives, and says how far off each quantity may be: its largest measured error there, NaN where that is not
+// known.
 //
 // An axis has functions there and back between its values and places from 0 to 1, in which the surface is smooth:
 // `place(x)` and `value(place)`.

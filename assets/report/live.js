@@ -2,6 +2,7 @@
 
 import { writeAddress } from "./address.js";
 import { element, say, show } from "./elements.js";
+import { roundPoint } from "./live_axes.js";
 import { fillLiveControls, showLiveControls } from "./live_controls.js";
 import { drawLiveCurve, pointClicked } from "./live_curve.js";
 import { addLivePoint, goToAddress, live } from "./live_point.js";
@@ -44,8 +45,8 @@ function choose(chosen) {
 
 function followAddress() {
   const missing = goToAddress();
-  const words = `This link asks for what is not on this surface: ${missing.join("; ")}. In its place stands the default.`;
-  say("live-said", missing.length ? words : "");
+  const words = `This link asks for what is not on this surface: ${missing.join("; ")}.`;
+  say("live-said", missing.length ? `${words} In its place stands the default.` : "");
   follow();
 }
 
@@ -78,6 +79,6 @@ export function addLive() {
   ]);
   whenClicked((id, point) => {
     const to = id === "live-curve" ? pointClicked(point) : undefined;
-    if (to) choose({ point: to });
+    if (to) choose({ point: roundPoint(to) });
   });
 }

@@ -1,5 +1,6 @@
-// The axes of the surface: values in words and out of words, and where they stand in a picture. A logarithmic axis of the
-// surface is one in the picture too. One that reaches 0 or ∞ is drawn in the coordinate in which the surface is smooth.
+// The axes of the surface: values in words and out of words, and where they stand in a picture. A logarithmic axis of
+// the surface is one in the picture too. One that reaches 0 or ∞ is drawn in the coordinate in which the surface is
+// smooth.
 
 import { surface, words } from "./live_surface.js";
 import { decade, digits } from "./numbers.js";
@@ -7,7 +8,7 @@ import { logTicks } from "./ticks.js";
 import { takesPrefix, titled, unitFor, withUnit } from "./units.js";
 
 // Sliders give values of so many digits, which are those that stand beside them.
-const kept = 4;
+export const kept = 4;
 
 const axisAt = (m) => surface().axes[m];
 const unitOf = (m, x) => unitFor(axisAt(m).units, Math.abs(x === Infinity ? 1 : x));
@@ -15,10 +16,11 @@ const unitOf = (m, x) => unitFor(axisAt(m).units, Math.abs(x === Infinity ? 1 : 
 export const symbolAt = (m) => words().axes[m].symbol;
 export const labelAt = (m) => words().axes[m].label;
 
-// A value in words, with its unit, and with its name before it.
-export const valueText = (m, x) => withUnit(x, axisAt(m).units);
-export const valueWords = (m, x) => `${symbolAt(m)} = ${valueText(m, x)}`;
-export const pointWords = (point) => point.map((x, m) => valueWords(m, x)).join(", ");
+// A value in words, with its unit, and with its name before it: with all digits that it was given, or with so many.
+const all = 12;
+export const valueText = (m, x, count = all) => withUnit(x, axisAt(m).units, { count });
+export const valueWords = (m, x, count = all) => `${symbolAt(m)} = ${valueText(m, x, count)}`;
+export const pointWords = (point, count = all) => point.map((x, m) => valueWords(m, x, count)).join(", ");
 
 // What the surface is over: α from 0 to ∞, β from 10 to 1000.
 export const axesWords = () =>
@@ -35,6 +37,9 @@ export function roundValue(m, place) {
   const short = Number(((x - zero) / one).toPrecision(kept));
   return Math.min(Math.max(Number((short * one + zero).toPrecision(12)), from), to);
 }
+
+// The point with few digits that is next to one.
+export const roundPoint = (point) => point.map((x, m) => roundValue(m, axisAt(m).place(x)));
 
 // 3.2·10⁻⁵ as 3.2e-5.
 function plainNumber(text) {

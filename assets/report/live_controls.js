@@ -54,7 +54,7 @@ function rowOf(m, choose) {
 }
 
 const cutWords = (cut) =>
-  cut === way ? "straight to the pinned point" : `along ${symbolAt(surface().axes.findIndex((it) => it.name === cut))}`;
+  cut === way ? "to the pinned point" : `along ${symbolAt(surface().axes.findIndex((it) => it.name === cut))}`;
 const showWords = (show) => (show === allFriction ? "friction and its parts" : wordsOf(show));
 const scaleWords = { linear: "linear", log: "logarithmic" };
 

@@ -2,7 +2,7 @@
 // surface itself, at as many points as a smooth line takes.
 
 import { element } from "./elements.js";
-import { pictureAxis, pointWords, positionOf, valueWords } from "./live_axes.js";
+import { kept, pictureAxis, pointWords, positionOf, valueWords } from "./live_axes.js";
 import { allFriction, live, way } from "./live_point.js";
 import { isFriction, quantityNames, surface, symbolOf, unitsOf, withError, wordsOf } from "./live_surface.js";
 import { draw, selectedMarker } from "./picture.js";
@@ -32,8 +32,8 @@ function alongAxis(name) {
   };
 }
 
-// The point so far along the straight way from the point to the pinned one, in the coordinates in which the surface is
-// smooth.
+// The point so far along the straight way from the point to the pinned one, in the coordinates in which the surface
+// is smooth.
 function onWay(share) {
   if (share === 0) return live.point;
   if (share === 1) return live.pin;
@@ -50,8 +50,8 @@ function alongWay() {
 // The names of what is shown, the uppermost line first.
 export const shownNames = () => (live.show === allFriction ? quantityNames().filter(isFriction) : [live.show]);
 
-// Lines of friction as in the friction curve of a sweep; what it does not have has looks of the same kind. Plotly leaves
-// out no point of them, so that they are smooth.
+// Lines of friction as in the friction curve of a sweep; what it does not have has looks of the same kind. Plotly
+// leaves out no point of them, so that they are smooth.
 function lookOf(name) {
   const [blue, orange, green, pink] = lineColours();
   const looks = {
@@ -74,7 +74,7 @@ function hoverTexts({ points, values }, names) {
   return points.map((point, i) => {
     const errors = surface().errors(values[i]);
     const numbers = names.map((name) => `${symbolOf(name)} = ${withError(name, values[i][name], errors[name])}`);
-    return [pointWords(point), ...numbers].join("<br>");
+    return [pointWords(point, kept), ...numbers].join("<br>");
   });
 }
 
@@ -84,6 +84,14 @@ function scaleFor(names, values) {
   const most = Math.max(...all);
   const shown = live.scale === "log" ? all.filter((value) => value > 1e-4 * most) : all;
   return scaleOf(shown, live.scale, unitsOf(names[0]));
+}
+
+// The height of the picture: on a logarithmic scale what it shows, else all.
+function rangeOf({ logarithmic, to, low, high }) {
+  const uirevision = `${live.cut} ${live.show} ${live.scale}`;
+  if (!logarithmic) return { uirevision };
+  const room = 0.05 * (to(high) - to(low)) + 0.02;
+  return { uirevision, range: [to(low) - room, to(high) + room] };
 }
 
 function tracesOf({ x, points, values, mark }, names, scale) {
@@ -106,12 +114,12 @@ function tracesOf({ x, points, values, mark }, names, scale) {
 function wayAxis(isNarrow) {
   const shares = placesOf(isNarrow ? 3 : 5);
   const varied = live.point.flatMap((x, m) => (x === live.pin[m] ? [] : [m]));
-  const words = (share) => varied.map((m) => valueWords(m, onWay(share)[m])).join("<br>");
-  const title = { text: "straight way from the point to the pinned one" };
+  const words = (share) => varied.map((m) => valueWords(m, onWay(share)[m], kept)).join("<br>");
+  const title = { text: varied.length ? "from here to the pinned point" : "here is the pinned point: move a slider" };
   return { title, tickmode: "array", tickvals: shares, ticktext: shares.map(words), tickangle: 0, zeroline: false };
 }
 
-// The pinned point on the way to it, or across the curve of an axis that it lies on.
+// The pinned point at the end of the way to it.
 function pinMark({ points, x, values }, names, scale) {
   if (live.cut !== way) return [];
   const last = points.length - 1;
@@ -143,12 +151,13 @@ export function drawLiveCurve() {
   const isNarrow = element("live-curve").clientWidth < 600;
   const m = surface().axes.findIndex(({ name }) => name === live.cut);
   const xaxis = isWay ? wayAxis(isNarrow) : pictureAxis(m, isNarrow ? 0.1 : 0.055);
-  const title = live.show === allFriction ? "friction coefficient" : wordsOf(live.show);
+  const ownTitle = isNarrow ? symbolOf(live.show) : wordsOf(live.show);
+  const title = live.show === allFriction ? "friction coefficient" : ownTitle;
   const guide = { type: "line", xref: "x", yref: "paper", x0: cut.mark, x1: cut.mark, y0: 0, y1: 1 };
   const look = {
     // What was zoomed is left as it is until another cut is shown.
     xaxis: { ...xaxis, uirevision: live.cut },
-    yaxis: { title: { text: scale.title(title) }, uirevision: `${live.cut} ${live.show} ${live.scale}`, ...scale.ticks() },
+    yaxis: { title: { text: scale.title(title) }, ...rangeOf(scale), ...scale.ticks() },
     shapes: [{ ...guide, line: { color: colour("--quiet"), width: 1, dash: "dot" }, layer: "below" }],
     showlegend: names.length > 1,
     legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0, traceorder: "reversed" },

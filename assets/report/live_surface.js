@@ -43,9 +43,12 @@ export function quantityNames() {
 // How many digits of a number its error leaves.
 function digitsBeside(value, error) {
   if (!(error > 0) || value === 0) return 5;
-  return Math.min(Math.max(Math.ceil(-Math.log10(error / Math.abs(value))) + 1, 2), 9);
+  return Math.min(Math.max(Math.ceil(-Math.log10(error / Math.abs(value))) + 1, 1), 9);
 }
 
-// A number of a quantity with its unit and its error: 0.72338 ± 3.2·10⁻⁴ a₀/R.
-export const withError = (name, value, error) =>
-  withUnit(value, unitsOf(name), { count: digitsBeside(value, error), error });
+// A number of a quantity with its unit and its error: 0.72338 ± 3.2·10⁻⁴ a₀/R. One that is nothing beside its error
+// is 0.
+export function withError(name, value, error) {
+  const shown = Math.abs(value) < 0.005 * error ? 0 : value;
+  return withUnit(shown, unitsOf(name), { count: digitsBeside(shown, error), error });
+}

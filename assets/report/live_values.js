@@ -13,13 +13,21 @@ function errorWords(name) {
   return `${name}: relative errors, the largest ${a}, 99 % below ${b}, the median ${c}`;
 }
 
+// A number, and its error, which stands below it where there is little room.
+function cellOf(text) {
+  const cell = document.createElement("td");
+  const [number, error] = text.split(" ± ");
+  cell.append(withText("span", number));
+  if (error) cell.append(" ", withText("span", `± ${error}`));
+  return cell;
+}
+
 function rowOf(name, columns) {
   const row = document.createElement("tr");
   row.title = errorWords(name);
   const head = withText("th", wordsOf(name));
   head.scope = "row";
-  const numbers = columns.map(({ values, errors }) => withText("td", withError(name, values[name], errors[name])));
-  row.append(head, ...numbers);
+  row.append(head, ...columns.map(({ values, errors }) => cellOf(withError(name, values[name], errors[name]))));
   return row;
 }
 
@@ -45,6 +53,6 @@ export function sayLiveErrors() {
   const { certificate, title } = surface();
   const { points, cases } = certificate;
   element("live-errors").textContent =
-    `± is the largest error of each quantity at ${points.toLocaleString("en")} random points, measured, not proved. ` +
-    `“${title}”, a surface made from ${plural(cases, "case")}.`;
+    `± is the largest relative error of each quantity at ${points.toLocaleString("en")} random points, ` +
+    `measured, not proved. “${title}”, a surface made from ${plural(cases, "case")}.`;
 }
