@@ -96,7 +96,7 @@ function rangeOf({ logarithmic, to, low, high }) {
 
 function tracesOf({ x, points, values, mark }, names, scale) {
   const text = hoverTexts({ points, values }, names);
-  const hover = { text, customdata: points.map((_, i) => i), hovertemplate: "%{text}<extra></extra>" };
+  const hover = { text, hovertemplate: "%{text}<extra></extra>" };
   const y = (name) => values.map((value) => scale.to(value[name]));
   const lines = names.map((name) => ({
     ...{ type: "scatter", mode: "lines", x, y: y(name), name: wordsOf(name), line: lookOf(name), ...hover },
@@ -132,7 +132,7 @@ function pinMark({ points, x, values }, names, scale) {
 const drawn = { points: [] };
 
 // The point of the curve that was clicked.
-export const pointClicked = ({ customdata }) => drawn.points[customdata];
+export const pointClicked = ({ pointNumber }) => drawn.points[pointNumber];
 
 function tableOf({ points, values }) {
   const { axes } = surface();
