@@ -64,8 +64,8 @@ export function beginLive() {
     return false;
   }
   fillLiveControls(choose);
-  sayLiveErrors();
   followAddress();
+  sayLiveErrors();
   return true;
 }
 

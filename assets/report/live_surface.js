@@ -2,6 +2,7 @@
 
 import { readSurface } from "../surface.js";
 import { element } from "./elements.js";
+import { digits } from "./numbers.js";
 import { symbols } from "./symbols.js";
 import { withUnit } from "./units.js";
 
@@ -47,8 +48,12 @@ function digitsBeside(value, error) {
 }
 
 // A number of a quantity with its unit and its error: 0.72338 ± 3.2·10⁻⁴ a₀/R. One that is nothing beside its error
-// is 0.
+// is 0. Where only its relative error is known, that stands there: −1.3 mm ± 0.1 %.
 export function withError(name, value, error) {
+  if (Number.isNaN(error)) {
+    const { largest } = surface().certificate.errors[name];
+    return `${withUnit(value, unitsOf(name), { count: digitsBeside(1, largest) })} ± ${digits(100 * largest, 2)} %`;
+  }
   const shown = Math.abs(value) < 0.005 * error ? 0 : value;
   return withUnit(shown, unitsOf(name), { count: digitsBeside(shown, error), error });
 }

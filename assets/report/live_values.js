@@ -50,9 +50,16 @@ export function showLiveValues() {
 
 // What the errors are, once for all.
 export function sayLiveErrors() {
-  const { certificate, title } = surface();
-  const { points, cases } = certificate;
-  element("live-errors").textContent =
+  const { certificate, title, tolerance, evaluate, errors } = surface();
+  const { points, cases, errors: measured } = certificate;
+  const isAbove = Object.values(measured).some(({ largest }) => largest > tolerance);
+  const isShare = Object.values(errors(evaluate(live.point))).some(Number.isNaN);
+  const sentences = [
     `± is the largest relative error of each quantity at ${points.toLocaleString("en")} random points, ` +
-    `measured, not proved. “${title}”, a surface made from ${plural(cases, "case")}.`;
+      "measured, not proved.",
+    isShare ? "In percent it is over the number, or over its scale (a₀, or a₀²/R) where that is larger." : "",
+    isAbove ? `It is above the tolerance of ${digits(tolerance, 2)} that was asked for.` : "",
+    `“${title}”, a surface made from ${plural(cases, "case")}.`,
+  ];
+  element("live-errors").textContent = sentences.filter(Boolean).join(" ");
 }
