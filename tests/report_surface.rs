@@ -129,7 +129,7 @@ fn a_damaged_or_foreign_surface_has_no_page() {
 }
 
 /// Sliders, written values, curves and cuts have the numbers of `stribeck evaluate`; a surface alone, and one beside
-/// results.
+/// results, whose first picture is seen as soon as without it.
 #[test]
 #[ignore = "slow: a browser draws pictures without a graphics processor"]
 fn friction_moves_in_the_page_as_the_surface_says() {
@@ -143,4 +143,6 @@ fn friction_moves_in_the_page_as_the_surface_says() {
     }
     let said = check(&command.output().expect("Python starts"));
     assert_eq!(said.matches("friction moves as the surface says").count(), directories.len(), "{said}");
+    let mut command = file_of_python("tests/python/first_picture.py");
+    check(&command.arg(directories[1].path().join("s/report.html")).output().expect("Python starts"));
 }

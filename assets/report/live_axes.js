@@ -7,7 +7,10 @@ import { decade, digits } from "./numbers.js";
 import { logTicks } from "./ticks.js";
 import { takesPrefix, titled, unitFor, withUnit } from "./units.js";
 
-// Sliders give values of so many digits, which are those that stand beside them.
+// Steps of a slider.
+export const steps = 1000;
+
+// Sliders give values of so many digits, or as many more as tell their steps apart. These stand beside them.
 export const kept = 4;
 
 const axisAt = (m) => surface().axes[m];
@@ -34,7 +37,11 @@ export function roundValue(m, place) {
   const x = value(place);
   if (place <= 0 || place >= 1 || !Number.isFinite(x)) return x;
   const { one, zero } = unitOf(m, x);
-  const short = Number(((x - zero) / one).toPrecision(kept));
+  const number = (x - zero) / one;
+  // Half a step, towards the middle: the other way may be endless.
+  const half = Math.abs(value(place + (place < 0.5 ? 0.5 : -0.5) / steps) - x) / one;
+  const count = Math.ceil(Math.floor(Math.log10(Math.abs(number))) + 1 - Math.log10(half));
+  const short = Math.abs(number) < 0.01 * half ? 0 : Number(number.toPrecision(Math.min(Math.max(count, kept), 15)));
   return Math.min(Math.max(Number((short * one + zero).toPrecision(12)), from), to);
 }
 

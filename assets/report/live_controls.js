@@ -1,12 +1,9 @@
 // The controls of the surface: for each axis a slider and a field beside it, and what is drawn.
 
 import { element, say, withText } from "./elements.js";
-import { labelAt, parseValue, roundValue, symbolAt, valueText } from "./live_axes.js";
+import { labelAt, parseValue, roundValue, steps, symbolAt, valueText } from "./live_axes.js";
 import { allFriction, cuts, live, scales, shows, way } from "./live_point.js";
 import { surface, wordsOf } from "./live_surface.js";
-
-// Steps of a slider.
-const steps = 1000;
 
 const moved = (m, x) => live.point.map((other, i) => (i === m ? x : other));
 
@@ -81,9 +78,7 @@ export function fillLiveControls(choose) {
 export function showLiveControls() {
   controls.forEach(({ slider, field }, m) => {
     const x = live.point[m];
-    const place = Math.round(steps * surface().axes[m].place(x));
-    // A slider that is being moved stays where it is.
-    if (document.activeElement !== slider || Number(slider.value) !== place) slider.value = place;
+    slider.value = Math.round(steps * surface().axes[m].place(x));
     field.value = valueText(m, x);
     field.removeAttribute("aria-invalid");
     slider.setAttribute("aria-valuetext", field.value);

@@ -149,6 +149,10 @@ def move_sliders(visit):
             visit.shown()
             assert np.isclose(visit.point()[place], float(end)), (axis["name"], key, visit.point())
             expect_numbers(visit)
+        page.keyboard.press("ArrowLeft")
+        visit.shown()
+        assert page.input_value(slider) == "999", "a key moves a slider by one step"
+        assert visit.point()[place] < float(axis["to"])
         page.evaluate(
             "slider => { slider.value = 613; slider.dispatchEvent(new Event('input', { bubbles: true })); }",
             page.query_selector(slider),
@@ -207,6 +211,10 @@ def open_link(visit, chromium):
     visit.choose("scale", "log")
     page = visit.page
     page.wait_for_function("location.hash.includes('live.scale=log')")
+    if page.query_selector("#quantity"):
+        page.select_option("#quantity", "c")
+        visit.watched.drawn()
+        assert "quantity=c" in page.url and "live.scale=log" in page.url, "the surface stays where it is"
     here = """() => [
         [...document.querySelectorAll("#live input, #live select")].map(it => it.value),
         ["live-point", "live-pinned", "live-values"].map(id => document.getElementById(id).innerText),
