@@ -55,10 +55,10 @@ export function sayLiveErrors() {
   const isAbove = Object.values(measured).some(({ largest }) => largest > tolerance);
   const isShare = Object.values(errors(evaluate(live.point))).some(Number.isNaN);
   const sentences = [
-    `± is the largest relative error of each quantity at ${points.toLocaleString("en")} random points, ` +
+    `± is a number times the largest relative error of its quantity at ${points.toLocaleString("en")} random points: ` +
       "measured, not proved.",
-    isShare ? "In percent it is over the number, or over its scale (a₀, or a₀²/R) where that is larger." : "",
-    isAbove ? `It is above the tolerance of ${digits(tolerance, 2)} that was asked for.` : "",
+    isShare ? "In percent it is that error, over the number or over its scale (a₀, or a₀²/R) if that is larger." : "",
+    isAbove ? `An error is above the tolerance of ${digits(tolerance, 2)} that was asked for.` : "",
     `“${title}”, a surface made from ${plural(cases, "case")}.`,
   ];
   element("live-errors").textContent = sentences.filter(Boolean).join(" ");
