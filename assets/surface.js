@@ -9,14 +9,15 @@ const near = 1e-12;
 
 const damaged = (what) => new Error(`${what}; the file is damaged, make it again with \`stribeck surface\``);
 
-// z of a value, in which t is linear, and dz/dx. A compact axis reaches x = 0, where the slope is infinite, and ∞.
+// z of a value, in which t is linear, the value at a z, and dz/dx. A compact axis reaches x = 0, where the slope is
+// infinite, and ∞.
 const maps = {
-  linear: () => ({ z: (x) => x, slope: () => 1 }),
-  log: () => ({ z: Math.log, slope: (x) => 1 / x }),
+  linear: () => ({ z: (x) => x, x: (z) => z, slope: () => 1 }),
+  log: () => ({ z: Math.log, x: Math.exp, slope: (x) => 1 / x }),
   compact: ({ center }) => {
     const root = (x) => Math.sqrt(Math.sqrt(x / center));
     const z = (x) => (x === Infinity ? 1 : root(x) / (1 + root(x)));
-    return { z, slope: (x) => z(x) / (4 * x * (1 + root(x))) };
+    return { z, x: (at) => center * (at / (1 - at)) ** 4, slope: (x) => z(x) / (4 * x * (1 + root(x))) };
   },
 };
 
@@ -24,20 +25,27 @@ function axisOf(record) {
   const { name, units, long_name: longName, from, map } = record;
   if (!Object.keys(maps).includes(map)) throw damaged(`${name} has the map \`${map}\`, which is none`);
   const to = record.to === "inf" ? Infinity : record.to;
-  const { z, slope } = maps[map](record);
+  const { z, x: atZ, slope } = maps[map](record);
   const [start, length] = [z(from), z(to) - z(from)];
   if (!(length > 0 && length < Infinity)) throw damaged(`${name} from ${from} to ${to} is no range`);
+  // Rounding may lead beyond the ends.
+  const within = (low, x, high) => Math.min(Math.max(x, low), high);
+  const inside = (place) => within(from, atZ(start + place * length), to);
   return {
-    ...{ name, units, longName, from, to },
-    // Rounding may lead beyond the ends.
-    t: (x) => Math.min(Math.max((2 * (z(x) - start)) / length - 1, -1), 1),
+    ...{ name, units, longName, map, from, to },
+    t: (x) => within(-1, (2 * (z(x) - start)) / length - 1, 1),
     slope: (x) => (2 * slope(x)) / length,
+    place: (x) => within(0, (z(x) - start) / length, 1),
+    value: (place) => (place <= 0 ? from : place >= 1 ? to : inside(place)),
   };
 }
 
 function bytesOf(name, text) {
   try {
-    return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const letters = atob(text);
+    const bytes = new Uint8Array(letters.length);
+    for (let i = 0; i < bytes.length; i++) bytes[i] = letters.charCodeAt(i);
+    return bytes;
   } catch (error) {
     throw damaged(`${name}: not base64 (${error.message})`);
   }
@@ -116,6 +124,36 @@ function seriesAt({ factors, core }, bases, along, { weights, parts }) {
   return from[0];
 }
 
+// Chebyshev coefficients of a quantity along one axis, where the polynomials of all other axes are in `bases`.
+function coefficientsAlong({ factors, core }, bases, along) {
+  let [from, outer, inner] = [core, 1, core.length];
+  factors.forEach(({ degrees, rank, numbers }, m) => {
+    inner /= rank;
+    if (m === along) {
+      outer = rank;
+      return;
+    }
+    const weights = new Float64Array(rank);
+    contract(numbers, degrees, rank, bases[m][0], weights);
+    const out = new Float64Array(outer * inner);
+    for (let o = 0; o < outer; o++) {
+      const block = from.subarray(o * rank * inner, (o + 1) * rank * inner);
+      contract(block, rank, inner, weights, out.subarray(o * inner, (o + 1) * inner));
+    }
+    from = out;
+  });
+  const { degrees, rank, numbers } = factors[along];
+  const row = (k) => numbers.subarray(k * rank, (k + 1) * rank);
+  return Float64Array.from({ length: degrees }, (_, k) => row(k).reduce((sum, u, a) => sum + u * from[a], 0));
+}
+
+// Σ c_k T_k(t), by Clenshaw's recurrence.
+function seriesOf(coefficients, t) {
+  let [b1, b2] = [0, 0];
+  for (let k = coefficients.length - 1; k > 0; k--) [b1, b2] = [coefficients[k] + 2 * t * b1 - b2, b1];
+  return coefficients[0] + t * b1 - b2;
+}
+
 // What a part of a whole is over its share of that, and the derivative of that, by its transform.
 const partOf = {
   sinh: (y) => [Math.sinh(y), Math.cosh(y)],
@@ -139,6 +177,11 @@ function slopeOf({ transform, share, whole, offset }, [y, dy], value, values, sl
   return transform === "exp" ? value * dy : dy;
 }
 
+function checkInside({ name, from, to }, x) {
+  if (from <= x && x <= to) return;
+  throw new RangeError(`${name} = ${x} is outside the surface, which has ${name} from ${from} to ${to}`);
+}
+
 // Coordinates in the order of the axes, from a list or by name.
 function coordinatesOf(axes, point) {
   const coordinates = "length" in point ? Array.from(point) : axes.map(({ name }) => point[name]);
@@ -146,16 +189,12 @@ function coordinatesOf(axes, point) {
     const names = axes.map(({ name }) => name).join(", ");
     throw new RangeError(`a point of this surface has ${names}: give each of them once, in this order or by name`);
   }
-  axes.forEach(({ name, from, to }, m) => {
-    const x = coordinates[m];
-    if (!(from <= x && x <= to)) {
-      throw new RangeError(`${name} = ${x} is outside the surface, which has ${name} from ${from} to ${to}`);
-    }
-  });
+  axes.forEach((axis, m) => checkInside(axis, coordinates[m]));
   return coordinates;
 }
 
-// What evaluates quantities: two functions of coordinates, for values and for derivatives. They share their memory.
+// What evaluates quantities: functions of coordinates, for values, for derivatives, and for values along an axis. They
+// share their memory.
 function evaluatorOf(axes, quantities) {
   const most = (size) => Math.max(...quantities.map(size));
   const bases = axes.map((_, m) => {
@@ -167,12 +206,17 @@ function evaluatorOf(axes, quantities) {
     weights: new Float64Array(most(({ factors }) => Math.max(...factors.map(({ rank }) => rank)))),
     parts: [new Float64Array(largest), new Float64Array(largest)],
   };
-  const values = (coordinates) => {
+  const fillBases = (coordinates) =>
     axes.forEach((axis, m) => fillBasis(axis.t(coordinates[m]), axis.slope(coordinates[m]), bases[m]));
-    const series = quantities.map((quantity) => seriesAt(quantity, bases, null, memory));
+  const valuesOf = (series) => {
     const found = [];
     quantities.forEach((quantity, q) => found.push(valueOf(quantity, series[q], found)));
-    return { series, values: found };
+    return found;
+  };
+  const values = (coordinates) => {
+    fillBases(coordinates);
+    const series = quantities.map((quantity) => seriesAt(quantity, bases, null, memory));
+    return { series, values: valuesOf(series) };
   };
   // For each axis the derivatives of all quantities.
   const derivatives = (coordinates) => {
@@ -186,16 +230,34 @@ function evaluatorOf(axes, quantities) {
       return slopes;
     });
   };
-  return { values: (coordinates) => values(coordinates).values, derivatives };
+  // A function of the coordinate on one axis; what the other coordinates take is done once.
+  const line = (along, coordinates) => {
+    fillBases(coordinates);
+    const coefficients = quantities.map((quantity) => coefficientsAlong(quantity, bases, along));
+    return (x) => valuesOf(coefficients.map((own) => seriesOf(own, axes[along].t(x))));
+  };
+  return { values: (coordinates) => values(coordinates).values, derivatives, line };
 }
 
-// Compares values with the check points; a part to its share of the whole where it is below that.
+// What a difference of a quantity is relative to: itself, or of a part its share of the whole where that is larger.
+const sizeOf = ({ share, whole }, q, values) =>
+  Math.max(Math.abs(values[q]), whole === null ? 0 : share * Math.abs(values[whole]));
+
+// What a measured error of a quantity is relative to. Positions are also measured by their unit, which is 1 where they
+// are over a scale, and not in the file where they are in SI units.
+function errorScale(quantity, q, values) {
+  const size = sizeOf(quantity, q, values);
+  if (quantity.transform !== "identity") return size;
+  return quantity.scale === null ? NaN : Math.max(size, 1);
+}
+
+// Compares values with the check points.
 function compare(checks, quantities, evaluate) {
   checks.forEach(({ point, values }, number) => {
     const found = evaluate(point);
-    quantities.forEach(({ name, share, whole }, q) => {
-      const least = whole === null ? 0 : share * Math.abs(values[whole]);
-      if (Math.abs(found[q] - values[q]) <= near * Math.max(Math.abs(values[q]), least)) return;
+    quantities.forEach((quantity, q) => {
+      const { name } = quantity;
+      if (Math.abs(found[q] - values[q]) <= near * sizeOf(quantity, q, values)) return;
       throw damaged(`${name} at check point ${number + 1} is ${found[q]}, and the file says ${values[q]}`);
     });
   });
@@ -203,7 +265,13 @@ function compare(checks, quantities, evaluate) {
 
 // A surface, from the object that its JSON is. `evaluate` and `derivatives` take a point, as a list in the order of
 // the axes or an object with a value of each. They give objects: each quantity, and for each quantity its derivative
-// with respect to each axis, NaN at the end 0 of a compact axis. A point outside is a RangeError.
+// with respect to each axis, NaN at the end 0 of a compact axis. A point outside is a RangeError. `line` takes the name
+// of an axis and a point, and gives a function of the coordinate on that axis, which is fast. `errors` takes what
+// `evaluate` gives, and says how far off each quantity may be: its largest measured error there, NaN where that is not
+// known.
+//
+// An axis has functions there and back between its values and places from 0 to 1, in which the surface is smooth:
+// `place(x)` and `value(place)`.
 export function readSurface(file) {
   if (file?.format !== known) {
     throw new Error(`the format is \`${file?.format}\`, and this reader knows \`${known}\`; take one that fits it`);
@@ -218,12 +286,28 @@ export function readSurface(file) {
   const { title, tolerance, certificate } = file;
   return {
     ...{ title, tolerance },
-    axes: axes.map(({ name, units, longName, from, to }) => ({ name, units, longName, from, to })),
+    axes: axes.map(({ name, units, longName, map, from, to, place, value }) => {
+      return { ...{ name, units, longName, map, from, to }, place, value };
+    }),
     quantities: quantities.map(({ name, units, scale, longName }) => ({ name, units, scale, longName })),
     certificate: { ...certificate, errors: named(quantities, (q) => certificate.errors[q]) },
     evaluate(point) {
       const values = evaluator.values(coordinatesOf(axes, point));
       return named(quantities, (q) => values[q]);
+    },
+    line(name, point) {
+      const along = axes.findIndex((axis) => axis.name === name);
+      if (along < 0) throw new RangeError(`there is no axis ${name}`);
+      const values = evaluator.line(along, coordinatesOf(axes, point));
+      return (x) => {
+        checkInside(axes[along], x);
+        const found = values(x);
+        return named(quantities, (q) => found[q]);
+      };
+    },
+    errors(values) {
+      const list = quantities.map(({ name }) => values[name]);
+      return named(quantities, (q) => certificate.errors[q].largest * errorScale(quantities[q], q, list));
     },
     derivatives(point) {
       const slopes = evaluator.derivatives(coordinatesOf(axes, point));

@@ -1,6 +1,6 @@
-//! Joins the ES modules of the page into one script.
+//! Joins the ES modules of the page into one script for each kind of page.
 //!
-//! A module begins with its imports, `import { a, b } from "./x.js";`, and exports constants and functions where it
+//! A module begins with its imports, `import { a, b } from "./x.js";` or, of the folder above, `"../x.js"`, and exports constants and functions where it
 //! declares them, `export const` or `export function`. No other line of a module begins with one of these words.
 //!
 //! In the script each module is a function that runs once, after the modules that it imports. So a name that a module
@@ -38,22 +38,29 @@ struct Module {
     body: String,
 }
 
-/// Joins modules, given as texts by the names of their files, into the script that the entry module begins.
+/// Joins modules, given as texts by the names of their files, into a script for each entry: that module with all that it
+/// imports.
 ///
 /// # Errors
 /// [`Mistake`] if a module or a name is unknown or declared twice, if modules import each other in a circle, if no
 /// module imports one, or if an import or an export is written in another way than this file says.
-pub fn join(files: &BTreeMap<String, String>, entry: &str) -> Result<String, Mistake> {
+pub fn join(files: &BTreeMap<String, String>, entries: &[&str]) -> Result<Vec<String>, Mistake> {
     let mut modules = BTreeMap::new();
     for (file, text) in files {
         modules.insert(file.as_str(), Module::of(file, text)?);
     }
-    let mut order = Order { modules: &modules, begun: Vec::new(), done: Vec::new() };
-    order.visit(entry)?;
-    if let Some(file) = modules.keys().find(|file| !order.done.contains(file)) {
-        return Err(mistake(file, 1, "no module imports this one"));
+    let mut unused: BTreeSet<&str> = modules.keys().copied().collect();
+    let mut scripts = Vec::new();
+    for entry in entries {
+        let mut order = Order { modules: &modules, begun: Vec::new(), done: Vec::new() };
+        order.visit(entry)?;
+        scripts.push(order.done.iter().map(|file| modules[file].script(file)).collect());
+        unused.retain(|file| !order.done.contains(file));
     }
-    Ok(order.done.iter().map(|file| modules[file].script(file)).collect())
+    match unused.first() {
+        Some(file) => Err(mistake(file, 1, "no module imports this one")),
+        None => Ok(scripts),
+    }
 }
 
 fn mistake(file: &str, line: usize, words: impl Into<String>) -> Mistake {
@@ -151,7 +158,8 @@ fn variable(file: &str) -> String {
 
 /// The names of an import and the file of its module.
 fn parse_import(import: &str) -> Option<(Vec<String>, String)> {
-    let (names, from) = import.strip_prefix("import {")?.split_once("} from \"./")?;
+    let (names, from) = import.strip_prefix("import {")?.split_once("} from \".")?;
+    let from = from.strip_prefix("./").or_else(|| from.strip_prefix('/'))?;
     let names: Vec<String> = names.trim().trim_end_matches(',').split(',').map(|name| name.trim().to_owned()).collect();
     names.iter().all(|name| is_name(name)).then_some((names, from.strip_suffix("\";")?.to_owned()))
 }
@@ -180,7 +188,7 @@ mod tests {
 
     fn joined(files: &[(&str, &str)]) -> Result<String, Mistake> {
         let files = files.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
-        join(&files, "page.js")
+        join(&files, &["page.js"]).map(|mut scripts| scripts.remove(0))
     }
 
     const A: &str = "export const a = 1;\n";
@@ -217,6 +225,18 @@ return {  };
 })();
 ";
         assert_eq!(joined(&[("a.js", a), ("b.js", &b), ("page.js", &page)]).unwrap(), expected);
+    }
+
+    /// Each page has what it imports and nothing else; a module may be in the folder above.
+    #[test]
+    fn every_entry_has_its_own_script() {
+        let other = "import { b } from \"../b.js\";\n\nb();\n";
+        let all = [("a.js", A), ("b.js", "export const b = 2;\n"), ("page.js", IMPORT_A), ("other.js", other)];
+        let files = all.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+        let scripts = join(&files, &["page.js", "other.js"]).unwrap();
+        let has = |script: usize, name: &str| scripts[script].contains(&format!("const ${name} ="));
+        assert!(has(0, "a") && has(0, "page") && !has(0, "b") && has(1, "b") && has(1, "other") && !has(1, "a"));
+        assert!(scripts[1].contains("const { b } = $b;"), "{}", scripts[1]);
     }
 
     #[track_caller]

@@ -28,6 +28,7 @@ mod published;
 mod reference_pages;
 mod refinement;
 mod report;
+mod report_surface;
 mod resume;
 mod schema;
 mod scripts;

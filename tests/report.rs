@@ -125,7 +125,7 @@ fn points(count: usize) -> Output {
 fn a_page_of_61_by_41_by_3_cases_with_fields_is_small_and_holds_their_numbers() {
     let directory = tempdir().unwrap();
     let data = made_up(directory.path(), [3, 61, 41], &points(601), 0);
-    let page = page(&data, None).unwrap();
+    let page = page(&data, None, None).unwrap();
     assert!(page.html.len() < 14_000_000, "{} bytes", page.html.len());
     let note = page.notes.iter().find(|note| note.starts_with("Fields are shown at")).expect("fields are thinned");
     let (_, rest) = note.split_once("off by at most ").expect("how far lines are off");
@@ -184,7 +184,7 @@ fn a_large_grid_is_thinned_to_fewer_than_14_megabytes_and_the_page_says_so() {
     let directory = tempdir().unwrap();
     let fields = FieldSelection { pressure: true, ..FieldSelection::default() };
     let data = made_up(directory.path(), [3, 100, 200], &Output { fields, ..points(101) }, 10);
-    let page = page(&data, None).unwrap();
+    let page = page(&data, None, None).unwrap();
     assert!((11_000_000..14_000_000).contains(&page.html.len()), "{} bytes", page.html.len());
     let said = |words: &str| assert!(page.notes.iter().any(|note| note.contains(words)), "{words}: {:?}", page.notes);
     said("Of the 3 × 100 × 200 places of the sweep");

@@ -6,8 +6,9 @@ import { element, withText } from "./elements.js";
 import { errorAt } from "./errors.js";
 import { caseOf, failedAt } from "./grid.js";
 import { digits } from "./numbers.js";
+import { symbols } from "./symbols.js";
 import { withUnit } from "./units.js";
-import { pointWords, symbols, valueOf, wordsOf } from "./words.js";
+import { pointWords, valueOf, wordsOf } from "./words.js";
 
 const reasonIndices = integers(contents.failures.reason_of);
 

@@ -1,11 +1,10 @@
-// The controls above the pictures, which choose quantity, scale, f and colours, and the keys of map and surface.
+// The controls above the pictures, which choose quantity, scale and f, and the keys of map and surface.
 
 import { quantities } from "./columns.js";
 import { element, show } from "./elements.js";
 import { axes, indicesOf, placeAt } from "./grid.js";
 import { choose, selection, selectNeighbour } from "./selection.js";
-import { turnSurface } from "./surface.js";
-import { changeTheme } from "./theme.js";
+import { turnSurface } from "./space.js";
 import { wordsAt, wordsOf } from "./words.js";
 
 const [fs] = axes;
@@ -37,18 +36,13 @@ function moveInMap(event) {
   selectNeighbour(...step);
 }
 
-// Listens to the controls; another theme has all pictures drawn again by `redraw`.
-export function listenToControls(redraw) {
+export function listenToControls() {
   const on = (id, event, act) => element(id).addEventListener(event, act);
   on("quantity", "change", (event) => choose({ quantity: event.target.value }));
   on("scale", "change", (event) => choose({ scale: event.target.value }));
   on("f-slider", "input", (event) => {
     const [, iAlpha, iBeta] = indicesOf(selection.place);
     choose({ place: placeAt(Number(event.target.value), iAlpha, iBeta) });
-  });
-  on("theme", "click", () => {
-    changeTheme();
-    redraw();
   });
   on("map", "keydown", moveInMap);
   on("surface", "keydown", turnSurface);

@@ -1,8 +1,8 @@
 // Two buttons below each picture: its numbers as CSV, itself as PNG. They go to the clipboard, or into a file where the
 // browser lets nothing be copied.
 
+import { csv, saveFile } from "./csv.js";
 import { button, element, withText } from "./elements.js";
-import { csv, saveFile } from "./files.js";
 import { tableOf } from "./picture.js";
 import { colour } from "./theme.js";
 

@@ -4,12 +4,12 @@ import { axisPlaces, gridAxis } from "./axes.js";
 import { quantityValues } from "./columns.js";
 import { say, show, showPicture } from "./elements.js";
 import { errorAt, errorBars, errorWords, hasErrors } from "./errors.js";
-import { placesTable } from "./files.js";
 import { axes, axisWords, failedAt, indicesOf, placesAlong } from "./grid.js";
 import { measuredPoints } from "./measured.js";
 import { draw, selectedMarker } from "./picture.js";
 import { pinMarks } from "./pins.js";
 import { scaleOf } from "./scale.js";
+import { placesTable } from "./tables.js";
 import { colour, lineColours } from "./theme.js";
 import { hoverWords, unitsOf, wordsAt, wordsOf } from "./words.js";
 

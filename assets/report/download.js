@@ -3,7 +3,8 @@
 import { reasonOf } from "./case.js";
 import { column, columns } from "./columns.js";
 import { contents } from "./contents.js";
-import { axisNames, axisTexts, csv, saveFile } from "./files.js";
+import { csv, saveFile } from "./csv.js";
+import { axisNames, axisTexts } from "./tables.js";
 import { caseOf, failedAt } from "./grid.js";
 import { outcomeOf } from "./rows.js";
 

@@ -5,15 +5,16 @@ import { column, hysteresis, quantityValues } from "./columns.js";
 import { contents } from "./contents.js";
 import { say, show, showPicture } from "./elements.js";
 import { errorAt, errorBars, errorWords } from "./errors.js";
-import { placesTable } from "./files.js";
 import { axes, axisWords, failedAt, indicesOf, isSurface, placesAlong } from "./grid.js";
 import { measuredPoints, quantitiesAt } from "./measured.js";
 import { digits } from "./numbers.js";
 import { draw, selectedMarker } from "./picture.js";
 import { pinMarks } from "./pins.js";
 import { scaleOf } from "./scale.js";
+import { symbols } from "./symbols.js";
+import { placesTable } from "./tables.js";
 import { colour, lineColours } from "./theme.js";
-import { hoverWords, symbols, unitsOf, wordsAt, wordsOf } from "./words.js";
+import { hoverWords, unitsOf, wordsAt, wordsOf } from "./words.js";
 
 const name = "mu_drag";
 

@@ -1,7 +1,6 @@
-// What all pictures have in common: how they look, how they are drawn, and that a click on a point selects its case.
+// What all pictures have in common: how they look, how they are drawn, and that a click on a point does something.
 
 import { element } from "./elements.js";
-import { selectPoint } from "./selection.js";
 import { colour, isOnPaper } from "./theme.js";
 
 // Starts the drawing library, which the page holds as a text, if it has not started.
@@ -68,6 +67,11 @@ function removeFirst(picture) {
   picture.closest("figure").querySelector(".first")?.remove();
 }
 
+const clicked = [];
+
+// Adds a function that is called with the id of a picture and the point in it that was clicked.
+export const whenClicked = (act) => clicked.push(act);
+
 // For each picture drawn a function that makes the rows of the table behind it.
 const tables = new Map();
 export const tableOf = (id) => tables.get(id)();
@@ -80,6 +84,7 @@ export function draw(id, traces, more, table) {
   tables.set(id, table);
   Plotly.react(picture, traces, layout({ ...more, ...sizeOf(id) }), config).then(() => removeFirst(picture));
   // Later, for a picture in space tells of a click while it is being drawn.
-  if (isNew) picture.on("plotly_click", (event) => setTimeout(selectPoint, 0, id, event.points[0]));
+  const tell = (point) => clicked.forEach((act) => act(id, point));
+  if (isNew) picture.on("plotly_click", (event) => setTimeout(tell, 0, event.points[0]));
   return isNew;
 }

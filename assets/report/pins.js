@@ -4,8 +4,9 @@ import { frictionParts, headline, quantityValues } from "./columns.js";
 import { button, element, show, withText } from "./elements.js";
 import { failedAt } from "./grid.js";
 import { choose, selection } from "./selection.js";
+import { symbols } from "./symbols.js";
 import { colour, lineColours, pinColours } from "./theme.js";
-import { hoverWords, pointWords, symbols, valueOf, wordsOf } from "./words.js";
+import { hoverWords, pointWords, valueOf, wordsOf } from "./words.js";
 
 const dashes = ["dash", "dot", "dashdot", "longdash"];
 

@@ -3,9 +3,9 @@
 import { axisPlaces } from "./axes.js";
 import { quantityValues } from "./columns.js";
 import { element, say, show, showPicture } from "./elements.js";
-import { placesTable } from "./files.js";
 import { failedAt, indicesOf, isSurface, overPlane } from "./grid.js";
 import { scaleOf } from "./scale.js";
+import { placesTable } from "./tables.js";
 import { theme } from "./theme.js";
 import { hoverWords, unitsOf, wordsOf } from "./words.js";
 

@@ -3,10 +3,10 @@
 import { axisPlaces } from "./axes.js";
 import { costs, largestErrors } from "./columns.js";
 import { say, showPicture } from "./elements.js";
-import { placesTable } from "./files.js";
 import { axes, axisWords, caseOf, failedAt, indicesOf, placeCount } from "./grid.js";
 import { plural } from "./numbers.js";
 import { draw, selectedMarker } from "./picture.js";
+import { placesTable } from "./tables.js";
 import { colour, lineColours, theme } from "./theme.js";
 import { logTicks } from "./ticks.js";
 import { hoverWords, wordsAt, wordsOf } from "./words.js";

@@ -5,8 +5,8 @@ const { configs } = require("@eslint/js");
 
 // All that the scripts take from the browser, and Plotly, which the page starts itself.
 const globals = [
-  ...["Blob", "Option", "Plotly", "URL", "URLSearchParams", "atob", "document", "getComputedStyle", "matchMedia"],
-  ...["performance", "requestAnimationFrame", "sessionStorage", "setTimeout", "window"],
+  ...["Blob", "Option", "Plotly", "URL", "URLSearchParams", "atob", "clearTimeout", "document", "getComputedStyle"],
+  ...["matchMedia", "performance", "requestAnimationFrame", "sessionStorage", "setTimeout", "window"],
 ];
 
 module.exports = [

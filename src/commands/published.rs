@@ -6,15 +6,11 @@ use super::{CliError, console};
 use stribeck_input::{printable, shown};
 use stribeck_sweep::store::DataSet;
 
-/// The results directory that a user names: itself, or by the data set in it.
+/// The results directory that a user names: itself, or by the data set or the surface in it.
 pub fn directory(named: &Path) -> PathBuf {
     match (named.file_name(), named.parent()) {
-        (Some(name), Some(parent)) if name == "results.h5" && named.is_file() => {
-            if parent.as_os_str().is_empty() {
-                PathBuf::from(".")
-            } else {
-                parent.to_owned()
-            }
+        (Some(name), Some(parent)) if (name == "results.h5" || name == "surface.json") && named.is_file() => {
+            if parent.as_os_str().is_empty() { PathBuf::from(".") } else { parent.to_owned() }
         }
         _ => named.to_owned(),
     }

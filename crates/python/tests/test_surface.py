@@ -15,15 +15,17 @@ import stribeck
 import stribeck.surface
 
 READER = Path(__file__).parents[3] / "assets/surface.js"
-# Reads points as lines of text, and prints the values and the derivatives at each.
+# Reads points as lines of text, and prints at each the values, the derivatives, and for each axis the values by its
+# line and the coordinate that came back from its place.
 NODE = """
 import { readFileSync } from "node:fs";
 const { readSurface } = await import(process.argv[1]);
-const { axes, evaluate, derivatives } = readSurface(JSON.parse(readFileSync(process.argv[2], "utf8")));
+const { axes, evaluate, derivatives, line: lineAlong } = readSurface(JSON.parse(readFileSync(process.argv[2], "utf8")));
 const found = readFileSync(0, "utf8").trim().split("\\n").filter(Boolean).map((line, row) => {
   const list = line.split(",").map(Number);
   const point = row % 2 ? list : Object.fromEntries(axes.map(({ name }, m) => [name, list[m]]));
-  return [evaluate(point), derivatives(point)];
+  const along = axes.map(({ name, place, value }, m) => [lineAlong(name, point)(list[m]), value(place(list[m]))]);
+  return [evaluate(point), derivatives(point), along.map(([values]) => values), along.map(([, x]) => x)];
 });
 console.log(JSON.stringify(found));
 """
@@ -118,10 +120,14 @@ def test_three_readers_agree(name, files, program, tmp_path):
     in_script = json.loads(done.stdout)
     with np.errstate(invalid="ignore"):
         for key, value in values.items():
-            expect_same(np.array([found[key] for found, _ in in_script]), value, scales[key])
-            for axis, x in zip(surface.axes, points, strict=True):
-                slope = np.array([found[key][axis] for _, found in in_script], dtype=float)
+            expect_same(np.array([found[key] for found, *_ in in_script]), value, scales[key])
+            for m, (axis, x) in enumerate(zip(surface.axes, points, strict=True)):
+                slope = np.array([found[key][axis] for _, found, *_ in in_script], dtype=float)
                 expect_same(x * slope, x * slopes[key][axis], np.abs(value))
+                expect_same(np.array([lines[m][key] for *_, lines, _ in in_script]), value, scales[key])
+                # JSON has null for infinity.
+                back = np.array([np.inf if xs[m] is None else xs[m] for *_, xs in in_script])
+                assert (back == x)[:2].all() and np.allclose(back, x, rtol=1e-9), "a value comes back from its place"
 
         for place in range(20):
             at = [f"--at={axis}={x}" for axis, x in zip(surface.axes, points[:, place].tolist(), strict=True)]

@@ -5,8 +5,8 @@ import { element } from "./elements.js";
 import { axisWords } from "./grid.js";
 import { draw } from "./picture.js";
 import { chosenPoint, nameQuantity, planeOf, planeTable } from "./plane.js";
+import { symbols } from "./symbols.js";
 import { colour } from "./theme.js";
-import { symbols } from "./words.js";
 
 // Where the eye was left by pointer or keys. Until then a narrow picture has it farther away, to hold the labels.
 let camera = null;
