@@ -4,40 +4,46 @@ use faer::{Mat, MatRef};
 
 use super::leja::Leja;
 
-/// Functions for each of which there is one node more.
-const EXTRA: usize = 12;
+/// What a value may depend on those at the nodes: the root of the sum of squares of its weights. Errors of three axes
+/// are multiplied.
+const STEADY: f64 = 2.0;
 
-/// How much more a node that is solved counts.
-const SOLVED: f64 = 4.0;
+/// A node tells a quantity something if what it does not know yet is at least this part of the most that any node has.
+const TELLING: f64 = 0.25;
 
-/// A basis of the functions along an axis.
+/// The functions along an axis.
 #[derive(Clone, Debug)]
 pub struct Basis {
-    /// Chebyshev polynomials by functions: orthonormal columns.
-    pub vectors: Mat<f64>,
-    /// The Leja nodes, by their number, at which a function of the basis is known by its values: some more than
-    /// functions, so that least squares dampen what the functions leave unsaid.
+    /// For each quantity its own functions, Chebyshev polynomials by functions: orthonormal columns.
+    pub vectors: Vec<Mat<f64>>,
+    /// The Leja nodes, by their number, at which the functions of every quantity are known by their values: some more
+    /// than functions, so that least squares dampen what the functions leave unsaid.
     pub nodes: Vec<usize>,
 }
 
 impl Basis {
-    /// The least basis that leaves of no column of Chebyshev coefficients a remainder (root of the sum of squares) above
-    /// `threshold`. Each of its nodes is where what the nodes before do not tell is largest (discrete empirical
-    /// interpolation), or one of `solved` where that is nearly as much. None if the singular value decomposition does
-    /// not converge.
-    pub fn of(columns: MatRef<'_, f64>, threshold: f64, leja: &Leja, solved: &[usize]) -> Option<Self> {
-        let decomposition = columns.thin_svd().ok()?;
-        let shares = decomposition.U().transpose() * columns;
-        let vectors = decomposition.U().subcols(0, rank(shares.as_ref(), threshold)).to_owned();
-        let all = values(&vectors, leja);
-        let nodes = with_extra(&all, nodes_of(all.clone(), solved))?;
+    /// For each quantity the fewest functions that leave of no column of its Chebyshev coefficients a remainder (root of
+    /// the sum of squares) above `threshold`. A case gives all quantities, so they share their nodes. Each one is where
+    /// what the nodes before do not tell is largest (discrete empirical interpolation, of all quantities at once), or
+    /// one of `solved` where that is nearly as much. None if a singular value decomposition does not converge.
+    pub fn of(columns: &[Mat<f64>], threshold: f64, leja: &Leja, before: &[usize]) -> Option<Self> {
+        let vectors = columns.iter().map(|columns| functions(columns, threshold)).collect::<Option<Vec<_>>>()?;
+        let all: Vec<Mat<f64>> = vectors.iter().map(|vectors| values(vectors, leja)).collect();
+        let nodes = steadied(&all, nodes_of(all.clone(), before))?;
         Some(Self { vectors, nodes })
     }
 
-    /// From values at the nodes to factors of the functions: functions by nodes.
-    pub fn interpolation(&self, leja: &Leja) -> Option<Mat<f64>> {
-        Some(at_nodes(&values(&self.vectors, leja), &self.nodes).thin_svd().ok()?.pseudoinverse())
+    /// From values of a quantity at the nodes to factors of its functions: functions by nodes.
+    pub fn interpolation(&self, quantity: usize, leja: &Leja) -> Option<Mat<f64>> {
+        Some(at_nodes(&values(&self.vectors[quantity], leja), &self.nodes).thin_svd().ok()?.pseudoinverse())
     }
+}
+
+/// The fewest functions that leave of no column a remainder above the threshold.
+fn functions(columns: &Mat<f64>, threshold: f64) -> Option<Mat<f64>> {
+    let decomposition = columns.thin_svd().ok()?;
+    let shares = decomposition.U().transpose() * columns;
+    Some(decomposition.U().subcols(0, rank(shares.as_ref(), threshold)).to_owned())
 }
 
 /// The number of rows after which no column has a remainder above the threshold; at least one.
@@ -66,17 +72,37 @@ fn values(vectors: &Mat<f64>, leja: &Leja) -> Mat<f64> {
     all * vectors
 }
 
-/// As many nodes as functions, of the rows of `values`.
-fn nodes_of(mut values: Mat<f64>, solved: &[usize]) -> Vec<usize> {
-    let mut nodes = Vec::with_capacity(values.ncols());
-    while nodes.len() < values.ncols() {
-        let size = |row: usize| values.row(row).norm_l2() * if solved.contains(&row) { SOLVED } else { 1.0 };
-        // Of equals the first.
-        let largest = (0..values.nrows()).fold(0, |best, row| if size(row) > size(best) { row } else { best });
-        nodes.push(largest);
-        take_out(&mut values, largest);
+/// So many nodes, of the rows of all of `values`, that the functions of each quantity are told apart: first those of
+/// before.
+fn nodes_of(mut values: Vec<Mat<f64>>, before: &[usize]) -> Vec<usize> {
+    let rows = values[0].nrows();
+    let mut untold: Vec<usize> = values.iter().map(Mat::ncols).collect();
+    let mut nodes = Vec::new();
+    while nodes.len() < before.len() || (untold.iter().any(|&functions| functions > 0) && nodes.len() < rows) {
+        let open: Vec<usize> = (0..values.len()).filter(|&q| untold[q] > 0).collect();
+        let sizes: Vec<Vec<f64>> = open.iter().map(|&q| told(&values[q])).collect();
+        let is_next = |row: &usize| !nodes.contains(row) && (nodes.len() >= before.len() || before.contains(row));
+        let gain = |row: usize| sizes.iter().map(|sizes| sizes[row]).sum::<f64>();
+        let best = largest((0..rows).filter(is_next).map(|row| (row, gain(row))));
+        for (q, _) in open.into_iter().zip(&sizes).filter(|(_, sizes)| sizes[best] >= TELLING) {
+            take_out(&mut values[q], best);
+            untold[q] -= 1;
+        }
+        nodes.push(best);
     }
     nodes
+}
+
+/// What each row would tell, over the most that one does.
+fn told(values: &Mat<f64>) -> Vec<f64> {
+    let sizes: Vec<f64> = (0..values.nrows()).map(|row| values.row(row).norm_l2()).collect();
+    let most = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    sizes.into_iter().map(|size| size / most).collect()
+}
+
+/// The place of the largest number; of equals the first.
+fn largest(numbers: impl Iterator<Item = (usize, f64)>) -> usize {
+    numbers.fold((0, f64::NEG_INFINITY), |best, it| if it.1 > best.1 { it } else { best }).0
 }
 
 /// The rows of `values` at nodes.
@@ -84,14 +110,22 @@ fn at_nodes(values: &Mat<f64>, nodes: &[usize]) -> Mat<f64> {
     Mat::from_fn(nodes.len(), values.ncols(), |row, k| values[(nodes[row], k)])
 }
 
-/// Adds a node for each [`EXTRA`] functions: each one where the sum of functions that the nodes before tell worst is
-/// largest.
-fn with_extra(values: &Mat<f64>, mut nodes: Vec<usize>) -> Option<Vec<usize>> {
-    for _ in 0..nodes.len() / EXTRA {
-        let decomposition = at_nodes(values, &nodes).thin_svd().ok()?;
-        let worst = values * decomposition.V().col(values.ncols() - 1);
-        let size = |row: usize| if nodes.contains(&row) { -1.0 } else { worst[row].abs() };
-        nodes.push((0..values.nrows()).fold(0, |best, row| if size(row) > size(best) { row } else { best }));
+/// Adds nodes until no value of a quantity at any node depends on those at the chosen ones by more than [`STEADY`]: each
+/// one where one depends most.
+fn steadied(values: &[Mat<f64>], mut nodes: Vec<usize>) -> Option<Vec<usize>> {
+    while nodes.len() < values[0].nrows() {
+        let mut most = (0, 0.0);
+        for values in values {
+            let weights = values * at_nodes(values, &nodes).thin_svd().ok()?.pseudoinverse();
+            let free = (0..weights.nrows()).filter(|row| !nodes.contains(row));
+            let row = largest(free.map(|row| (row, weights.row(row).norm_l2())));
+            let size = weights.row(row).norm_l2();
+            most = if size > most.1 { (row, size) } else { most };
+        }
+        if most.1 <= STEADY {
+            break;
+        }
+        nodes.push(most.0);
     }
     Some(nodes)
 }
@@ -124,15 +158,15 @@ mod tests {
             8 => 2.0 * ((c * c) as f64 - 2.0),
             _ => 1e-9,
         });
-        let basis = Basis::of(columns.as_ref(), 1e-6, &leja, &[4]).expect("converged");
-        assert_eq!((basis.vectors.ncols(), basis.nodes.len()), (2, 2));
+        let basis = Basis::of(&[columns], 1e-6, &leja, &[4]).expect("converged");
+        assert_eq!((basis.vectors[0].ncols(), basis.nodes.len()), (2, 2));
         let function = |t: f64| {
             let mut p = [0.0; 12];
             stribeck_surface::chebyshev(t, &mut p);
             5.0 * p[3] - p[7] - 2.0 * p[8]
         };
         let values = Mat::from_fn(2, 1, |row, _| function(leja.nodes[basis.nodes[row]]));
-        let found = &basis.vectors * (basis.interpolation(&leja).expect("converged") * values);
+        let found = &basis.vectors[0] * (basis.interpolation(0, &leja).expect("converged") * values);
         for n in 0..12 {
             let expected = [5.0, -1.0, -2.0][[3, 7, 8].iter().position(|&k| k == n).unwrap_or(0)];
             let expected = if [3, 7, 8].contains(&n) { expected } else { 0.0 };
@@ -144,7 +178,8 @@ mod tests {
     fn a_lower_threshold_takes_more_functions() {
         let leja = Leja::new(20);
         let columns = Mat::from_fn(20, 20, |n, c| (-0.7 * (n + c) as f64).exp() * ((n * c) as f64).cos());
-        let ranks = [1e-1, 1e-3, 1e-6].map(|t| Basis::of(columns.as_ref(), t, &leja, &[]).expect("converged"));
-        assert!(ranks.is_sorted_by_key(|basis| basis.vectors.ncols()) && ranks[2].vectors.ncols() > 5);
+        let ranks =
+            [1e-1, 1e-3, 1e-6].map(|t| Basis::of(std::slice::from_ref(&columns), t, &leja, &[]).expect("converged"));
+        assert!(ranks.is_sorted_by_key(|basis| basis.vectors[0].ncols()) && ranks[2].vectors[0].ncols() > 5);
     }
 }

@@ -156,6 +156,6 @@ pub fn compare_surface(
     let nodes = Nodes::new(sweep, None, options, &mut |_| {})?;
     let mut work = Work::new(sweep, nodes);
     let points = random_points(work.domain(), points, seed);
-    let numbers = work.numbers(&points)?;
-    Ok(errors(surface, &points, &numbers).into_iter().map(summary).collect())
+    let known = work.known(points)?;
+    Ok(errors(surface, &known).into_iter().map(summary).collect())
 }

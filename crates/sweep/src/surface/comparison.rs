@@ -24,14 +24,31 @@ pub fn random_numbers(dimensions: usize, count: usize, seed: u64) -> Vec<Vec<f64
     (0..count).map(|_| (0..dimensions).map(|_| number()).collect()).collect()
 }
 
-/// The errors of a surface at points with known numbers: for each quantity that at each point.
+/// Points with their numbers.
+#[derive(Clone, Debug, Default)]
+pub struct Known {
+    /// The points.
+    pub points: Vec<Vec<f64>>,
+    /// What is known there.
+    pub numbers: Vec<Numbers>,
+}
+
+impl Known {
+    /// Adds other points.
+    pub fn add(&mut self, more: Self) {
+        self.points.extend(more.points);
+        self.numbers.extend(more.numbers);
+    }
+}
+
+/// The errors of a surface at known points: for each quantity that at each point.
 ///
 /// # Panics
 /// If a point is not in the domain of the surface.
-pub fn errors(surface: &Surface, points: &[Vec<f64>], numbers: &[Numbers]) -> Vec<Vec<f64>> {
+pub fn errors(surface: &Surface, known: &Known) -> Vec<Vec<f64>> {
     let mut evaluator = surface.evaluator();
-    let mut all = vec![Vec::with_capacity(points.len()); surface.quantities().count()];
-    for (point, numbers) in points.iter().zip(numbers) {
+    let mut all = vec![Vec::with_capacity(known.points.len()); surface.quantities().count()];
+    for (point, numbers) in known.points.iter().zip(&known.numbers) {
         let values = evaluator.values(point).expect("points are made in the domain");
         for (q, errors) in all.iter_mut().enumerate() {
             let scale = numbers.values[q].abs().max(numbers.least[q]);

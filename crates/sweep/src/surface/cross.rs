@@ -13,7 +13,7 @@ use super::lines::Line;
 pub struct Cross {
     /// For each axis the lines along it.
     pub lines: Vec<Vec<Line>>,
-    /// For each axis the functions that its lines are made of.
+    /// For each axis the functions that its lines are made of, and their nodes.
     pub bases: Vec<Basis>,
     /// For each quantity the factors of the products of these functions.
     pub cores: Vec<Tensor>,
@@ -45,16 +45,36 @@ impl Cross {
         }
     }
 
+    /// Adds a line along each axis near to a point: through the nearest nodes of the other axes, as cases of the grid
+    /// are on such a line already; or through the point itself if that line is there.
+    pub fn add_lines_near(&mut self, point: &[f64], leja: &Leja) {
+        let nearest = |(basis, t): (&Basis, &f64)| {
+            let distance = |node: &&usize| (leja.nodes[**node] - t).abs();
+            let node = basis.nodes.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            node.map_or(*t, |node| leja.nodes[*node])
+        };
+        let on_grid: Vec<f64> = self.bases.iter().zip(point).map(nearest).collect();
+        let lone = self.lines.len() == 1;
+        for (axis, lines) in self.lines.iter_mut().enumerate().filter(|_| !lone) {
+            let is_there = lines.iter().any(|line| line.is_through(&on_grid));
+            lines.push(Line::new(axis, if is_there { point } else { &on_grid }));
+        }
+    }
+
     /// The bases of the lines as they are now. They leave of each quantity at most `raised` times its threshold, in
     /// tolerances. None if a singular value decomposition does not converge.
     pub fn new_bases(&self, leja: &Leja, thresholds: &[f64], raised: f64) -> Option<Vec<Basis>> {
         let basis = |(axis, lines): (usize, &Vec<Line>)| {
             let degrees = lines.iter().map(Line::nodes).max().unwrap_or(0);
-            let columns: Vec<Vec<f64>> = lines.iter().flat_map(|line| line.coefficients(leja, thresholds)).collect();
-            let columns =
-                Mat::from_fn(degrees, columns.len(), |n, column| columns[column].get(n).copied().unwrap_or(0.0));
+            let of_lines: Vec<Vec<Vec<f64>>> =
+                lines.iter().map(|line| line.coefficients(leja, thresholds).collect()).collect();
+            let columns = |q: usize| {
+                let number = |n: usize, line: usize| of_lines[line][q].get(n).copied().unwrap_or(0.0);
+                Mat::from_fn(degrees, of_lines.len(), number)
+            };
+            let columns: Vec<Mat<f64>> = (0..thresholds.len()).map(columns).collect();
             let before = self.bases.get(axis).map_or(&[][..], |basis| &basis.nodes);
-            Basis::of(columns.as_ref(), raised, leja, before)
+            Basis::of(&columns, raised, leja, before)
         };
         self.lines.iter().enumerate().map(basis).collect()
     }
@@ -77,12 +97,13 @@ impl Cross {
     /// converge.
     pub fn take(&mut self, bases: Vec<Basis>, series: Vec<Vec<f64>>, leja: &Leja) -> Option<()> {
         let shape: Vec<usize> = bases.iter().map(|basis| basis.nodes.len()).collect();
-        let interpolations = bases.iter().map(|basis| basis.interpolation(leja)).collect::<Option<Vec<_>>>()?;
-        let core = |numbers: Vec<f64>| {
+        let core = |(q, numbers): (usize, Vec<f64>)| {
             let tensor = Tensor { numbers, shape: shape.clone() };
-            interpolations.iter().enumerate().fold(tensor, |tensor, (axis, matrix)| tensor.along(axis, matrix.as_ref()))
+            bases.iter().enumerate().try_fold(tensor, |tensor, (axis, basis)| {
+                Some(tensor.along(axis, basis.interpolation(q, leja)?.as_ref()))
+            })
         };
-        self.cores = series.into_iter().map(core).collect();
+        self.cores = series.into_iter().enumerate().map(core).collect::<Option<_>>()?;
         self.bases = bases;
         Some(())
     }
@@ -93,7 +114,7 @@ impl Cross {
         let (factors, core) = compress(&self.cores[quantity], most)?;
         let share = 0.1 * most / (factors.len() as f64).sqrt();
         let factors = self.bases.iter().zip(&factors).enumerate().map(|(axis, (basis, factor))| {
-            let factor = &basis.vectors * factor;
+            let factor = &basis.vectors[quantity] * factor;
             let polynomials = needed(&factor, &core.norms(axis), share);
             factor.subrows(0, polynomials).to_owned()
         });

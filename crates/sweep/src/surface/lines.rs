@@ -34,6 +34,11 @@ impl Line {
         Self { axis, at: at.to_vec(), samples: Vec::new() }
     }
 
+    /// True if it runs through a point.
+    pub fn is_through(&self, point: &[f64]) -> bool {
+        self.at.iter().zip(point).enumerate().all(|(axis, (at, t))| axis == self.axis || at == t)
+    }
+
     /// The number of nodes that are solved.
     pub fn nodes(&self) -> usize {
         self.samples.len()

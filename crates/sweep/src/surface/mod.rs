@@ -8,7 +8,8 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `build` | [`build`]: from a sweep file to the file of the surface |
-//! | `refinement` | the rounds: lines, grid, random points, compression, certificate |
+//! | `refinement` | the rounds: lines, grid, random points |
+//! | `draft` | from a cross to the file of a surface: compression, certificate |
 //! | `domain` | from a point of the axes to a case, and from its numbers to those of the surface |
 //! | `leja` | the nodes along one axis, and the polynomials that belong to them |
 //! | `lines` | lines along one axis, with as many nodes as they need |
@@ -25,6 +26,7 @@ mod comparison;
 mod compression;
 mod cross;
 mod domain;
+mod draft;
 mod leja;
 mod lines;
 mod nodes;

@@ -1,19 +1,20 @@
 //! The rounds of a surface: lines, a grid, and random points that tell where it is bad, until it is good everywhere.
 
 use super::build::{Progress, SurfaceBuildError};
-use super::comparison::{errors, random_numbers, random_points, summary};
-use super::cross::{Cross, Tucker};
+use super::comparison::{Known, errors, random_numbers, random_points};
+use super::cross::Cross;
 use super::domain::{Domain, Numbers};
+use super::draft::Draft;
 use super::leja::Leja;
 use super::lines::{Line, MOST_ALONG, Sample};
 use super::nodes::Nodes;
-use crate::{Column, SurfaceSweep};
-use stribeck_solver::{Parameters, collocation};
-use stribeck_surface::{Certificate, CheckPoint, FORMAT, NumberKind, QuantityRecord, Surface, SurfaceFile, encode};
+use crate::SurfaceSweep;
+use stribeck_solver::Parameters;
+use stribeck_surface::Surface;
 
 /// What lines may leave unsaid of a quantity in the first round, in tolerances, for one to three axes. The errors of
 /// several axes add up; with three, less costs much.
-const FIRST_THRESHOLD: [f64; 3] = [0.1, 0.1, 0.2];
+const FIRST_THRESHOLD: [f64; 3] = [0.1, 0.1, 0.15];
 /// What the threshold of a bad quantity is multiplied by where more lines do not help.
 const LOWER: f64 = 0.7;
 /// What lines leave unsaid makes an error of about so many thresholds.
@@ -25,23 +26,17 @@ const LEAST_THRESHOLD: [f64; 3] = [0.01, 0.01, 0.07];
 /// The largest error at the leading points with which a surface is compared with fresh ones, in tolerances, for one to
 /// three axes. With few axes there are few leading points.
 const GOOD: [f64; 3] = [0.6, 0.6, 0.9];
-/// The largest error that compression may lead to at the leading points, in tolerances.
-const COMPRESSED: f64 = 0.95;
-/// What compression may leave out, in tolerances: the most that leads to no larger error is taken.
-const BUDGETS: [f64; 6] = [0.5, 0.35, 0.25, 0.15, 0.1, 0.02];
 /// Lines along each axis that are added in a round, at most, for each axis that they do not run along: through random
 /// points, and as many through nodes of lines.
-const LINES: usize = 2;
+const LINES: usize = 3;
 /// Random lines of the first round along each axis, for one to three axes.
-const FIRST_LINES: [usize; 3] = [0, 4, 50];
+const FIRST_LINES: [usize; 3] = [0, 4, 15];
 /// Points whose mapped coordinates are all so near to those of a worse one have the same cause.
 const NEAR: f64 = 0.15;
 /// Leading points of a round, for one to three axes.
-const LEADING: [usize; 3] = [50, 100, 400];
+const LEADING: [usize; 3] = [50, 100, 300];
 /// The most cases of a surface.
 const MOST_CASES: usize = 400_000;
-/// Points in the file with which readers compare themselves.
-const CHECK_POINTS: usize = 10;
 
 /// A surface while it is made.
 pub struct Work<'a> {
@@ -49,13 +44,6 @@ pub struct Work<'a> {
     domain: Domain<'a>,
     nodes: Nodes<'a>,
     leja: Leja,
-}
-
-/// Points with their numbers.
-#[derive(Clone, Debug, Default)]
-struct Known {
-    points: Vec<Vec<f64>>,
-    numbers: Vec<Numbers>,
 }
 
 impl<'a> Work<'a> {
@@ -88,8 +76,8 @@ impl<'a> Work<'a> {
             let seed_of_round = u64::MAX - number as u64;
             let points = random_points(&self.domain, LEADING[self.domain.dimensions() - 1], seed_of_round);
             leading.add(self.known(points)?);
-            let exact = self.surface_of(&cross, &vec![BUDGETS[BUDGETS.len() - 1]; self.domain.columns.len()])?;
-            let of_each = errors(&exact, &leading.points, &leading.numbers);
+            let exact = self.draft().exact(&cross)?;
+            let of_each = errors(&exact, &leading);
             let worst = worst_at_each_point(&of_each);
             let largest = worst.iter().copied().fold(0.0, f64::max) / tolerance;
             tell(Progress::Round { number, cases: self.nodes.count(), largest });
@@ -97,9 +85,10 @@ impl<'a> Work<'a> {
             let is_at_end = least < LEAST_THRESHOLD[self.domain.dimensions() - 1];
             let last = !fits || is_at_end || self.nodes.count() >= MOST_CASES;
             if largest <= good || last {
+                let cases = self.nodes.count();
                 let fresh = self.known(random_points(&self.domain, settings.points, seed))?;
-                let (surface, error) = self.compared(&cross, &leading, &fresh, seed)?;
-                let cases = surface.file().certificate.cases;
+                let draft = Draft { cases, ..self.draft() };
+                let (surface, error) = draft.published(&cross, &leading, &fresh, seed)?;
                 tell(Progress::Compared { cases, largest: error / tolerance });
                 if error <= tolerance || last {
                     return Ok((surface, error <= tolerance));
@@ -109,7 +98,7 @@ impl<'a> Work<'a> {
                 seed += 1;
             }
             self.add_lines(&mut cross, &leading, &worst);
-            let worst = worst_at_each_point(&errors(&exact, &on_lines.points, &on_lines.numbers));
+            let worst = worst_at_each_point(&errors(&exact, &on_lines));
             self.add_lines(&mut cross, &on_lines, &worst);
             stalled = if largest < best { 0 } else { stalled + 1 };
             best = best.min(largest);
@@ -122,6 +111,10 @@ impl<'a> Work<'a> {
             }
         }
         unreachable!("the threshold falls, or the error does")
+    }
+
+    fn draft(&self) -> Draft<'_> {
+        Draft { surface: self.surface, domain: &self.domain, cases: self.nodes.count() }
     }
 
     fn good(&self) -> f64 {
@@ -217,7 +210,7 @@ impl<'a> Work<'a> {
                 chosen.push(point);
             }
         }
-        chosen.iter().for_each(|point| cross.add_lines(point));
+        chosen.iter().for_each(|point| cross.add_lines_near(point, &self.leja));
     }
 
     /// The samples at mapped points.
@@ -239,113 +232,12 @@ impl<'a> Work<'a> {
         Ok(sample)
     }
 
-    fn known(&mut self, points: Vec<Vec<f64>>) -> Result<Known, SurfaceBuildError> {
-        let numbers = self.numbers(&points)?;
-        Ok(Known { points, numbers })
-    }
-
-    /// The numbers at points.
-    pub fn numbers(&mut self, points: &[Vec<f64>]) -> Result<Vec<Numbers>, SurfaceBuildError> {
+    /// Points with their numbers.
+    pub fn known(&mut self, points: Vec<Vec<f64>>) -> Result<Known, SurfaceBuildError> {
         let cases: Vec<Parameters> = points.iter().map(|point| self.domain.parameters(point)).collect();
         let values = self.nodes.solve(&cases)?;
-        Ok(points.iter().zip(&values).map(|(point, values)| self.domain.numbers(point, values)).collect())
-    }
-
-    /// The surface as it is published, compressed as far as the leading points allow, with its certificate by fresh
-    /// ones; and its largest error.
-    fn compared(
-        &self,
-        cross: &Cross,
-        leading: &Known,
-        fresh: &Known,
-        seed: u64,
-    ) -> Result<(Surface, f64), SurfaceBuildError> {
-        let surface = self.surface_of(cross, &self.budgets(cross, leading)?)?;
-        let mut file = surface.file().clone();
-        file.certificate.points = fresh.points.len();
-        file.certificate.seed = seed;
-        file.certificate.cases = self.nodes.count() - fresh.points.len();
-        file.certificate.errors = errors(&surface, &fresh.points, &fresh.numbers).into_iter().map(summary).collect();
-        let mut evaluator = surface.evaluator();
-        file.checks = random_points(&self.domain, CHECK_POINTS, u64::MAX)
-            .into_iter()
-            .map(|point| {
-                let values = evaluator.values(&point).expect("points are made in the domain").to_vec();
-                CheckPoint { point, values }
-            })
-            .collect();
-        let largest = file.certificate.errors.iter().map(|errors| errors.largest).fold(0.0, f64::max);
-        Ok((Surface::new(file).expect("it is made as it must be"), largest))
-    }
-
-    /// For each quantity the most that may be left out of it.
-    fn budgets(&self, cross: &Cross, leading: &Known) -> Result<Vec<f64>, SurfaceBuildError> {
-        let mut chosen = vec![None; self.domain.columns.len()];
-        for budget in BUDGETS {
-            let surface = self.surface_of(cross, &vec![budget; chosen.len()])?;
-            let errors = errors(&surface, &leading.points, &leading.numbers);
-            for (chosen, errors) in chosen.iter_mut().zip(errors) {
-                let largest = errors.into_iter().fold(0.0, f64::max);
-                *chosen = chosen.or((largest <= COMPRESSED * self.surface.settings.tolerance).then_some(budget));
-            }
-        }
-        Ok(chosen.into_iter().map(|budget| budget.unwrap_or(BUDGETS[BUDGETS.len() - 1])).collect())
-    }
-
-    /// The surface of a cross, with so much left out of each quantity, in tolerances. It has no certificate yet.
-    fn surface_of(&self, cross: &Cross, budgets: &[f64]) -> Result<Surface, SurfaceBuildError> {
-        let tolerance = self.surface.settings.tolerance;
-        let mut quantities = Vec::with_capacity(budgets.len());
-        for (q, budget) in budgets.iter().enumerate() {
-            let tucker = cross.tucker(q, budget * tolerance).ok_or(SurfaceBuildError::SingularValues)?;
-            quantities.push(self.quantity(self.domain.columns[q], tucker));
-        }
-        let file = SurfaceFile {
-            format: FORMAT.to_owned(),
-            title: self.surface.sweep.title.clone(),
-            program: crate::store::program(),
-            results_version: collocation::RESULTS_VERSION,
-            tolerance,
-            axes: self.domain.axes(),
-            quantities,
-            certificate: Certificate {
-                points: 0,
-                seed: self.surface.settings.seed,
-                solver_tolerance: self.surface.sweep.solver.tolerance,
-                cases: self.nodes.count(),
-                errors: Vec::new(),
-            },
-            checks: Vec::new(),
-            sweep: self.surface.sweep.text.clone(),
-        };
-        Ok(Surface::new(file).expect("it is made as it must be"))
-    }
-
-    fn quantity(&self, column: Column, tucker: Tucker) -> QuantityRecord {
-        // Single precision is 6e-8 of each number, and logarithms of up to 20 are summed of them.
-        let numbers = match self.surface.settings.tolerance < 1e-5 {
-            true => NumberKind::Float64,
-            false => NumberKind::Float32,
-        };
-        let (units, scale) = self.domain.units(column);
-        QuantityRecord {
-            name: column.name().to_owned(),
-            units,
-            scale,
-            long_name: column.long_name().to_owned(),
-            transform: self.domain.transform(column),
-            shape: tucker.shape,
-            numbers,
-            factors: tucker.factors.iter().map(|factor| encode(numbers, factor)).collect(),
-            core: encode(numbers, &tucker.core),
-        }
-    }
-}
-
-impl Known {
-    fn add(&mut self, more: Self) {
-        self.points.extend(more.points);
-        self.numbers.extend(more.numbers);
+        let numbers = points.iter().zip(&values).map(|(point, values)| self.domain.numbers(point, values)).collect();
+        Ok(Known { points, numbers })
     }
 }
 
