@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from ._errors import StorageError
 from ._given import path
-from ._packages import package
+from ._packages import require
 
 if TYPE_CHECKING:
     import xarray
@@ -41,8 +41,7 @@ def open(directory: str | os.PathLike[str]) -> xarray.Dataset:
 
 def require_reader() -> None:
     """Refuse to go on without the packages that read results.h5."""
-    for name in ("xarray", "h5netcdf"):
-        package(name, "a stored data set")
+    require(["xarray", "h5netcdf", "h5py"], "a stored data set")
 
 
 def open_results(directory: Path) -> xarray.Dataset:

@@ -12,7 +12,7 @@ from . import _native, _toml
 from ._datasets import Variable, dataset, variables
 from ._errors import InputError
 from ._given import whole
-from ._packages import package
+from ._packages import require
 from .material import Material
 
 if TYPE_CHECKING:
@@ -232,7 +232,7 @@ class Experiment:
         ImportError
             Without xarray or matplotlib.
         """
-        package("xarray", "a picture of a curve")
+        require(["xarray", "matplotlib"], "a picture of a curve")
         drawn: Axes = self.curve(speed, threads=threads).stribeck.plot_curve(ax=ax)
         return drawn
 
