@@ -99,7 +99,9 @@ def test_arrays_by_name_say_what_they_are_and_what_they_have_not(said_without):
         """,
     )
     lines = said.splitlines()
-    assert "  mu_drag (beta: 2) " in said and "  pressure (beta: 2, x: 601) " in said and "  c (beta: 2) [a0^2/R] " in said
+    assert (
+        "  mu_drag (beta: 2) " in said and "  pressure (beta: 2, x: 601) " in said and "  c (beta: 2) [a0^2/R] " in said
+    )
     assert max(map(len, lines[:-2])) <= 80 and len(lines) < 60
     assert lines[-2].endswith("not installed here: take ['mu_drag']")
     assert lines[-1].endswith("install xarray for a data set that may have .stribeck")

@@ -29,8 +29,9 @@ def magnitude(name: str, quantity: Any, units: str) -> Any:
 
 def refuse_masked(name: str, it: Any) -> None:
     """Refuse arrays with masked values: what is behind the mask is no measurement."""
-    if isinstance(it, np.ma.MaskedArray) and np.ma.is_masked(it):
-        raise InputError(f"{name} has masked values, {it.size - it.count()} of {it.size}: leave them out, or fill them")
+    mask: Any = it.mask if isinstance(it, np.ma.MaskedArray) else np.False_
+    if mask.any():
+        raise InputError(f"{name} has masked values, {mask.sum()} of {mask.size}: leave them out, or fill them")
 
 
 def numbers(name: str, it: Any, units: str = "1") -> NDArray[np.float64]:

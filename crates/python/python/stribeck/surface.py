@@ -229,8 +229,9 @@ class Surface:
 
 def _numbers(name: str, units: str, it: Any) -> _Array:
     """Give the values of a coordinate, which may be a quantity of pint, as floats."""
-    if isinstance(it, np.ma.MaskedArray) and np.ma.is_masked(it):
-        raise InputError(f"{name} has masked values, {it.size - it.count()} of {it.size}: leave them out")
+    mask: Any = it.mask if isinstance(it, np.ma.MaskedArray) else np.False_
+    if mask.any():
+        raise InputError(f"{name} has masked values, {mask.sum()} of {mask.size}: leave them out")
     try:
         if hasattr(it, "magnitude") and hasattr(it, "to"):
             it = it.to("" if units == "1" else units).magnitude
