@@ -192,6 +192,36 @@ fn sensitivities_to_both_bodies_are_the_derivatives_of_what_is_published() {
     }
 }
 
+/// α and f of a dimensionless sweep are those of both bodies, of a roller that is at rest and has relaxed as well.
+#[test]
+fn sensitivities_to_alpha_and_f_are_the_derivatives_of_what_is_published() {
+    const STEP: f64 = 0.02;
+    let axis = |value: f64, moves: bool| {
+        let steps = if moves { 0..=4 } else { 2..=2 };
+        let values: Vec<f64> = steps.map(|i| value * (STEP * (f64::from(i) - 2.0)).exp()).collect();
+        format!("{values:?}")
+    };
+    for (varied, moves) in [("alpha", [true, false]), ("f", [false, true])] {
+        let (alpha, f) = (axis(0.5, moves[0]), axis(8.0, moves[1]));
+        let sweep = format!(
+            "[axes]\nslide_roll = [-0.5, 0.3, 1.0]\nalpha = {alpha}\nbeta = [100.0]\nf = {f}\n[flat]\nmodes = [{{ \
+             share = 0.4, time = 1.0 }}]\n[roller]\nmodes = [{{ share = 0.6, time = 0.5 }}]\n[solver]\ntolerance = \
+             1e-9\n[output]\nfields = []\nsensitivities = true\n"
+        );
+        let rows = table(&with_results(&sweep).path().join("results/small/summary.csv")).1;
+        assert_eq!(rows.len(), 15);
+        for rows in rows.chunks(5) {
+            for mu in ["mu_v", "mu_h", "mu_tot", "mu_drag", "mu_pressure", "mu_shear"] {
+                let at = |i: usize| number(&rows[i], mu).abs().ln();
+                let difference = (8.0 * (at(3) - at(1)) - (at(4) - at(0))) / (12.0 * STEP);
+                let stated = number(&rows[2], &format!("dln_{mu}_dln_{varied}"));
+                let place = format!("{mu} by {varied} at S = {}", rows[2]["slide_roll"]);
+                assert!((stated - difference).abs() < 1e-5, "{place}: {stated} {difference}");
+            }
+        }
+    }
+}
+
 /// The relaxation method publishes the hysteresis of each body, that of collocation to what its grid leaves.
 #[test]
 fn both_methods_publish_the_hysteresis_of_each_body() {

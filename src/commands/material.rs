@@ -91,7 +91,8 @@ enum Vertical {
 }
 
 fn expansion(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|it| (0.0..=2e-3).contains(it)).ok_or("a number from 0 to 0.002; rubber has 6e-4")
+    let known = text.parse().ok().filter(|it| VerticalShift::EXPANSION.contains(it));
+    known.ok_or(VerticalShift::EXPANSION_ALLOWED)
 }
 
 /// The number of terms of a fit.

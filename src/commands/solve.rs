@@ -363,6 +363,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let sensitivities = [entry.sensitivities, entry.sensitivity_errors];
     let point = published_point(&sweep, &plan, place);
     entry.values = point.numbers_of(&entry.values, sensitivities, None, &sweep.output).values;
+    [entry.sensitivities, entry.sensitivity_errors] = point.sensitivities_of(sensitivities);
     let asked = Parameters { alpha, beta, f, ..parameters };
     let problem =
         SolvedProblem { asked: &asked, slide_roll, settings, entry: &entry, path: &path, unknowns, experiment };

@@ -96,6 +96,7 @@ fn outside_of_commands(text: &str) -> String {
         let rest = &rest[if value.is_empty() { 0 } else { 1 + value.len() }..];
         let value = match value {
             "" => "True".to_owned(),
+            word if WORDS.contains(&word) => format!("\"{word}\""),
             pair if pair.contains('=') && !pair.starts_with('"') => format!("\"{pair}\""),
             value => value.to_owned(),
         };
@@ -104,8 +105,11 @@ fn outside_of_commands(text: &str) -> String {
     changed
 }
 
-/// The argument of an option at the beginning of a text: what is quoted, NAME=COLUMN up to a colon, a number or a word
-/// in capitals; else nothing.
+/// Arguments of options that are words in small letters.
+const WORDS: [&str; 2] = ["density", "fit"];
+
+/// The argument of an option at the beginning of a text: what is quoted, NAME=COLUMN up to a colon, a number, a word in
+/// capitals or one of [`WORDS`]; else nothing.
 fn argument(text: &str) -> &str {
     if let Some(quoted) = text.strip_prefix('"') {
         return &text[..quoted.find('"').map_or(text.len(), |end| end + 2)];
@@ -114,5 +118,6 @@ fn argument(text: &str) -> &str {
     if text[..end].contains('=') {
         return &text[..text.find(": ").unwrap_or(end)];
     }
-    if text.starts_with(|c: char| c.is_ascii_digit() || c.is_ascii_uppercase()) { &text[..end] } else { "" }
+    let is_argument = text.starts_with(|c: char| c.is_ascii_digit() || c.is_ascii_uppercase());
+    if is_argument || WORDS.contains(&&text[..end]) { &text[..end] } else { "" }
 }

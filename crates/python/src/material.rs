@@ -43,6 +43,10 @@ pub struct FileOptions {
     /// In K.
     reference_temperature: Option<f64>,
     shift_factors: Option<PathBuf>,
+    /// How moduli are shifted beside their rates: none, fit or density.
+    vertical_shift: String,
+    /// Thermal expansion of the volume in 1/K, beside the shift by the density.
+    expansion: Option<f64>,
     columns: Option<String>,
 }
 
@@ -56,6 +60,25 @@ impl FileOptions {
             modulus_unit: self.modulus_unit,
             columns: columns.unwrap_or_default(),
         })
+    }
+
+    /// How moduli are shifted.
+    fn vertical(&self) -> PyResult<VerticalShift> {
+        if let Some(wrong) = self.expansion.filter(|it| !VerticalShift::EXPANSION.contains(it)) {
+            let allowed = VerticalShift::EXPANSION_ALLOWED;
+            return Err(errors::input(format!("expansion must be {allowed}, found {wrong:?}")));
+        }
+        match (self.vertical_shift.as_str(), self.expansion) {
+            ("density", expansion) => Ok(VerticalShift::Density { expansion: expansion.unwrap_or(0.0) }),
+            ("none", None) => Ok(VerticalShift::None),
+            ("fit", None) => Ok(VerticalShift::Overlap),
+            ("none" | "fit", Some(_)) => Err(errors::input(
+                "expansion would change nothing: no density is known; add --vertical-shift density, or leave it out",
+            )),
+            (wrong, _) => {
+                Err(errors::input(format!("vertical_shift must be \"none\", \"fit\" or \"density\", found {wrong:?}")))
+            }
+        }
     }
 
     /// The fit to moduli.
@@ -75,6 +98,7 @@ impl FileOptions {
 /// `InputError` if the file describes no material, `StorageError` if the disk does not give it.
 #[pyfunction]
 pub fn material_file<'py>(py: Python<'py>, path: PathBuf, options: FileOptions) -> PyResult<Bound<'py, PyDict>> {
+    let vertical = options.vertical()?;
     let file = MaterialFile::read(&path, &options.of_file()?).map_err(|error| match error {
         MaterialFileError::Series(fault) => errors::fault(&fault),
         MaterialFileError::Table(error) => errors::table(&error),
@@ -87,7 +111,7 @@ pub fn material_file<'py>(py: Python<'py>, path: PathBuf, options: FileOptions) 
     let shifting = Shifting {
         factors: factors.as_ref().map(|(factors, _)| factors),
         reference: options.reference_temperature,
-        vertical: VerticalShift::None,
+        vertical,
     };
     let measured = match file.data {
         MaterialData::Series(_) if options.terms.is_some() => {
@@ -121,6 +145,8 @@ pub fn material_file<'py>(py: Python<'py>, path: PathBuf, options: FileOptions) 
 fn describe_shifts(material: &Bound<'_, PyDict>, curve: &MasterCurve) -> PyResult<()> {
     let shifts = curve.shifts.iter().map(|it| (it.temperature, it.log_factor, it.residual.unwrap_or(f64::NAN)));
     material.set_item("shifts", shifts.collect::<Vec<_>>())?;
+    let vertical = curve.shifts.iter().map(|it| 10_f64.powf(it.log_vertical));
+    material.set_item("vertical_shift_factors", vertical.collect::<Vec<_>>())?;
     let Some(ShiftLawFit { law, rms_residual, .. }) = curve.laws.first() else { return Ok(()) };
     let numbers = PyDict::new(material.py());
     numbers.set_item("law", law.name())?;

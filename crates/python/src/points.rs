@@ -53,8 +53,10 @@ pub fn solve<'py>(py: Python<'py>, request: Request<'py>) -> PyResult<Bound<'py,
         |_, ()| Ok(()),
     )??;
     let output = &sweep.output;
-    let point =
-        |(&(slide_roll, numbers), entry): (&Place, &CaseEntry)| Point { slide_roll, ..Point::new(entry.id, numbers) };
+    let point = |(&(slide_roll, numbers), entry): (&Place, &CaseEntry)| {
+        let power_of_strength = Grid::power_of_strength(numbers[0], slide_roll, &sweep.substrate);
+        Point { slide_roll, power_of_strength, ..Point::new(entry.id, numbers) }
+    };
     let points: Vec<Point> = places.iter().zip(&entries).map(point).collect();
     let mut results = Results::new(output, further_columns(points.first(), output), false, points.len());
     for (&point, entry) in points.iter().zip(&entries) {
@@ -109,11 +111,6 @@ impl Request<'_> {
 
     /// How the points are solved, as a sweep: a case has the id that it has in one.
     fn sweep(&self) -> PyResult<Sweep> {
-        if self.sensitivities && self.roller_modes.is_some() {
-            return Err(errors::input(
-                "sensitivities are derivatives for a rigid roller: leave them out, or roller_modes",
-            ));
-        }
         let settings = SolverSettings { tolerance: self.tolerance, ..SolverSettings::default() };
         let range = collocation::Settings::TOLERANCE;
         if !range.contains(&self.tolerance) {

@@ -95,6 +95,81 @@ def test_isotherms_are_shifted_as_the_program_does_it(program, tmp_path):
     assert stribeck.Material.from_file(file, reference_temperature="20 degC", shift=WLF).shift == WLF
 
 
+@pytest.mark.parametrize(
+    ("options", "words", "law"),
+    [
+        ({}, (), lambda temperature: temperature**0),
+        ({"vertical_shift": "fit"}, ("--vertical-shift", "fit"), None),
+        ({"vertical_shift": "density"}, ("--vertical-shift", "density"), lambda temperature: 293.15 / temperature),
+        (
+            {"vertical_shift": "density", "expansion": 6e-4},
+            ("--vertical-shift", "density", "--expansion", 6e-4),
+            lambda temperature: (1.0 + 6e-4 * (temperature - 293.15)) * 293.15 / temperature,
+        ),
+    ],
+)
+def test_moduli_of_isotherms_are_shifted_as_the_program_does_it(options, words, law, program):
+    file = FILES / "isotherms.csv"
+    fitted = stribeck.Material.from_file(file, reference_temperature="20 degC", **options)
+    told = json.loads(program("material", file, "--reference-temperature", "20 degC", *words, "--json").stdout)
+    for name in ("relaxed_modulus", "instantaneous_modulus", "f", "rms_residual"):
+        assert getattr(fitted, name) == told[name], name
+    shifts = told["master_curve"]["shifts"]
+    np.testing.assert_array_equal(fitted.vertical_shift_factors, [shift["vertical_shift_factor"] for shift in shifts])
+    np.testing.assert_array_equal(fitted.shifts[:, 1], [shift["log_shift_factor"] for shift in shifts])
+    if law is not None:
+        np.testing.assert_allclose(fitted.vertical_shift_factors, law(fitted.shifts[:, 0]), rtol=1e-12)
+    else:
+        reference = np.argmin(np.abs(fitted.shifts[:, 0] - 293.15))
+        assert fitted.vertical_shift_factors[reference] == 1.0 and np.ptp(fitted.vertical_shift_factors) > 0.0
+    unit = pint.UnitRegistry()
+    if "expansion" in options:
+        by_pint = {**options, "expansion": unit.Quantity(600.0, "ppm/delta_degC")}
+        again = stribeck.Material.from_file(file, reference_temperature="20 degC", **by_pint)
+        np.testing.assert_allclose(again.moduli, fitted.moduli, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("file", "options", "words", "told"),
+    [
+        (
+            "moduli.csv",
+            {"vertical_shift": "fit"},
+            ("--vertical-shift", "fit"),
+            "there are no isotherms here whose moduli could be shifted, but a series, or moduli at one temperature or "
+            "none; leave out ",
+        ),
+        (
+            "isotherms.csv",
+            {"vertical_shift": "density", "expansion": 1.0},
+            ("--vertical-shift", "density", "--expansion", 1.0),
+            "a number from 0 to 0.002; rubber has 6e-4",
+        ),
+        ("isotherms.csv", {"expansion": 6e-4}, ("--expansion", 6e-4), "expansion would change nothing: no density is"),
+    ],
+)
+def test_a_shift_of_moduli_that_may_not_be_is_told_as_by_the_program(file, options, words, told, program):
+    path = FILES / file
+    said = program("material", path, "--reference-temperature", "20 degC", *words).stderr
+    assert told in " ".join(said.split()).replace("--expansion would", "expansion would"), said
+    with pytest.raises(stribeck.InputError) as error:
+        stribeck.Material.from_file(path, reference_temperature="20 degC", **options)
+    assert told in str(error.value) and "--" not in str(error.value)
+
+
+def test_what_to_do_about_a_shift_of_moduli_is_said_in_the_words_of_python(tmp_path):
+    # The moduli of a glass hardly change with the rate, and do not go with the temperature.
+    rows = [
+        f"{omega},{1e9 * omega**0.01:.6e},1e7,{celsius}" for celsius in (20, 160) for omega in np.logspace(-1, 2, 9)
+    ]
+    (tmp_path / "glass.csv").write_text("\n".join(["omega,storage,loss,T (degC)", *rows, ""]))
+    for how, told in [("density", 'Leave out vertical_shift="density", or'), ("up", '"fit" or "density", found "up"')]:
+        with pytest.raises(stribeck.InputError, match=told):
+            stribeck.Material.from_file(tmp_path / "glass.csv", reference_temperature=293.15, vertical_shift=how)
+    with pytest.raises(stribeck.InputError, match='add vertical_shift="density", or leave it out'):
+        stribeck.Material.from_file(tmp_path / "glass.csv", reference_temperature=293.15, expansion=6e-4)
+
+
 def test_a_doubtful_fit_warns(tmp_path):
     rows = "1,100,300\n3,500,800\n10,2000,1500\n30,4000,1200\n100,5000,500\n"
     (tmp_path / "liquid.csv").write_text("omega,storage,loss\n" + rows)

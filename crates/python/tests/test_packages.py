@@ -62,6 +62,51 @@ def test_what_is_missing_is_named_with_how_to_install_it(missing, call, said_wit
     )
 
 
+def test_all_that_is_missing_is_named_at_once(said_without):
+    said = said_without(
+        ALL,
+        f"""
+        import stribeck
+        experiment = stribeck.Experiment(**{OIL}, relaxed_modulus="75 kPa", f=10.0, retardation_time="0.1 s")
+        for call in (lambda: experiment.plot([1e-3]), lambda: stribeck.run("sweep.toml")):
+            try:
+                call()
+            except ImportError as error:
+                print(error)
+        """,
+    )
+    picture, stored = said.splitlines()
+    assert picture == (
+        "a picture of a curve needs xarray and matplotlib, which are not installed here: "
+        'pip install xarray matplotlib, or "stribeck[all]"'
+    )
+    assert 'pip install xarray h5netcdf h5py, or "stribeck[all]"' in stored
+
+
+def test_arrays_by_name_say_what_they_are_and_what_they_have_not(said_without):
+    said = said_without(
+        ["xarray"],
+        """
+        import copy, pickle, stribeck
+        case = stribeck.solve(1.0, [10.0, 20.0], 1.0, fields="pressure")
+        print(case)
+        for name in ("mu_drag", "stribeck"):
+            try:
+                getattr(case, name)
+            except AttributeError as error:
+                print(error)
+        assert copy.deepcopy(case).dims == pickle.loads(pickle.dumps(case)).dims == case.dims
+        """,
+    )
+    lines = said.splitlines()
+    assert (
+        "  mu_drag (beta: 2) " in said and "  pressure (beta: 2, x: 601) " in said and "  c (beta: 2) [a0^2/R] " in said
+    )
+    assert max(map(len, lines[:-2])) <= 80 and len(lines) < 60
+    assert lines[-2].endswith("not installed here: take ['mu_drag']")
+    assert lines[-1].endswith("install xarray for a data set that may have .stribeck")
+
+
 def test_progress_is_a_line_without_tqdm(tmp_path, said_without):
     (tmp_path / "small.toml").write_text("[axes]\nf = [1.0]\nalpha = [1.0]\nbeta = [10.0, 20.0, 1e30]\n")
     said = said_without(

@@ -82,17 +82,17 @@ def test_ctrl_c_stops_a_run_which_the_same_call_resumes(tmp_path, program):
         assert (stopped / name).read_bytes() == (whole / name).read_bytes(), name
 
 
-def grown(call, calls):
-    """Bytes that a process grows by in some calls, after as many as a tenth of these to warm up."""
+def resident(call, calls):
+    """Bytes that a process has in memory before some calls and after them, after a hundredth of these to warm up."""
     process = psutil.Process()
-    for _ in range(calls // 10):
+    for _ in range(calls // 100 + 100):
         call()
     gc.collect()
     before = process.memory_info().rss
     for _ in range(calls):
         call()
     gc.collect()
-    return process.memory_info().rss - before
+    return before, process.memory_info().rss
 
 
 def refuse():
@@ -101,18 +101,21 @@ def refuse():
 
 
 SMALL = stribeck.Material.from_prony(times=[1.0], moduli=[1e6], relaxed_modulus=1e6, poisson_ratio=0.5)
+SURFACE = stribeck.Surface()
 CALLS = {
     "a case": lambda: stribeck.solve(1.0, 20.0, 0.0, threads=1),
-    "a field": lambda: stribeck.solve(1.0, 20.0, 0.0, fields="pressure", threads=2),
+    "a case with fields": lambda: stribeck.solve(1.0, 20.0, 0.0, fields=True, x=[0.0, 1.0], threads=2),
     "what is refused": refuse,
     "an experiment": lambda: stribeck.Experiment(flat=SMALL, radius="5 mm", load=200.0, viscosity=1.0),
+    "a surface": lambda: SURFACE(1.0, 20.0, 1.0),
 }
 
 
 @pytest.mark.parametrize("name", CALLS)
 def test_calls_leak_no_memory(name):
+    before, after = resident(CALLS[name], 1000)
     # A kilobyte a call would be seen.
-    assert grown(CALLS[name], 1000) < 1_000_000
+    assert after - before < 1_000_000
 
 
 def test_many_readings_of_a_quantity_leak_no_memory():
@@ -121,13 +124,17 @@ def test_many_readings_of_a_quantity_leak_no_memory():
             stribeck._native.si("radius", "-1.0")
         stribeck._native.si("radius", '"2 mm"')
 
+    before, after = resident(read, 50_000)
     # A kilobyte for each hundred calls would be seen.
-    assert grown(read, 50_000) < 1 << 20
+    assert after - before < 1 << 20
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", CALLS)
-def test_a_hundred_thousand_calls_leak_no_memory(name):
-    bytes_grown = grown(CALLS[name], 100_000)
-    print(f"{name}: {bytes_grown} bytes more after 100000 calls")
-    assert bytes_grown < 4_000_000
+@pytest.mark.parametrize("name", [name for name in CALLS if name != "a case"])
+def test_a_hundred_thousand_calls_leak_no_memory(name, monkeypatch):
+    # What xarray makes of the arrays takes longer than to solve a case, and is not of this package.
+    monkeypatch.setattr("stribeck._datasets.find_spec", lambda _: None)
+    before, after = resident(CALLS[name], 100_000)
+    print(f"{name}: {before / 1e6:.1f} MB before and {after / 1e6:.1f} MB after 100000 calls")
+    # 20 bytes a call would be seen.
+    assert after - before < 2_000_000

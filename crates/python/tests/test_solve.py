@@ -96,7 +96,6 @@ def test_a_place_that_fails_is_nan_with_a_reason():
             {"roller_modes": [(1.0, 1e308)], "slide_roll": -0.999},
             "roller_modes at slide_roll = -0.999: mode 1: the time",
         ),
-        ({"roller_modes": [(1.0, 1.0)], "sensitivities": True}, "derivatives for a rigid roller"),
         ({"tolerance": 1.0}, "from 1e-10 to 1e-1"),
         ({"threads": 0}, "threads must be a whole number from 1"),
         ({"fields": "presure"}, 'no field "presure": fields are pressure'),
@@ -164,3 +163,37 @@ def test_both_bodies_have_the_numbers_of_the_program_to_the_last_bit(program):
     of_flat = stribeck.solve(1.0, 100.0, 10.0, slide_roll=0.0, tolerance=1e-7)
     of_roller = stribeck.solve(1.0, 100.0, 10.0, roller_modes=[(1.0, 1.0)], slide_roll=0.0, tolerance=1e-7)
     assert of_roller.mu_v_roller.item() == pytest.approx(of_flat.mu_v.item(), rel=1e-5) and of_flat.mu_v_roller == 0.0
+
+
+def test_sensitivities_to_both_bodies_are_the_changes_of_friction_and_those_of_the_program(program):
+    flat, roller = [(0.4, 1.0)], [(0.35, 0.5), (0.25, 20.0)]
+    point, step = {"alpha": 0.5, "beta": 100.0, "f": 8.0}, 0.02
+    options = {"modes": flat, "roller_modes": roller, "tolerance": 1e-9}
+    words = ("--modes", "0.4:1", "--roller-modes", "0.35:0.5,0.25:20", "--tolerance", 1e-9, "--sensitivities", "--json")
+    for slide_roll in (-0.5, 0.3, 1.0):
+        case = stribeck.solve(**point, **options, slide_roll=slide_roll, sensitivities=True)
+        place = [word for name, value in point.items() for word in (f"--{name}", value)]
+        told = json.loads(program("solve", *place, *words, f"--slide-roll={slide_roll}").stdout)
+        for name, value in point.items():
+            shifted = {**point, name: value * np.exp(step * np.array([-2.0, -1.0, 1.0, 2.0]))}
+            near = stribeck.solve(**shifted, **options, slide_roll=slide_roll)
+            for mu in ("mu_v", "mu_h", "mu_tot", "mu_drag", "mu_pressure", "mu_shear"):
+                far_below, below, above, far_above = np.log(np.abs(near[mu].values))
+                difference = (8 * (above - below) - (far_above - far_below)) / (12 * step)
+                stated = case[f"dln_{mu}_dln_{name}"].item()
+                assert abs(stated - difference) < 1e-5, (mu, name, slide_roll, stated, difference)
+                assert 0.0 < case[f"error_dln_{mu}_dln_{name}"].item() < 1e-4, (mu, name, slide_roll)
+            for mu in ("mu_v", "mu_h", "mu_pressure"):
+                slope = case[f"dln_{mu}_dln_{name}"] * case[mu]
+                assert slope.item() == pytest.approx(told[f"d{mu}_dln_{name}"], rel=1e-12), (mu, name, slide_roll)
+
+
+def test_a_soft_roller_in_pure_rolling_has_the_sensitivities_of_a_soft_flat():
+    spectrum = [(0.7, 1.0), (0.3, 30.0)]
+    of_flat, of_roller = (
+        stribeck.solve(1.0, [30.0, 100.0], 10.0, **body, slide_roll=0.0, tolerance=1e-8, sensitivities=True)
+        for body in ({"modes": spectrum}, {"roller_modes": spectrum})
+    )
+    for mu in ("mu_v", "mu_h", "mu_pressure", "mu_shear"):
+        for name in ("alpha", "beta", "f"):
+            np.testing.assert_allclose(of_roller[f"dln_{mu}_dln_{name}"], of_flat[f"dln_{mu}_dln_{name}"], rtol=1e-6)

@@ -17,6 +17,7 @@ cases: xarray.Dataset = stribeck.solve(1.0, np.geomspace(10, 1000, 5), 10, modes
 again: xarray.Dataset = stribeck.solve([1, 2], cases.beta, f=1.0, roller_modes=[[1.0, 1.0]], slide_roll=0.0, threads=1)
 rubber: stribeck.Material = stribeck.Material.from_prony(times=["1 s"], moduli=[1e6], relaxed_modulus="1 MPa")
 rubber = stribeck.Material.from_file("rubber.csv", reference_temperature=293.15, shift_factors="factors.csv")
+rubber = stribeck.Material.from_file("rubber.csv", vertical_shift="density", expansion=6e-4)
 rubber.storage_and_loss(np.array([1.0]))[0].mean()
 bench = stribeck.Experiment(flat=rubber, radius="2 mm", load=119.0, viscosity="5.1 Pa s", poisson_ratio=0.5)
 mu: NDArray[np.float64] = bench.replace(load="2 N/mm").friction(["1 mm/s", "2 mm/s"])
@@ -46,6 +47,7 @@ stribeck.solve(1.0, 10.0, 1.0, tolerence=1e-6)  # call-arg
 stribeck.run(3)  # arg-type
 text: str = stribeck.Experiment(radius=1.0).friction(1.0)  # assignment
 stribeck.Material.from_file("rubber.csv", terms="auto")  # arg-type
+stribeck.Material.from_file("rubber.csv", vertical_shift="up")  # arg-type
 number: float = stribeck.Surface("surface.json")(1.0, derivatives=True)  # assignment
 """
 

@@ -129,6 +129,15 @@ impl Grid {
         Parameters::of_two_bodies([alpha, beta, f], flat, &roller)
     }
 
+    /// With which power of the f given to [`Grid::case_of`] that of the case changes: below 1 where the roller is at
+    /// rest and has relaxed, as its part of f is none of the case's.
+    pub fn power_of_strength(f: f64, slide_roll: f64, substrate: &Substrate) -> f64 {
+        let modes = substrate.modes();
+        let at_rest = if slide_roll == 1.0 { substrate.of_roller() } else { 0 };
+        let share: f64 = modes[modes.len() - at_rest..].iter().map(|mode| mode.share).sum();
+        1.0 / (1.0 + f * share)
+    }
+
     /// The experiment at a place, where quantities of the laboratory are given.
     ///
     /// # Panics

@@ -1,5 +1,7 @@
 //! How moduli, and not their times alone, change with temperature.
 
+use std::ops::RangeInclusive;
+
 use super::isotherms::{Isotherm, Isotherms};
 
 /// How isotherms are shifted along the axis of moduli: multiplied by b_T, which is 1 at the reference temperature.
@@ -18,6 +20,11 @@ pub enum VerticalShift {
 }
 
 impl VerticalShift {
+    /// Thermal expansions of volumes that may be (1/K).
+    pub const EXPANSION: RangeInclusive<f64> = 0.0..=2e-3;
+    /// What an expansion must be, in words.
+    pub const EXPANSION_ALLOWED: &str = "a number from 0 to 0.002; rubber has 6e-4";
+
     /// log₁₀ b_T where it is known before the isotherms are shifted; else 0.
     pub(super) fn log_factor(self, temperature: f64, reference: f64) -> f64 {
         match self {

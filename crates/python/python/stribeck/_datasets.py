@@ -37,6 +37,21 @@ class Arrays(dict[str, NDArray[Any]]):
         self.dims = {name: variable.dims for name, variable in variables.items()}
         self.attrs = {name: variable.attrs for name, variable in variables.items()}
 
+    def __getattr__(self, name: str) -> Any:
+        """Say what takes the place of an attribute of a data set of xarray."""
+        place = f"take [{name!r}]" if name in self else f"install xarray for a data set that may have .{name}"
+        raise AttributeError(f"these are arrays by name, as xarray is not installed here: {place}", name=name, obj=self)
+
+    def __repr__(self) -> str:
+        """Name the arrays with their dimensions, units and descriptions, a line for each."""
+        lines = [f"<{len(self)} arrays by name; with xarray installed they are a data set>"]
+        for name, array in self.items():
+            sizes = ", ".join(f"{dim}: {size}" for dim, size in zip(self.dims[name], array.shape, strict=True))
+            attrs = self.attrs[name]
+            unit = attrs.get("scale", attrs.get("units", "no unit"))
+            lines.append(f"  {name} ({sizes}) [{unit}] {attrs.get('long_name', '')}"[:80])
+        return "\n".join(lines)
+
     def __reduce__(self) -> tuple[type[Arrays], tuple[dict[str, Variable]]]:
         """Pickle the arrays with their descriptions."""
         parts = {name: Variable(self.dims[name], self[name], self.attrs[name]) for name in self.dims}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from . import _native, _toml
 from ._errors import InputError
+from ._given import is_quantity, magnitude, number, path, refuse_masked, text, whole
 from ._packages import axes
 from .experiment import Experiment
 
@@ -140,18 +141,17 @@ def fit(
     KeyboardInterrupt
         Soon after Ctrl-C.
     """
-    unknown = [unknown] if isinstance(unknown, str) else list(unknown)
     described = experiment if isinstance(experiment, Experiment) else None
     answer = _native.fit(
         {
             "files": _files(data),
-            "columns": columns,
-            "sweep": None if isinstance(experiment, Experiment) else Path(experiment),
+            "columns": text("columns", columns, '"speed=My V (mm/s),mu=#3"'),
+            "sweep": None if isinstance(experiment, Experiment) else _sweep_file(experiment),
             "text": "" if described is None else described.to_toml(),
-            "unknown": unknown,
-            "bounds": [(name, *_ends(name, ends)) for name, ends in (bounds or {}).items()],
-            "profile": profile,
-            "threads": threads,
+            "unknown": _unknown(unknown),
+            "bounds": _bounds({} if bounds is None else bounds),
+            "profile": bool(profile),
+            "threads": whole("threads", threads),
         }
     )
     estimates = answer.pop("estimates")
@@ -184,16 +184,66 @@ def _files(data: Any) -> list[tuple[Path, bytes | None]]:
     if isinstance(data, (str, os.PathLike)):
         return [(Path(data), None)]
     if hasattr(data, "to_dict") and hasattr(data, "columns"):
-        data = {str(name): data[name].to_numpy() for name in data.columns}
+        data = {str(name): data[name] for name in data.columns}
     if isinstance(data, Mapping):
-        columns = {name: np.atleast_1d(np.asarray(values, dtype=float)) for name, values in data.items()}
-        lengths = {array.size for array in columns.values()}
-        if len(lengths) != 1:
-            raise InputError("the columns of the measured points have different lengths")
-        heading = ",".join(f'"{name}"' for name in columns)
-        rows = [",".join(repr(float(number)) for number in row) for row in zip(*columns.values(), strict=True)]
-        return [(Path("data.csv"), "\n".join([heading, *rows, ""]).encode())]
-    return [(Path(file), None) for file in data]
+        return [(Path("data.csv"), _table(data).encode())]
+    files = list(data) if isinstance(data, Iterable) else []
+    if files and all(isinstance(file, (str, os.PathLike)) for file in files):
+        return [(Path(file), None) for file in files]
+    raise InputError(
+        "measured points are a path, a list of paths, or columns by name, as in "
+        f'{{"speed": speed, "mu": mu}}; found {type(data).__name__}'
+    )
+
+
+def _sweep_file(experiment: Any) -> Path:
+    return path("experiment", experiment, "an Experiment, or the path of a sweep file")
+
+
+def _table(data: Mapping[Any, Any]) -> str:
+    """Write columns as a file of separated values: what the columns hold is understood as in a file."""
+    columns = {str(name): _column(str(name), values) for name, values in data.items()}
+    if not columns:
+        raise InputError('there are no measured points: give columns by name, as in {"speed": speed, "mu": mu}')
+    lengths = {name: len(cells) for name, cells in columns.items()}
+    if len(set(lengths.values())) != 1:
+        told = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise InputError(f"the columns of the measured points have different lengths: {told}")
+    rows = zip(*columns.values(), strict=True)
+    return "\n".join([",".join(map(_quoted, columns)), *map(",".join, rows), ""])
+
+
+def _column(name: str, values: Any) -> list[str]:
+    """Write the cells of a column: numbers, or what else it holds; quantities of pint in SI units."""
+    refuse_masked(name, values)
+    if is_quantity(values):
+        values = magnitude(name, values, _toml.UNITS.get(name, "1"))
+    array = np.atleast_1d(np.asarray(values))
+    if array.ndim != 1:
+        raise InputError(f"{name} must be a list of numbers, found an array of shape {array.shape}")
+    return ["" if each is None else repr(each) if isinstance(each, float) else _quoted(each) for each in _plain(array)]
+
+
+def _plain(array: NDArray[Any]) -> list[Any]:
+    plain: list[Any] = array.astype(float).tolist() if array.dtype.kind in "iuf" else array.tolist()
+    return plain
+
+
+def _quoted(it: Any) -> str:
+    return '"' + str(it).replace('"', '""') + '"'
+
+
+def _bounds(bounds: Any) -> list[tuple[str, float | None, float | None]]:
+    if not isinstance(bounds, Mapping):
+        raise InputError(f'bounds are pairs by name, as in {{"viscosity": ("1 Pa s", None)}}; found {bounds!r:.60}')
+    return [(str(name), *_ends(name, ends)) for name, ends in bounds.items()]
+
+
+def _unknown(unknown: Any) -> list[str]:
+    names = [unknown] if isinstance(unknown, str) else list(unknown) if isinstance(unknown, Iterable) else []
+    if names and all(isinstance(name, str) for name in names):
+        return names
+    raise InputError(f'unknown is a name, or a list of names, as in ["viscosity", "f"]; found {unknown!r:.60}')
 
 
 def _ends(name: str, ends: tuple[Any, Any]) -> tuple[float | None, float | None]:
@@ -206,6 +256,6 @@ def _ends(name: str, ends: tuple[Any, Any]) -> tuple[float | None, float | None]
 
 def _end(name: str, end: Any) -> float | None:
     if end is None or name == "f":
-        return None if end is None else float(end)
+        return None if end is None else number(f"a bound of {name}", end)
     # 0 is an end that no quantity has as its value.
     return 0.0 if isinstance(end, (int, float)) and end == 0 else float(_toml.si(name, end))

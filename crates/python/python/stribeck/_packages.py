@@ -3,10 +3,33 @@
 from __future__ import annotations
 
 from importlib import import_module
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+def require(names: list[str], purpose: str) -> None:
+    """Refuse to go on without some packages.
+
+    Raises
+    ------
+    ImportError
+        If they are not all installed: what needs them, and how those that are missing are installed.
+    """
+    missing = [name for name in names if find_spec(name) is None]
+    if missing:
+        raise _missing(missing, purpose)
+
+
+def _missing(names: list[str], purpose: str) -> ImportError:
+    are = "is" if len(names) == 1 else "are"
+    return ImportError(
+        f"{purpose} needs {' and '.join(names)}, which {are} not installed here: "
+        f'pip install {" ".join(names)}, or "stribeck[all]"',
+        name=names[0],
+    )
 
 
 def package(name: str, purpose: str) -> Any:
@@ -20,10 +43,7 @@ def package(name: str, purpose: str) -> Any:
     try:
         return import_module(name)
     except ImportError as error:
-        root = name.partition(".")[0]
-        raise ImportError(
-            f'{purpose} needs {root}, which is not installed here: pip install {root}, or "stribeck[all]"', name=root
-        ) from error
+        raise _missing([name.partition(".")[0]], purpose) from error
 
 
 def axes(ax: Axes | None) -> Axes:

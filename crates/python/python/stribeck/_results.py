@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ._errors import StorageError
-from ._packages import package
+from ._given import path
+from ._packages import require
 
 if TYPE_CHECKING:
     import xarray
@@ -35,13 +36,12 @@ def open(directory: str | os.PathLike[str]) -> xarray.Dataset:
     ImportError
         Without xarray, h5netcdf and h5py.
     """
-    return open_results(Path(directory))
+    return open_results(path("directory", directory))
 
 
 def require_reader() -> None:
     """Refuse to go on without the packages that read results.h5."""
-    for name in ("xarray", "h5netcdf"):
-        package(name, "a stored data set")
+    require(["xarray", "h5netcdf", "h5py"], "a stored data set")
 
 
 def open_results(directory: Path) -> xarray.Dataset:
@@ -51,14 +51,14 @@ def open_results(directory: Path) -> xarray.Dataset:
 
     from . import _accessor  # noqa: F401, PLC0415
 
-    path = directory if directory.is_file() else directory / "results.h5"
-    if not path.exists():
-        raise StorageError(f"{path}: no such file; `stribeck run` publishes it when all cases are solved")
+    file = directory if directory.is_file() else directory / "results.h5"
+    if not file.exists():
+        raise StorageError(f"{file}: no such file; `stribeck run` publishes it when all cases are solved")
     try:
-        data = xarray.open_dataset(path, engine="h5netcdf")
+        data = xarray.open_dataset(file, engine="h5netcdf")
     except (OSError, KeyError) as error:
-        raise StorageError(f"{path} is not readable ({error}): `stribeck verify {directory}` tells more") from error
+        raise StorageError(f"{file} is not readable ({error}): `stribeck verify {directory}` tells more") from error
     if "partial" in data.attrs:
-        warnings.warn(f"{path} is partial: {data.attrs['partial']}, and stand among the failed", stacklevel=3)
+        warnings.warn(f"{file} is partial: {data.attrs['partial']}, and stand among the failed", stacklevel=3)
     # In files of earlier versions ids are bytes of a fixed length.
     return data.assign(case=data["case"].astype(str))

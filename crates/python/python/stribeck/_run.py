@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from ._given import path, whole
 from ._results import open_results, require_reader
 
 if TYPE_CHECKING:
@@ -52,10 +53,10 @@ def run(
         Without xarray, h5netcdf and h5py, before anything is solved; the program `stribeck run` needs none of these.
     """
     require_reader()
-    sweep = Path(sweep)
-    directory = Path("results") / sweep.stem if output is None else Path(output)
+    sweep = path("sweep", sweep)
+    directory = Path("results") / sweep.stem if output is None else path("output", output)
     with _Progress(progress) as shown:
-        _native.run(sweep, directory, threads, shown.told)
+        _native.run(sweep, directory, whole("threads", threads), shown.told)
     return open_results(directory)
 
 

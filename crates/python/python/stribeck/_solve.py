@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from ._datasets import Variable, dataset, variables
 from ._errors import InputError
+from ._given import number, numbers, whole
 
 if TYPE_CHECKING:
     import xarray
@@ -63,7 +64,8 @@ def solve(
     x : array_like, shape (n,), optional
         Where the fields are wanted, ascending, in units of a0. By default 601 places from -3 to 3.
     sensitivities : bool, default False
-        Also d ln(mu)/d ln(alpha) and the like, as ``dln_mu_tot_dln_alpha``.
+        Also d ln(mu)/d ln(alpha) and the like, as ``dln_mu_tot_dln_alpha``, with their errors. alpha and f are those
+        of both bodies, which change together.
     threads : int, optional
         Solver threads, from 1 to 1024. One for each core by default.
 
@@ -93,8 +95,9 @@ def solve(
     >>> curve.mu_tot.dims
     ('beta',)
     """
+    tolerance = number("tolerance", tolerance)
     given = dict(zip(_INPUTS, (slide_roll, f, alpha, beta), strict=True))
-    named_dims, arrays = _broadcast(given)
+    dims, arrays = _broadcast(given)
     shape = arrays["alpha"].shape
     request = {name: np.ascontiguousarray(array, dtype=float).ravel() for name, array in arrays.items()}
     answer = _native.solve(
@@ -102,15 +105,14 @@ def solve(
             **request,
             "modes": None if modes is None else _modes("modes", modes),
             "roller_modes": None if roller_modes is None else _modes("roller_modes", roller_modes),
-            "tolerance": float(tolerance),
+            "tolerance": tolerance,
             "fields": _fields(fields),
-            "x": None if x is None else _numbers("x", x).ravel().tolist(),
+            "x": None if x is None else numbers("x", x).ravel().tolist(),
             "sensitivities": bool(sensitivities),
-            "threads": threads,
+            "threads": whole("threads", threads),
         }
     )
     described = {name: dict(attrs) for name, _, attrs in answer["inputs"]}
-    dims = named_dims or _dims(given, shape)
     _, places, attrs = answer["x"]
     data = variables(answer["variables"], dict(zip(dims, shape, strict=True)), len(places))
     coordinates = {name: _coordinate(name, arrays[name], dims, described[name]) for name in _INPUTS}
@@ -119,39 +121,39 @@ def solve(
     return dataset(data, coordinates, {"Conventions": "CF-1.10", "source": f"stribeck.solve, tolerance {tolerance:g}"})
 
 
-def _broadcast(given: dict[str, Any]) -> tuple[tuple[str, ...] | None, dict[str, NDArray[np.float64]]]:
-    """Give all inputs one shape; the dimensions have names if xarray's arrays are among them."""
+def _broadcast(given: dict[str, Any]) -> tuple[tuple[str, ...], dict[str, NDArray[np.float64]]]:
+    """Give all inputs one shape, and name its dimensions: as xarray's arrays among them do, or after the inputs."""
     xarray = sys.modules.get("xarray")
     if xarray is not None and any(isinstance(values, xarray.DataArray) for values in given.values()):
         plain = [name for name, it in given.items() if not isinstance(it, xarray.DataArray) and np.ndim(it) > 0]
         if plain:
             raise InputError(f"{plain[0]} is an array without named dimensions beside one with: give it as a DataArray")
-        same = xarray.broadcast(*(xarray.DataArray(values) for values in given.values()))
+        try:
+            same = xarray.broadcast(*(xarray.DataArray(values) for values in given.values()))
+        except ValueError as error:
+            raise InputError(f"the dimensions of the arrays do not go together: {error}") from None
+        for name, it in given.items():
+            for dim, size in it.sizes.items() if isinstance(it, xarray.DataArray) else ():
+                if size != same[0].sizes[dim]:
+                    raise InputError(f"{name} has other coordinates along {dim} than the others: give all the same")
         dims = tuple(str(dim) for dim in same[0].dims)
-        return dims, {name: np.asarray(array.values, dtype=float) for name, array in zip(given, same, strict=True)}
-    arrays = {name: _numbers(name, values) for name, values in given.items()}
+        return dims, {name: numbers(name, array.values) for name, array in zip(given, same, strict=True)}
+    arrays = {name: numbers(name, values) for name, values in given.items()}
     try:
         same = np.broadcast_arrays(*arrays.values())
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise InputError(f"shapes do not go together: {shapes}; numpy.broadcast_shapes tells how they may") from None
-    return None, dict(zip(arrays, same, strict=True))
+    return _dims(arrays, same[0].shape), dict(zip(arrays, same, strict=True))
 
 
-def _numbers(name: str, values: Any) -> NDArray[np.float64]:
-    try:
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} must be a number or an array of numbers, found {values!r:.60}") from None
-
-
-def _dims(given: dict[str, Any], shape: tuple[int, ...]) -> tuple[str, ...]:
+def _dims(given: dict[str, NDArray[np.float64]], shape: tuple[int, ...]) -> tuple[str, ...]:
     """Name each dimension after the input that alone changes along it."""
     names = []
     for axis in range(len(shape)):
         # Counted from the last one, as numpy broadcasts.
         back = axis - len(shape)
-        shapes = {name: np.shape(values) for name, values in given.items()}
+        shapes = {name: values.shape for name, values in given.items()}
         having = [name for name, own in shapes.items() if len(own) >= -back]
         changing = [name for name in having if shapes[name][back] > 1] or having
         # An input that changes along another dimension, too, is no coordinate of this one.
@@ -179,7 +181,10 @@ def _modes(name: str, modes: Iterable[Sequence[float]]) -> list[tuple[float, flo
     try:
         return [(float(share), float(time)) for share, time in modes]
     except (TypeError, ValueError):
-        raise InputError(f"{name} are pairs of a share of f and a time, as in [(0.7, 1.0), (0.3, 100.0)]") from None
+        raise InputError(
+            f"{name} are pairs of a share of f and a time, as in [(0.7, 1.0), (0.3, 100.0)]; those of a Material "
+            "are its attribute modes"
+        ) from None
 
 
 def _fields(fields: bool | str | Sequence[str]) -> list[str]:
@@ -187,4 +192,8 @@ def _fields(fields: bool | str | Sequence[str]) -> list[str]:
         return [fields]
     if isinstance(fields, (bool, np.bool_)):
         return list(_native.FIELDS) if fields else []
-    return [str(field) for field in fields]
+    try:
+        return [str(field) for field in fields]
+    except TypeError:
+        known = ", ".join(_native.FIELDS)
+        raise InputError(f"fields must be True, False, or a list of {known}; found {fields!r:.60}") from None

@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._errors import InputError
+from ._given import is_quantity, magnitude, refuse_masked
 
-_UNITS = (
+#: The unit of SI that belongs to a name.
+UNITS = (
     dict(_native.QUANTITIES)
     | {"roughness": "m", "thickness": "m", "modulus": "Pa", "time": "s"}
     # Keys of the laws of temperature.
@@ -28,7 +30,8 @@ def section(name: str, values: Mapping[str, Any]) -> str:
 
 def value(key: str, it: Any) -> str:
     """Write a value: a number in SI units, a text with a unit, a quantity of pint, a list or a table of these."""
-    if hasattr(it, "magnitude") and hasattr(it, "to"):
+    refuse_masked(key, it)
+    if is_quantity(it):
         return value(key, _magnitude(key, it))
     if isinstance(it, Mapping):
         return "{ " + ", ".join(f"{inner} = {value(_inner(key, inner), its)}" for inner, its in it.items()) + " }"
@@ -55,13 +58,9 @@ def _inner(key: str, inner: str) -> str:
 
 def _magnitude(key: str, quantity: Any) -> Any:
     """Take the number of a quantity of pint in SI units."""
-    if key not in _UNITS:
+    if key not in UNITS:
         raise InputError(f"{key} has no unit here, found {quantity}")
-    units = _UNITS[key]
-    try:
-        return quantity.to("" if units == "1" else units).magnitude
-    except Exception as error:  # pint's own kinds, which need not be installed
-        raise InputError(f"{key} must be in {units} or a unit of that kind, found {quantity}: {error}") from error
+    return magnitude(key, quantity, UNITS[key])
 
 
 def si(kind: str, it: Any) -> NDArray[np.float64]:
@@ -74,7 +73,8 @@ def si(kind: str, it: Any) -> NDArray[np.float64]:
     it : float, str, pint quantity, or an array of these
         What was given.
     """
-    if hasattr(it, "magnitude") and hasattr(it, "to"):
+    refuse_masked(kind, it)
+    if is_quantity(it):
         it = _magnitude(kind, it)
     # Numbers beside texts would become texts.
     array = np.asarray(it, dtype=object if isinstance(it, (list, tuple)) else None)
@@ -88,5 +88,8 @@ def si(kind: str, it: Any) -> NDArray[np.float64]:
             for end in np.ravel(ends):
                 _native.si(kind, repr(float(end)))
         return array
-    flat = [_native.si(kind, value(kind, each)) for each in array.ravel().tolist()]
+    given = array.ravel().tolist()
+    if any(isinstance(each, (list, tuple)) for each in given):
+        raise InputError(f"{kind} has lists of different lengths: give one list, or an array")
+    flat = [_native.si(kind, value(kind, each)) for each in given]
     return np.array(flat, dtype=float).reshape(array.shape)

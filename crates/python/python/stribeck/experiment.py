@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from . import _native, _toml
 from ._datasets import Variable, dataset, variables
 from ._errors import InputError
-from ._packages import package
+from ._given import whole
+from ._packages import require
 from .material import Material
 
 if TYPE_CHECKING:
@@ -68,6 +69,12 @@ class Experiment:
         sensitivities: bool = False,
         **quantities: Any,
     ):
+        for name, body in {"flat": flat, "roller": roller}.items():
+            if not (body is None or isinstance(body, (Material, Mapping))):
+                raise InputError(
+                    f"{name} must be a Material, or the keys of [{name}] in a dict, found {body!r:.60}; "
+                    "Material.from_file reads one from a file"
+                )
         self._given = {"flat": flat, "roller": roller, **quantities}
         self._options = {"tolerance": tolerance, "cavity_shear": cavity_shear, "sensitivities": sensitivities}
         _native.check_sweep(_NAME, self.to_toml())
@@ -163,7 +170,7 @@ class Experiment:
             raise InputError(f"give the speeds, as in curve(numpy.geomspace(1e-6, 1, 31)); {self.along} is in m/s")
         if speed is not None and not isinstance(speed, Mapping):
             speed = np.unique(_toml.si(self.along, speed)).tolist()
-        return solve_text(self.to_toml(speed), threads)
+        return solve_text(self.to_toml(speed), whole("threads", threads))
 
     def friction(self, speed: Any, *, quantity: str = "mu_drag", threads: int | None = None) -> NDArray[np.float64]:
         """Solve friction at speeds.
@@ -191,7 +198,7 @@ class Experiment:
         if speeds.size == 0:
             return np.empty(speeds.shape)
         ascending, place = np.unique(speeds, return_inverse=True)
-        solved = _native.solve_sweep(_NAME, self.to_toml(ascending.tolist()), threads)
+        solved = _native.solve_sweep(_NAME, self.to_toml(ascending.tolist()), whole("threads", threads))
         several = [name for name, values, _ in solved["dimensions"] if name != self.along and len(values) > 1]
         if several:
             raise InputError(f"{several[0]} has several values, and friction is of one: take curve, or replace(...)")
@@ -225,7 +232,7 @@ class Experiment:
         ImportError
             Without xarray or matplotlib.
         """
-        package("xarray", "a picture of a curve")
+        require(["xarray", "matplotlib"], "a picture of a curve")
         drawn: Axes = self.curve(speed, threads=threads).stribeck.plot_curve(ax=ax)
         return drawn
 

@@ -6,13 +6,15 @@ import os
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _toml
 from ._errors import InputError
+from ._given import number, numbers, text, whole
+from ._given import path as path_of
 from ._packages import axes
 
 if TYPE_CHECKING:
@@ -54,6 +56,8 @@ class Material:
     shifts : numpy.ndarray, shape (isotherms, 3), or None
         Where isotherms went: temperature in K, log10 of the shift factor a_T, and the relative residual over the next
         colder one, NaN where there is none.
+    vertical_shift_factors : numpy.ndarray, shape (isotherms,), or None
+        b_T by which the moduli of each isotherm were multiplied; 1 where moduli were not shifted.
     shift_residual : float or None
         How far the fitted law `shift` is from these, in decades, root mean square.
     understood : str
@@ -72,6 +76,7 @@ class Material:
     measured: NDArray[np.float64] | None = field(default=None, repr=False)
     rms_residual: float | None = None
     shifts: NDArray[np.float64] | None = field(default=None, repr=False)
+    vertical_shift_factors: NDArray[np.float64] | None = field(default=None, repr=False)
     shift_residual: float | None = None
     understood: str = field(default="", repr=False)
 
@@ -114,7 +119,7 @@ class Material:
         if (relaxed_modulus is None) == (instantaneous_modulus is None):
             raise InputError("give relaxed_modulus or instantaneous_modulus, one of both")
         times = np.atleast_1d(_toml.si("time", times))
-        parts = np.atleast_1d(np.asarray(fractions, dtype=float) if moduli is None else _toml.si("modulus", moduli))
+        parts = np.atleast_1d(numbers("fractions", fractions) if moduli is None else _toml.si("modulus", moduli))
         if times.shape != parts.shape:
             raise InputError(f"as many times as terms, not {times.size} times of {parts.size} terms")
         is_relaxed = instantaneous_modulus is None
@@ -135,6 +140,8 @@ class Material:
         modulus_unit: str | None = None,
         reference_temperature: float | str | None = None,
         shift_factors: str | os.PathLike[str] | None = None,
+        vertical_shift: Literal["none", "fit", "density"] = "none",
+        expansion: float | None = None,
         columns: str | None = None,
         shift: dict[str, Any] | None = None,
     ) -> Material:
@@ -157,6 +164,11 @@ class Material:
         shift_factors : path, optional
             A table of the factors by which they are shifted, in place of those found from their overlap. Beside moduli
             that were shifted before, or a Prony series, it gives the law.
+        vertical_shift : {"none", "fit", "density"}, default "none"
+            Multiply the moduli at T by b_T, too: by what fits the overlaps best, or by rho_0 T_0/(rho T), as of a
+            rubber.
+        expansion : float or pint quantity, optional
+            Thermal expansion of the volume in 1/K, for the density of ``vertical_shift="density"``; 0 by default.
         columns : str, optional
             What columns hold whose names do not tell, as in ``"storage=#2,loss=#3"``.
         shift : dict, optional
@@ -176,23 +188,26 @@ class Material:
         """
         unit = None if modulus_unit is None else float(_toml.si("modulus", f"1 {modulus_unit}"))
         options = {
-            "terms": terms,
+            "terms": whole("terms", terms),
             "shear": bool(shear),
             "poisson_ratio": _ratio(poisson_ratio),
             "modulus_unit": unit,
             "reference_temperature": None
             if reference_temperature is None
             else float(_toml.si("temperature", reference_temperature)),
-            "shift_factors": None if shift_factors is None else os.fspath(shift_factors),
-            "columns": columns,
+            "shift_factors": None if shift_factors is None else path_of("shift_factors", shift_factors),
+            "vertical_shift": text("vertical_shift", vertical_shift, '"density"') or "none",
+            "expansion": None if expansion is None else number("expansion", expansion, "1/K"),
+            "columns": text("columns", columns, '"storage=#2,loss=#3"'),
         }
-        read = _native.material_file(os.fspath(path), options)
+        file = path_of("path", path)
+        read = _native.material_file(file, options)
         law, shift_residual = read.pop("law", (None, None))
         doubts = [read.pop("doubt", None)]
         if shift is None and shift_residual is not None and shift_residual > _FAR:
             doubts.append(f"no law follows the shift factors: the best one misses them by {shift_residual:.2f} decades")
         for doubt in filter(None, doubts):
-            warnings.warn(f"{os.fspath(path)}: {doubt}", stacklevel=2)
+            warnings.warn(f"{file}: {doubt}", stacklevel=2)
         return cls._of(
             read,
             poisson_ratio=options["poisson_ratio"],
@@ -202,7 +217,7 @@ class Material:
 
     @classmethod
     def _of(cls, native: dict[str, Any], **more: Any) -> Material:
-        for name in ("measured", "shifts"):
+        for name in ("measured", "shifts", "vertical_shift_factors"):
             if name in native:
                 native[name] = np.array(native[name], dtype=float)
         terms, modes = (np.array(native.pop(name), dtype=float).reshape(-1, 2) for name in ("terms", "modes"))
@@ -213,7 +228,7 @@ class Material:
 
         Parameters
         ----------
-        time : array_like
+        time : array_like or pint quantity
             Times after a step of strain in s, from 0.
 
         Returns
@@ -221,7 +236,7 @@ class Material:
         numpy.ndarray
             E(t) in Pa, of the shape of `time`.
         """
-        time = np.asarray(time, dtype=float)[..., np.newaxis]
+        time = numbers("time", time, "s")[..., np.newaxis]
         relaxing: NDArray[np.float64] = (self.moduli * np.exp(-time / self.times)).sum(axis=-1)
         return self.relaxed_modulus + relaxing
 
@@ -230,7 +245,7 @@ class Material:
 
         Parameters
         ----------
-        omega : array_like
+        omega : array_like or pint quantity
             Angular frequencies in rad/s.
 
         Returns
@@ -238,7 +253,7 @@ class Material:
         storage, loss : numpy.ndarray
             Both in Pa, of the shape of `omega`.
         """
-        x = np.asarray(omega, dtype=float)[..., np.newaxis] * self.times
+        x = numbers("omega", omega, "rad/s")[..., np.newaxis] * self.times
         response = self.moduli * (x / (x - 1j))
         # x/(x − i) = (x² + ix)/(1 + x²)
         return self.relaxed_modulus + response.real.sum(axis=-1), response.imag.sum(axis=-1)

@@ -198,11 +198,7 @@ class Surface:
             raise InputError(f"a point of this surface has {names}: give each of them once, in this order or by name")
         arrays = []
         for axis in self._axes:
-            try:
-                x = np.asarray(given[axis.name], dtype=float)
-            except (TypeError, ValueError):
-                found = f"{given[axis.name]!r:.60}"
-                raise InputError(f"{axis.name} must be a number or an array of numbers, found {found}") from None
+            x = _numbers(axis.name, self.units[axis.name], given[axis.name])
             outside = x[~((axis.start <= x) & (x <= axis.end))]
             if outside.size:
                 raise InputError(
@@ -229,6 +225,24 @@ class Surface:
             if slopes is not None:
                 for m, (axis, x, _) in enumerate(axes):
                     slopes[place, m] = series.slope(y, dy[m] * axis.slope(x), values[: place + 1], slopes[:, m])
+
+
+def _numbers(name: str, units: str, it: Any) -> _Array:
+    """Give the values of a coordinate, which may be a quantity of pint, as floats."""
+    mask: Any = it.mask if isinstance(it, np.ma.MaskedArray) else np.False_
+    if mask.any():
+        raise InputError(f"{name} has masked values, {mask.sum()} of {mask.size}: leave them out")
+    try:
+        if hasattr(it, "magnitude") and hasattr(it, "to"):
+            it = it.to("" if units == "1" else units).magnitude
+        x = np.asarray(it)
+        # None is no NaN.
+        if x.dtype.kind not in "biufOSU" or any(each is None for each in x.flat if x.dtype.kind == "O"):
+            raise TypeError
+        return x.astype(float)
+    except Exception as error:  # of numpy, and pint's own kinds
+        unit = "without a unit" if units == "1" else f"in {units}"
+        raise InputError(f"{name} must be a number or an array of numbers {unit}, found {it!r:.60}") from error
 
 
 class _Axis:

@@ -74,6 +74,19 @@ impl Sensitivities {
         row.iter().all(|value| !value.is_nan()).then_some(sensitivities)
     }
 
+    /// Those with respect to a number with a power of which both parts of f change; α and β stay.
+    pub fn with_power_of_strength(&self, power: f64) -> Self {
+        let changed = |[alpha, beta, f, roller_alpha, roller_f]: [f64; 5]| {
+            [alpha, beta, power * f, roller_alpha, power * roller_f]
+        };
+        Self {
+            viscoelastic_flat: changed(self.viscoelastic_flat),
+            viscoelastic_roller: changed(self.viscoelastic_roller),
+            hydrodynamic: changed(self.hydrodynamic),
+            pressure: changed(self.pressure),
+        }
+    }
+
     /// Estimated errors, from less accurate ones and what both lack: for each derivative a half of the difference, a
     /// tenth of the largest difference of the same friction, as one may be small by accident, and what is lacking.
     pub(crate) fn errors_beside(&self, rough: &Self, lacking: &Self) -> Self {

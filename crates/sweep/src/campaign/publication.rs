@@ -17,12 +17,18 @@ pub fn published_point(sweep: &Sweep, plan: &Plan, place: GridIndex) -> Point {
         Grid::Dimensionless(_) => None,
         Grid::Laboratory(axes) => Some(axes),
     };
+    let (numbers, slide_roll) = (sweep.grid.numbers(place), sweep.grid.slide_roll(place));
+    let power_of_strength = match laboratory {
+        None => Grid::power_of_strength(numbers[0], slide_roll, &sweep.substrate),
+        Some(_) => 1.0,
+    };
     Point {
         case: plan.case_at(place),
-        slide_roll: sweep.grid.slide_roll(place),
+        slide_roll,
         swapped: laboratory.and_then(|axes| axes.swapped(place)).map(|place| plan.case_at(place)),
         limits: laboratory.map(|axes| axes.limits).unwrap_or_default(),
-        numbers: sweep.grid.numbers(place),
+        numbers,
+        power_of_strength,
         experiment: sweep.grid.experiment(place),
     }
 }

@@ -32,7 +32,10 @@ impl Point {
         let slide_roll = self.slide_roll;
         let mut values = asked(*values, output.limits).at_slide_roll(slide_roll);
         let mut more = match output.sensitivities {
-            true => sensitivity_columns::values(sensitivities, &values, slide_roll, self.experiment.as_ref()),
+            true => {
+                let sensitivities = self.sensitivities_of(sensitivities);
+                sensitivity_columns::values(sensitivities, &values, slide_roll, self.experiment.as_ref())
+            }
             false => Vec::new(),
         };
         let scales = self.experiment.map(|experiment| experiment.scales());
@@ -54,6 +57,11 @@ impl Point {
         let notes = Note::of(&values, self.experiment.as_ref(), &self.limits);
         let notes = notes.fold(0, |notes, note| notes | note.mask());
         PlacedNumbers { values, more, notes, lubricant }
+    }
+
+    /// Sensitivities and their errors with respect to the numbers of the place, from those to the numbers of its case.
+    pub fn sensitivities_of(&self, of_case: [Option<Sensitivities>; 2]) -> [Option<Sensitivities>; 2] {
+        of_case.map(|known| known.map(|known| known.with_power_of_strength(self.power_of_strength)))
     }
 
     /// True if a field of this place follows from the film: the shear on a roller that turns, as what is stored is that

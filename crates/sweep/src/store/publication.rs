@@ -32,6 +32,8 @@ pub struct Point {
     pub slide_roll: f64,
     /// Its f, α and β, as they belong to the place.
     pub numbers: [f64; 3],
+    /// With which power of the f of the place that of the case changes, where no experiment is given.
+    pub power_of_strength: f64,
     /// The case at −S, where bodies are swapped: at all places or at none.
     pub swapped: Option<CaseId>,
     /// The experiment, if quantities of the laboratory are given: results are in SI units then. At all places or at
@@ -45,7 +47,7 @@ impl Point {
     /// A case of a dimensionless sweep, for a roller that slides without turning.
     pub fn new(case: CaseId, numbers: [f64; 3]) -> Self {
         let limits = ModelLimits::default();
-        Self { case, slide_roll: 1.0, numbers, swapped: None, experiment: None, limits }
+        Self { case, slide_roll: 1.0, numbers, power_of_strength: 1.0, swapped: None, experiment: None, limits }
     }
 }
 
