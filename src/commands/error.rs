@@ -351,6 +351,30 @@ fn other_directory(error: &CampaignError) -> &'static str {
     }
 }
 
+fn code_of_campaign(error: &CampaignError) -> u8 {
+    match error {
+        CampaignError::Input(_)
+        | CampaignError::Threads(_)
+        | CampaignError::NothingToMerge
+        | CampaignError::OtherSweep { .. }
+        | CampaignError::NoSuchAxis { .. }
+        | CampaignError::NoSuchCase { .. } => 2,
+        CampaignError::Store(_)
+        | CampaignError::NotADirectory { .. }
+        | CampaignError::Parts { .. }
+        | CampaignError::Stopped { .. } => 4,
+    }
+}
+
+fn code_of_build(error: &SurfaceBuildError) -> u8 {
+    match error {
+        SurfaceBuildError::NoNumber { .. } | SurfaceBuildError::Threads(_) => 2,
+        SurfaceBuildError::Failed { .. } => 3,
+        SurfaceBuildError::Interrupted => 130,
+        _ => 4,
+    }
+}
+
 impl CliError {
     /// The exit code: 2 for bad input, 4 for the disk and the system, 5 for a time limit.
     pub fn code(&self) -> u8 {
@@ -391,29 +415,15 @@ impl CliError {
             | CliError::OtherValue { .. }
             | CliError::NoCoordinate { .. }
             | CliError::Points { .. }
-            | CliError::SurfaceBuild(SurfaceBuildError::NoNumber { .. } | SurfaceBuildError::Threads(_))
             | CliError::Estimate { .. }
             | CliError::OtherMethod { .. }
             | CliError::Sensitivities
             | CliError::Chart(ChartError::Letters { .. } | ChartError::Height { .. })
             | CliError::Tolerance { .. } => 2,
-            CliError::Campaign(error) => match error {
-                CampaignError::Input(_)
-                | CampaignError::Threads(_)
-                | CampaignError::NothingToMerge
-                | CampaignError::OtherSweep { .. }
-                | CampaignError::NoSuchAxis { .. }
-                | CampaignError::NoSuchCase { .. } => 2,
-                CampaignError::Store(_)
-                | CampaignError::NotADirectory { .. }
-                | CampaignError::Parts { .. }
-                | CampaignError::Stopped { .. } => 4,
-            },
-            CliError::SurfaceBuild(SurfaceBuildError::Failed { .. }) => 3,
+            CliError::Campaign(error) => code_of_campaign(error),
+            CliError::SurfaceBuild(error) => code_of_build(error),
             CliError::TimeIsUp => 5,
-            CliError::SurfaceBuild(SurfaceBuildError::Interrupted) => 130,
-            CliError::SurfaceBuild(_)
-            | CliError::Store(_)
+            CliError::Store(_)
             | CliError::Incomplete { .. }
             | CliError::Foreign { .. }
             | CliError::IsThere { .. }

@@ -45,19 +45,7 @@ pub(super) fn measured_points(
             mark,
         };
         for row in here.iter().copied() {
-            let coordinates: Vec<f64> = sweep
-                .coordinate_names()
-                .iter()
-                .map(|name| {
-                    let named =
-                        if *name == sweep.axis(family.along).name { Some(along) } else { measured.coordinate(name) };
-                    named.map_or(f64::NAN, |values| values[row])
-                })
-                .collect();
-            table.row(&[measured.column, "measured"], &[&coordinates[..], &[measured.friction[row]]].concat());
-            if let Some(errors) = &measured.errors {
-                table.row(&[measured.column, "standard error"], &[&coordinates[..], &[errors[row]]].concat());
-            }
+            add_rows(table, sweep, measured, row);
             if let Some(errors) = &measured.errors {
                 let (x, mu, error) = (along[row], measured.friction[row], errors[row]);
                 curves.push(curve(vec![(x, mu - error), (x, mu + error)], Stroke::Solid, None));
@@ -78,6 +66,18 @@ pub(super) fn measured_points(
         curves.push(Curve { label, points, failed, stroke: Stroke::Points, colour: Colour::Black, mark: Some(0) });
     }
     curves
+}
+
+/// Adds a measured point to the table, and its standard error if it has one; a coordinate that the file lacks is NaN.
+fn add_rows(table: &mut Table, sweep: &SweepData, measured: &Measured, row: usize) {
+    let names = sweep.coordinate_names();
+    let of = |name: &&str| measured.coordinate(name).map_or(f64::NAN, |values| values[row]);
+    let coordinates: Vec<f64> = names.iter().map(of).collect();
+    let mut add = |what, number| table.row(&[measured.column, what], &[&coordinates[..], &[number]].concat());
+    add("measured", measured.friction[row]);
+    if let Some(errors) = &measured.errors {
+        add("standard error", errors[row]);
+    }
 }
 
 /// What points are called in a picture of a column; none if they do not belong there. What an instrument reads is drawn

@@ -44,15 +44,7 @@ impl ReferencePanel {
         let (points, weights) = gauss(degree);
         let size = degree + 1;
         let mut polynomial = vec![0.0; size];
-        // discrete orthogonality; the last coefficient has the norm 2/d of the Lobatto rule
-        let mut node_coefficients = vec![0.0; size * size];
-        for (j, (&t, weight)) in nodes.iter().zip(&node_weights).enumerate() {
-            legendre(t, &mut polynomial);
-            for (k, value) in polynomial.iter().enumerate() {
-                let norm = if k == degree { 2.0 / degree as f64 } else { 2.0 / (2 * k + 1) as f64 };
-                node_coefficients[k * size + j] = weight * value / norm;
-            }
-        }
+        let node_coefficients = coefficients_from_nodes(&nodes, &node_weights);
         let mut point_coefficients = vec![0.0; degree * degree];
         let mut own_log_moments = vec![0.0; size * degree];
         let mut end_values = [vec![0.0; degree], vec![0.0; degree]];
@@ -78,13 +70,7 @@ impl ReferencePanel {
                 own_log_moments[k * degree + i] = *moment;
             }
         }
-        const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
-        let mut between_nodes = Vec::with_capacity(BETWEEN.len() * degree * size);
-        for t in nodes.windows(2).flat_map(|gap| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]))) {
-            legendre(t, &mut polynomial);
-            let value = |j: usize| (0..size).map(|k| polynomial[k] * node_coefficients[k * size + j]).sum::<f64>();
-            between_nodes.extend((0..size).map(value));
-        }
+        let between_nodes = values_between_nodes(&nodes, &node_coefficients);
         let rich_points: Vec<f64> = std::iter::once(-1.0).chain(points.iter().copied()).chain([1.0]).collect();
         let rich_derivative = differentiation(&rich_points);
         Self {
@@ -113,6 +99,36 @@ impl ReferencePanel {
     pub fn coefficients_of_points(&self, values: &[f64], coefficients: &mut [f64]) {
         multiply(&self.point_coefficients, values, coefficients);
     }
+}
+
+/// Legendre coefficients from values at the Lobatto points, by discrete orthogonality; the last coefficient has the norm
+/// 2/d of the Lobatto rule.
+fn coefficients_from_nodes(nodes: &[f64], weights: &[f64]) -> Vec<f64> {
+    let (size, degree) = (nodes.len(), nodes.len() - 1);
+    let mut polynomial = vec![0.0; size];
+    let mut coefficients = vec![0.0; size * size];
+    for (j, (&t, weight)) in nodes.iter().zip(weights).enumerate() {
+        legendre(t, &mut polynomial);
+        for (k, value) in polynomial.iter().enumerate() {
+            let norm = if k == degree { 2.0 / degree as f64 } else { 2.0 / (2 * k + 1) as f64 };
+            coefficients[k * size + j] = weight * value / norm;
+        }
+    }
+    coefficients
+}
+
+/// Values between neighbouring nodes from the values there, from their Legendre coefficients.
+fn values_between_nodes(nodes: &[f64], node_coefficients: &[f64]) -> Vec<f64> {
+    const BETWEEN: [f64; 7] = [0.02, 0.06, 0.15, 0.3, 0.5, 0.7, 0.9];
+    let size = nodes.len();
+    let mut polynomial = vec![0.0; size];
+    let mut values = Vec::with_capacity(BETWEEN.len() * (size - 1) * size);
+    for t in nodes.windows(2).flat_map(|gap| BETWEEN.map(|part| gap[0] + part * (gap[1] - gap[0]))) {
+        legendre(t, &mut polynomial);
+        let value = |j: usize| (0..size).map(|k| polynomial[k] * node_coefficients[k * size + j]).sum::<f64>();
+        values.extend((0..size).map(value));
+    }
+    values
 }
 
 /// Derivative at some points from the values there, row by row: of the polynomial through all of them.

@@ -352,9 +352,8 @@ mod tests {
         sum / PI
     }
 
-    /// The filter (T8) and the kernel (T10) are independent ways to the same v: at Gauss points, and anywhere else.
-    #[test]
-    fn filter_agrees_with_the_exponential_integral_kernel() {
+    /// Fine panels for a pressure, and that pressure at their nodes.
+    fn pressed() -> (Discretisation, Vec<f64>) {
         let reference = Arc::new(ReferencePanel::new(8));
         let fine = |from: f64, to: f64| (0..12).map(move |i| from + (to - from) * f64::from(i) / 12.0);
         let start = [0.0, 1e-3, 4e-3, 0.012, 0.03, 0.06].into_iter();
@@ -376,6 +375,13 @@ mod tests {
                 reference.nodes.iter().skip(usize::from(panel > 0)).map(move |t| pressure(centre + half * t))
             })
             .collect();
+        (discretisation, nodes)
+    }
+
+    /// The filter (T8) and the kernel (T10) are independent ways to the same v: at Gauss points, and anywhere else.
+    #[test]
+    fn filter_agrees_with_the_exponential_integral_kernel() {
+        let (discretisation, nodes) = pressed();
         let mut e = vec![0.0; discretisation.points.len()];
         discretisation.elastic.multiply_rows(0, &nodes, &mut e);
         for alpha in [1e-4, 0.05, 1.0, 7.0, 60.0, 1e4] {

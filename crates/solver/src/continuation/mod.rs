@@ -7,7 +7,7 @@
 //! | `line.rs` | straight lines between cases in (ln α, ln β, ln(1+f)) |
 //! | `walk.rs`, `step.rs` | steps along a line, and their lengths |
 //! | `context.rs` | the cost of a case so far, and whether to abort it |
-//! | `failure.rs` | the kinds of failures, and their sentences |
+//! | `failure` | the kinds of failures, their sentences, and the attempts before |
 //! | `path.rs`, `trace.rs` | how a case was reached, in short and in detail |
 
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -76,7 +76,8 @@ pub fn pass(p: &mut [f64], u: &[f64], beta: f64, dx: f64, relaxation: Relaxation
 }
 
 /// The part of a pass that does not need the new value to the left: p_i + s (D − B p_i − C p_{i+1}) and s A with s =
-/// λ_p/B. Apart from the recurrence, so that the compiler can do several points at once.
+/// λ_p/B. Apart from the recurrence, so that the compiler can do several points at once. Six arguments: those of the
+/// pass, with the factor as a function that is inlined.
 #[inline]
 fn prepare(p: &[f64], u: &[f64], beta: f64, dx: f64, step: impl Fn(f64) -> f64, space: &mut PassSpace) {
     let n = p.len();
