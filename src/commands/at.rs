@@ -36,7 +36,9 @@ fn refuse_decimal_comma(pieces: &[&str]) -> Result<(), String> {
     let ends_in_digit = |piece: &str| piece.ends_with(|c: char| c.is_ascii_digit());
     let is_digits_and_unit = |piece: &str| {
         let unit = piece.trim_start_matches(|c: char| c.is_ascii_digit());
-        unit.len() < piece.len() && unit.trim_start().starts_with(|c: char| c.is_alphabetic() || "%°".contains(c))
+        number(piece).is_none()
+            && unit.len() < piece.len()
+            && unit.trim_start().starts_with(|c: char| c.is_alphabetic() || "%°".contains(c))
     };
     match pieces.windows(2).find(|pair| ends_in_digit(pair[0]) && is_digits_and_unit(pair[1])) {
         Some(pair) => Err(format!(
@@ -81,6 +83,7 @@ mod tests {
         }
         assert_eq!(axes("speed=3 mm/s,5 mm/s"), Ok(vec![pair("speed", &[3e-3, 5e-3])]));
         assert_eq!(axes("speed=3,5"), Ok(vec![pair("speed", &[3.0, 5.0])]));
+        assert_eq!(axes("beta=10,1e2"), Ok(vec![pair("beta", &[10.0, 100.0])]));
         for bad in ["", "speed", "=1", "speed=", "alpha=3 mm", "3,speed=1"] {
             assert!(axes(bad).unwrap_err().contains("as in speed=0.001,0.01"), "{bad}");
         }
