@@ -398,7 +398,10 @@ fn pages_of_sweeps_of_any_shape_say_what_they_lack() {
     let axes = |f: &str, alpha: &str, beta: &str, output: &str| {
         format!("[axes]\nf = [{f}]\nalpha = [{alpha}]\nbeta = [{beta}]\n[output]\n{output}\n")
     };
-    let sweeps: [(String, &[&str]); 8] = [
+    let two_loads = "[laboratory]\nradius = 0.005\nload = [200.0, 500.0]\nrelaxed_modulus = 1e6\npoisson_ratio = 0.5\n\
+                     viscosity = 1.0\nretardation_time = 1.0\nf = 1.0\nspeed = [0.001, 0.01]\n";
+    let sweeps: [(String, &[&str]); 9] = [
+        (two_loads.into(), &["μ_drag = μᵥ + μ_shear − μ_pressure, at f = 1, N = "]),
         (
             axes("10.0", "1.0", "10.0, 20.0, 40.0", "fields = []"),
             &["μ_drag = μᵥ + μ_shear − μ_pressure, at f = 10, α = 1.", "The sweep has no fields."],

@@ -35,7 +35,8 @@ export function drawMap(selection) {
       ...pinMarks(selection, (pin) => x[indicesOf(pin)[1]], (pin) => y[indicesOf(pin)[2]]),
       { type: "scatter", mode: "markers", x: chosenX, y: chosenY, marker: selectedMarker, hoverinfo: "skip" },
     ],
-    { xaxis: gridAxis(1), yaxis: gridAxis(2) },
+    // Where labels would lie over each other they are turned.
+    { xaxis: { ...gridAxis(1), tickangle: "auto" }, yaxis: gridAxis(2) },
     () => planeTable(selection),
   );
 }

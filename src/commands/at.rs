@@ -14,7 +14,9 @@ pub struct At(pub Vec<(String, Vec<f64>)>);
 pub fn parse(text: &str) -> Result<At, String> {
     let usage = || "an axis and values of it, as in speed=0.001,0.01 or \"speed=3 mm/s,load=200 N/m\"".to_owned();
     let mut axes: Vec<(String, Vec<f64>)> = Vec::new();
-    for piece in text.split(',') {
+    let pieces: Vec<&str> = text.split(',').collect();
+    refuse_decimal_comma(&pieces)?;
+    for piece in pieces {
         let written = match piece.split_once('=') {
             Some((axis, written)) if !axis.trim().is_empty() => {
                 axes.push((axis.trim().to_owned(), Vec::new()));
@@ -27,6 +29,24 @@ pub fn parse(text: &str) -> Result<At, String> {
         values.push(value(axis, written.trim().trim_matches('"')).ok_or_else(usage)??);
     }
     Ok(At(axes))
+}
+
+/// Refuses `3,5 mm/s`, which would be 3 m/s and 5 mm/s.
+fn refuse_decimal_comma(pieces: &[&str]) -> Result<(), String> {
+    let ends_in_digit = |piece: &str| piece.ends_with(|c: char| c.is_ascii_digit());
+    let is_digits_and_unit = |piece: &str| {
+        let unit = piece.trim_start_matches(|c: char| c.is_ascii_digit());
+        number(piece).is_none()
+            && unit.len() < piece.len()
+            && unit.trim_start().starts_with(|c: char| c.is_alphabetic() || "%°".contains(c))
+    };
+    match pieces.windows(2).find(|pair| ends_in_digit(pair[0]) && is_digits_and_unit(pair[1])) {
+        Some(pair) => Err(format!(
+            "commas stand between values, so \"{},{}\" is two; write a point as decimal mark, or each with its unit",
+            pair[0], pair[1]
+        )),
+        None => Ok(()),
+    }
 }
 
 /// The axes of all options.
@@ -58,6 +78,12 @@ mod tests {
             Ok(vec![pair("slide_roll_ratio", &[0.5]), pair("alpha", &[f64::INFINITY])])
         );
         assert!(axes("load=3 mm").unwrap_err().contains("a length, not a load per length"));
+        for comma in ["speed=3,5 mm/s", "speed=3,5mm/s,load=1", "slide_roll_ratio=0,5 %", "temperature=20,5 °C"] {
+            assert!(axes(comma).unwrap_err().contains("write a point as decimal mark"), "{comma}");
+        }
+        assert_eq!(axes("speed=3 mm/s,5 mm/s"), Ok(vec![pair("speed", &[3e-3, 5e-3])]));
+        assert_eq!(axes("speed=3,5"), Ok(vec![pair("speed", &[3.0, 5.0])]));
+        assert_eq!(axes("beta=10,1e2"), Ok(vec![pair("beta", &[10.0, 100.0])]));
         for bad in ["", "speed", "=1", "speed=", "alpha=3 mm", "3,speed=1"] {
             assert!(axes(bad).unwrap_err().contains("as in speed=0.001,0.01"), "{bad}");
         }

@@ -19,6 +19,13 @@ LACKS = """() => {
         section => section.innerText.trim() === section.querySelector("h2").innerText.trim());
     return [...empty, ...silent].map(element => element.id);
 }"""
+# Pictures whose labels along a horizontal axis lie over each other; those that are turned do not.
+CROWDED = """() => [...document.querySelectorAll(".plot")].filter(plot => {
+    const lies = label => !/rotate\\((?!0,)/.test(label.getAttribute("transform"));
+    const labels = [...plot.querySelectorAll(".xtick text")].filter(lies);
+    const boxes = labels.map(it => it.getBoundingClientRect()).sort((a, b) => a.left - b.left);
+    return boxes.some((box, i) => i > 0 && box.left < boxes[i - 1].right);
+}).map(plot => plot.id)"""
 # Chooses each quantity, and each f, as a reader would; what each of them lacks and what the page says at each f.
 CHOOSE_ALL = """async lacks => {
     const lacking = [], texts = [];
@@ -48,6 +55,7 @@ def browse(chromium, path, sentences):
             text = page.inner_text("body")
             assert page.evaluate(LACKS) == []
             assert page.evaluate("document.documentElement.scrollWidth") <= width
+            assert page.evaluate(CROWDED) == []
             watched.screenshot(f"any-{width}-{path.parent.parent.parent.name}")
             # What can be chosen is no different on a phone.
             if width > 600:

@@ -48,13 +48,25 @@ pub fn parse<T>(name: &str, text: &str, interpret: impl Fn(&str, &str) -> Result
     interpret(name, text).map_err(|fault| fault.located(&format!("{name}.toml"), text))
 }
 
+/// What to do about a comma in a number.
+const DECIMAL_COMMA: &str = "the decimal mark of a number is a point, as in 0.5; a text with a unit may have a comma, as in \
+                             \"0,5 mm\"";
+
+/// True for a comma between digits.
+fn is_decimal_comma(text: &str, place: usize) -> bool {
+    let (before, after) = text.split_at_checked(place).unwrap_or((text, ""));
+    let is_digit = |c: char| c.is_ascii_digit();
+    before.ends_with(is_digit) && after.strip_prefix(',').is_some_and(|rest| rest.starts_with(is_digit))
+}
+
 /// The TOML document of a text.
 pub fn document(text: &str) -> Result<Spanned<DeTable<'_>>, Fault> {
     extent::check(text)?;
     DeTable::parse(text).map_err(|error| {
         let span = error.span().unwrap_or(text.len()..text.len());
-        let help = "TOML has lines `key = value` under headers [section]; texts stand in double quotes, lists in \
+        let usual = "TOML has lines `key = value` under headers [section]; texts stand in double quotes, lists in \
                     brackets; a key may stand only once";
+        let help = if is_decimal_comma(text, span.start) { DECIMAL_COMMA } else { usual };
         Fault::new(span, format!("not valid TOML: {}", error.message()), "here", help)
     })
 }

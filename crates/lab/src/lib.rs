@@ -24,6 +24,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `quantity`, `units`, `temperature_unit`, `notation` | quantities of the laboratory; values with units; numbers and units as people write them |
+//! | `turning` | speeds of the cylinder given as turns |
 //! | `motion` | speeds of both surfaces |
 //! | `roller` | what the roller is made of |
 //! | `temperature`, `viscosity_law` | how times and viscosity change with temperature |
@@ -45,6 +46,7 @@ mod scales;
 pub mod table;
 mod temperature;
 mod temperature_unit;
+mod turning;
 mod units;
 mod viscosity_law;
 
@@ -67,5 +69,6 @@ pub use scales::{Scales, si_units};
 pub use table::{ColumnChoice, TableError, Understood};
 pub use temperature::{GAS_CONSTANT, ShiftLaw, ShiftLawFit};
 pub use temperature_unit::parse_temperature;
+pub use turning::Turning;
 pub use units::{Conversion, Dimension};
 pub use viscosity_law::{ViscosityLaw, ViscosityTable};

@@ -1,6 +1,7 @@
 //! Quantities of the laboratory: what an experiment has in place of α and β.
 
 use crate::Dimension;
+use crate::notation::{Comma, with_point};
 use crate::units::Refusal;
 use stribeck_input::{Entry, Fault, Values};
 
@@ -158,7 +159,11 @@ impl LaboratoryQuantity {
         match self.dimension() {
             Some(dimension) => dimension.parse(text),
             None => {
-                let number = text.trim().strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
+                let percent = text.trim().strip_suffix('%').map(|number| with_point(number.trim()));
+                let number = match percent {
+                    Some(Comma::None(number)) => number.parse::<f64>().ok(),
+                    _ => None,
+                };
                 let refused =
                     || Refusal::new("a number", "no number", "write a plain number, or one in per cent as \"50 %\"");
                 number.map(|number| number / 100.0).ok_or_else(refused)
@@ -181,6 +186,11 @@ impl LaboratoryQuantity {
         }
     }
 
+    /// The value of an entry, in SI units, if the quantity may have it.
+    pub(crate) fn read_value(self, entry: &Entry<'_>, value: f64) -> Result<f64, Fault> {
+        if self.admits(value) { Ok(value) } else { Err(entry.not_allowed(self.allowed(), self.remedy(value))) }
+    }
+
     /// The values that it may have, in words.
     pub fn allowed(self) -> &'static str {
         match self {
@@ -201,6 +211,6 @@ impl Values for LaboratoryQuantity {
             None if entry.is_text() => self.with_unit(entry.text()?).map_err(|refusal| refusal.of(entry))?,
             None => entry.number()?,
         };
-        if self.admits(value) { Ok(value) } else { Err(entry.not_allowed(self.allowed(), self.remedy(value))) }
+        self.read_value(entry, value)
     }
 }

@@ -252,6 +252,15 @@ fn a_workbook_is_read_as_a_table() {
     assert_eq!((found.coordinate("speed"), &found.friction[..]), (Some(&[1e-3, 2.5e-3][..]), &[0.5, 0.25][..]));
     assert_eq!(found.places, [(0, 4), (0, 5)]);
     assert!(said.to_string().starts_with("a.xlsx: workbook, sheet Friction; 2 rows\n"), "{said}");
+    assert!(!said.to_string().contains("not read"), "{said}");
+    // those behind it are named, but for empty ones
+    let bytes = include_bytes!("findings/table/sheets-behind.xlsx");
+    let (found, said) = Measured::of(Path::new("a.xlsx"), bytes, &[], None).expect("a workbook");
+    assert_eq!(found.friction, [0.5, 0.25]);
+    assert!(
+        said.to_string().contains("sheet 20 °C; 2 rows") && said.to_string().contains("not read: 40 °C; "),
+        "{said}"
+    );
     for (bytes, expected) in [(&b"PK\x03\x04 no archive"[..], "no workbook"), (b"\xd0\xcf\x11\xe0", "of the old kind")]
     {
         let error = Measured::of(Path::new("a.xlsx"), bytes, &[], None).unwrap_err().to_string();

@@ -1,7 +1,7 @@
 //! The columns of measured points: their names, and the values that they may have.
 
 use crate::table::{Field, Measures};
-use crate::{Dimension, LaboratoryQuantity};
+use crate::{Dimension, LaboratoryQuantity, Turning};
 
 /// Names of columns that hold friction coefficients, with the column of the results that they are compared with.
 pub(super) const FRICTION: [(&str, &str); 5] =
@@ -88,10 +88,7 @@ pub(super) fn fields() -> Vec<Field> {
         name: quantity.name(),
         synonyms: synonyms(quantity),
         measures: match quantity {
-            // what turns with the cylinder has a speed by its radius
-            LaboratoryQuantity::Speed | LaboratoryQuantity::RollerSpeed => {
-                Measures::Dimensions(&[Dimension::Speed, Dimension::AngularFrequency])
-            }
+            it if Turning::is_of(it) => Measures::Dimensions(&[Dimension::Speed, Dimension::AngularFrequency]),
             other => other.dimension().map_or(Measures::Ratio, |dimension| Measures::Dimensions(alone(dimension))),
         },
     });

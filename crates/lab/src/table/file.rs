@@ -24,6 +24,8 @@ pub struct TableFile {
     pub encoding: String,
     /// Its tables, in its order; at least one.
     pub tables: Vec<Table>,
+    /// The sheets of a workbook that were not read, as they stand behind the one that was.
+    pub unread: Vec<String>,
 }
 
 /// The reason why a file of tables is refused.
@@ -87,8 +89,9 @@ impl TableFile {
     pub fn of(path: &Path, bytes: &[u8]) -> Result<Self, TableError> {
         let refuse = |what| TableError::NotATable { path: path.to_owned(), what };
         if workbook::is_one(bytes) {
-            let (encoding, tables) = workbook::tables(bytes).map_err(refuse)?;
-            return Ok(Self { path: path.to_owned(), encoding, tables });
+            let sheet = workbook::first_sheet(bytes).map_err(refuse)?;
+            let (encoding, tables, unread) = (sheet.words, sheet.tables, sheet.unread);
+            return Ok(Self { path: path.to_owned(), encoding, tables, unread });
         }
         let Decoded { text, encoding } = decode(bytes).map_err(refuse)?;
         let text: Arc<str> = text.into();
@@ -96,7 +99,7 @@ impl TableFile {
         if tables.is_empty() {
             return Err(refuse("it holds no table: names of columns, and rows of numbers below".to_owned()));
         }
-        Ok(Self { path: path.to_owned(), encoding: encoding.to_owned(), tables })
+        Ok(Self { path: path.to_owned(), encoding: encoding.to_owned(), tables, unread: Vec::new() })
     }
 
     /// How a table of the file is written, in words.

@@ -33,6 +33,11 @@ impl Understood {
             notes: Vec::new(),
         };
         understood.add(table);
+        if !file.unread.is_empty() {
+            let names = file.unread.join(", ");
+            understood
+                .note(format!("not read: {names}; of a workbook the first sheet with a table is, so move yours there"));
+        }
         understood
     }
 

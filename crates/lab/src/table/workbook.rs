@@ -31,11 +31,20 @@ fn is_old(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\xd0\xcf\x11\xe0")
 }
 
-/// The tables of the first sheet that has one with rows, and the name of the sheet.
+/// What is read of a workbook.
+pub(super) struct Sheet {
+    /// Its name, in words.
+    pub(super) words: String,
+    pub(super) tables: Vec<Table>,
+    /// The names of the sheets behind it, without those that are empty.
+    pub(super) unread: Vec<String>,
+}
+
+/// The first sheet that has a table with rows.
 ///
 /// # Errors
 /// What is wrong with the workbook.
-pub(super) fn tables(bytes: &[u8]) -> Result<(String, Vec<Table>), String> {
+pub(super) fn first_sheet(bytes: &[u8]) -> Result<Sheet, String> {
     if is_old(bytes) {
         return Err("it is a workbook of the old kind; save it as .xlsx or CSV".to_owned());
     }
@@ -47,16 +56,24 @@ pub(super) fn tables(bytes: &[u8]) -> Result<(String, Vec<Table>), String> {
         return Err(format!("it unpacks to more than {most} MiB, the most that is read; save what is needed as CSV"));
     }
     let mut workbook: Workbook<'_> = Xlsx::new(Cursor::new(bytes)).map_err(broken)?;
-    for name in workbook.sheet_names() {
-        let text = text(&mut workbook, &name).map_err(broken)?;
-        let too_large = || format!("its sheet {} is too large; save what is needed as CSV", printable(&name));
+    let names = workbook.sheet_names();
+    for (place, name) in names.iter().enumerate() {
+        let text = text(&mut workbook, name).map_err(broken)?;
+        let too_large = || format!("its sheet {} is too large; save what is needed as CSV", printable(name));
         let text: Arc<str> = padded(&text).ok_or_else(too_large)?.into();
-        let found = tables_of(&text, LAYOUT).map_err(|(_, what)| format!("sheet {}: {what}", printable(&name)))?;
+        let found = tables_of(&text, LAYOUT).map_err(|(_, what)| format!("sheet {}: {what}", printable(name)))?;
         if found.iter().any(|table| !table.is_empty()) {
-            return Ok((format!("{SHEET}{}", printable(&name)), found));
+            let unread = names[place + 1..].iter().filter(|name| has_cells(&mut workbook, name));
+            let unread = unread.map(|name| printable(name).to_string()).collect();
+            return Ok(Sheet { words: format!("{SHEET}{}", printable(name)), tables: found, unread });
         }
     }
     Err("none of its sheets holds a table: names of columns, and rows of numbers below".to_owned())
+}
+
+/// True for a sheet with cells, be they readable or not.
+fn has_cells(workbook: &mut Workbook<'_>, sheet: &str) -> bool {
+    text(workbook, sheet).map_or(true, |text| !text.trim().is_empty())
 }
 
 /// True if all parts of an archive together have fewer bytes than `most` when they are unpacked. None is kept.

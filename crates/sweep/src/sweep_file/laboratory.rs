@@ -7,7 +7,7 @@ use super::substrate::MaterialDefaults;
 use super::temperature::read_viscosity;
 use crate::{Given, LaboratoryAxes, ModelLimits};
 use stribeck_input::{Entry, Fault, Quantity, Readings, Section, Values, Varying, read_varying};
-use stribeck_lab::{Dimension, LaboratoryQuantity, TemperatureLaws, ViscosityLaw};
+use stribeck_lab::{Dimension, LaboratoryQuantity, TemperatureLaws, Turning, ViscosityLaw};
 
 /// Most places of a sweep over quantities of the laboratory: each of them is looked at when it is planned.
 const MOST_PLACES: u128 = 10_000_000;
@@ -195,6 +195,17 @@ fn read_strengths(section: &Section<'_>, axis_of_f: Option<Vec<f64>>, bodies: &R
     }
 }
 
+/// The radius by which turns of the cylinder are speeds, or why there is none; what is wrong with it is told with it.
+fn one_radius(section: &Section<'_>) -> Result<f64, &'static str> {
+    let Some(entry) = section.get(LaboratoryQuantity::Radius.name()) else { return Err("none is given") };
+    match read_varying(&entry, LaboratoryQuantity::Radius) {
+        Ok(Varying::Fixed(radius)) => Ok(radius),
+        Ok(Varying::Axis(radii)) if radii.len() == 1 => Ok(radii[0]),
+        Ok(Varying::Axis(_)) => Err("this sweep has several"),
+        Err(_) => Err("that of this sweep cannot be read"),
+    }
+}
+
 /// Reads a quantity; `None` for the modulus that is not given.
 fn read_quantity(
     section: &Section<'_>,
@@ -209,7 +220,7 @@ fn read_quantity(
         return is_this.then(|| modulus::read_young(section, material, &given)).transpose();
     }
     if let Some(entry) = section.get(quantity.name()) {
-        return read_varying(&entry, quantity).map(Some);
+        return read_varying(&entry, Turning::new(quantity, one_radius(section))).map(Some);
     }
     let young = |modulus: f64| Ok(modulus * modulus::young_factor(section, material, material.kind)?);
     let default = match quantity {

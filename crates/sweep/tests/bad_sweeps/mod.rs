@@ -56,6 +56,7 @@ pub fn bad_files() -> Vec<Row> {
     vec![
         // No TOML.
         ("[axes\nf = [1.0]".into(), "1:5", "unclosed table, expected `]`", "headers [section]"),
+        (with_axes("[solver]\ntolerance = 0,5\n"), "6:14", "not valid TOML", "the decimal mark of a number is a point"),
         (with_axes("[solver]\nmethod = relaxation\n"), "6:10", "quoted", "double quotes"),
         (
             with_axes("[solver]\nmethod = \"relaxation\"\nmethod = \"relaxation\"\n"),
@@ -294,6 +295,14 @@ pub fn bad_files() -> Vec<Row> {
         ),
         (with_speeds("entrainment_speed = 1.0"), "1:1", "needs `slide_roll_ratio`", "slide_roll_ratio = 0.5"),
         (with_laboratory("speed", "[2.0, 1.0]"), "8:15", "must ascend", "sort the list"),
+        (
+            with_laboratory("radius", "[0.002, 0.003]").replace("[0.01, 0.1]", "[\"1 rpm\", \"10 rpm\"]"),
+            "8:10",
+            "in turns, which one radius makes a speed, but this sweep has several",
+            "give one `radius`, or the speed in m/s",
+        ),
+        (with_speeds("entrainment_speed = \"1 rpm\"\nslide_roll_ratio = 1.0"), "8:21", "must be a speed", "\"1 mm/s\""),
+        (with_laboratory("speed", "\"-1 rpm\""), "8:9", "finite and above 0", "SI units"),
         (with_laboratory("speed", "[]"), "8:9", "at least one value", "[100.0]"),
         (
             with_laboratory("relaxed_modulus", "1.0\ninstantaneous_modulus = 2.0"),

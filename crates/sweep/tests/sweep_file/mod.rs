@@ -6,6 +6,7 @@ mod named_series;
 mod refused;
 mod round_trip;
 mod together;
+mod turns;
 
 use std::fs;
 use std::path::Path;
