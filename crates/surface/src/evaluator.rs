@@ -198,7 +198,7 @@ impl Line<'_> {
         }
         let t = axis.forward(x);
         for (q, coefficients) in self.coefficients.iter().enumerate() {
-            let [y, _] = clenshaw(coefficients, t);
+            let y = clenshaw(coefficients, t);
             self.values[q] = value(self.surface, q, y, &self.values);
         }
         Ok(&self.values)

@@ -28,9 +28,9 @@ const LEAST_THRESHOLD: [f64; 3] = [0.01, 0.01, 0.07];
 const GOOD: [f64; 3] = [0.6, 0.6, 0.9];
 /// Lines along each axis that are added in a round, at most, for each axis that they do not run along: through random
 /// points, and as many through nodes of lines.
-const LINES: usize = 3;
+const LINES: [usize; 3] = [2, 2, 3];
 /// Random lines of the first round along each axis, for one to three axes.
-const FIRST_LINES: [usize; 3] = [0, 4, 15];
+const FIRST_LINES: [usize; 3] = [0, 4, 25];
 /// Points whose mapped coordinates are all so near to those of a worse one have the same cause.
 const NEAR: f64 = 0.15;
 /// Leading points of a round, for one to three axes.
@@ -206,7 +206,9 @@ impl<'a> Work<'a> {
         let mut chosen: Vec<Vec<f64>> = Vec::new();
         for place in places {
             let point = self.domain.mapped(&leading.points[place]);
-            if chosen.len() < LINES * (self.domain.dimensions() - 1) && !chosen.iter().any(|it| is_near(it, &point)) {
+            if chosen.len() < LINES[self.domain.dimensions() - 1] * (self.domain.dimensions() - 1)
+                && !chosen.iter().any(|it| is_near(it, &point))
+            {
                 chosen.push(point);
             }
         }
