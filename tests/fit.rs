@@ -111,7 +111,9 @@ fn a_search_finds_where_to_begin() {
         assert!(err(&said).contains("begins at "), "{}", err(&said));
         assert!(is_found(&serde_json::from_str(&out(&said)).unwrap()), "{}", out(&said));
     }
-    let rolling = SWEEP.replace("speed = [1e-3, 1e-2]", "entrainment_speed = [1e-3, 1e-2]\nslide_roll_ratio = 0.5");
+    let rolling = SWEEP
+        .replace("speed = [1e-3, 1e-2]", "entrainment_speed = [1e-3, 1e-2]\nslide_roll_ratio = 0.5")
+        .replace("load = [100.0, 119.0]", "load = 119.0");
     fs::write(directory.path().join("sweep.toml"), rolling).unwrap();
     fs::write(directory.path().join("points.csv"), "entrainment_speed,mu\n0.001,0.1\n0.002,0.1\n").unwrap();
     let said = say(directory.path(), &["fit", "points.csv", "sweep.toml", "--unknown", "viscosity", "--search"]);

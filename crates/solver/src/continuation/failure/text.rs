@@ -26,8 +26,8 @@ const WORDS: [(&str, &str); 22] = [
     ("the iteration stalls", "stalled"),
 ];
 
-/// The [name](super::FailureKind::name) of the kind of a failure whose text is all that was stored; `other` if no kind has
-/// such a text.
+/// The [name](super::FailureKind::name) of the kind of a failure whose text is all that was stored; `other` if no kind
+/// has such a text.
 pub fn kind_name_of_text(text: &str) -> &'static str {
     // what a panic said may be anything
     let text = text.split_once(" panicked: ").map_or(text, |(before, _)| &text[..before.len() + " panicked".len()]);
