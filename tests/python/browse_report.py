@@ -186,7 +186,8 @@ def see_first_pictures(visit):
     )
     words, first, last = (moment / 1000 for moment in [*moments, page.evaluate("performance.now()")])
     print(f"words after {words:.2f} s, the first live picture after {first:.2f} s, every picture after {last:.2f} s")
-    assert words <= first < last, "the first live picture is drawn behind the words and before the others"
+    # What is seen has the time of its frame, what is drawn that of its script: on a busy machine either may be first.
+    assert max(words, first) < last, "words and the first live picture are seen before the others are drawn"
     assert page.title() == visit.data.attrs["title"]
     assert page.text_content("#sweep") == visit.data.attrs["sweep"]
     page.wait_for_function("document.querySelector('#surface canvas') !== null")
