@@ -75,8 +75,8 @@ class Surface:
     Examples
     --------
     >>> surface = Surface()
-    >>> surface(alpha=1.0, beta=[100.0, 200.0], f=100.0)["mu_drag"].round(3)
-    array([0.746, 0.723])
+    >>> surface(alpha=1.0, beta=[100.0, 200.0], f=100.0)["mu_drag"].round(2)
+    array([0.75, 0.72])
     """
 
     def __init__(self, path: str | os.PathLike[str] | None = None):
