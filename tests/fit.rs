@@ -111,6 +111,9 @@ fn a_search_finds_where_to_begin() {
         assert!(err(&said).contains("begins at "), "{}", err(&said));
         assert!(is_found(&serde_json::from_str(&out(&said)).unwrap()), "{}", out(&said));
     }
+    let wrong = ["fit", "points.csv", "sweep.toml", "--unknown", "f", "--search", "--bounds", "f=100:1"];
+    let said = say(directory.path(), &wrong);
+    assert!(code(&said) == 2 && err(&said).contains("the bounds of f leave nothing between them"), "{}", err(&said));
     let rolling = SWEEP
         .replace("speed = [1e-3, 1e-2]", "entrainment_speed = [1e-3, 1e-2]\nslide_roll_ratio = 0.5")
         .replace("load = [100.0, 119.0]", "load = 119.0");

@@ -55,19 +55,19 @@ pub struct Arguments {
     #[arg(long)]
     json: bool,
     /// Evaluate at the points of a CSV file
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["alpha", "beta", "f", "at", "derivatives", "json", "check"])]
+    #[arg(long, value_name = "FILE", group = "many", conflicts_with_all = ["alpha", "beta", "f", "at", "derivatives", "json", "check"])]
     points: Option<PathBuf>,
     /// Where the values of the points go [default: standard output]
     #[arg(short, long, value_name = "FILE", requires = "points")]
     output: Option<PathBuf>,
     /// Solve so many fresh random points and compare
-    #[arg(long, value_name = "N", conflicts_with_all = ["alpha", "beta", "f", "at", "derivatives", "json"])]
+    #[arg(long, value_name = "N", group = "many", conflicts_with_all = ["alpha", "beta", "f", "at", "derivatives", "json"])]
     check: Option<NonZeroUsize>,
     /// Seed of the random points
     #[arg(long, value_name = "S", default_value_t = 2, requires = "check")]
     seed: u64,
     /// Threads of the check or of a file of points [default: all cores]
-    #[arg(long, value_name = "N", value_parser = threads::parse)]
+    #[arg(long, value_name = "N", value_parser = threads::parse, requires = "many")]
     threads: Option<NonZeroUsize>,
 }
 

@@ -79,7 +79,7 @@ fn stop(sweep: Sweep, stop: impl Fn(&Place, Moment, &mut Random) -> &'static str
         let first = stop(&place, Moment::Commits { number: 1, later: 0.0 }, &mut random);
         (first == "between commits").then_some((place, random))
     };
-    let (place, mut random) = (0..MOST_STRIKES).find_map(in_its_midst).expect("a run is stopped between commits");
+    let (place, mut random) = (0..3).find_map(in_its_midst).expect("a run is stopped between commits");
     assert_told(&place);
     let (start, publishing) = (Moment::Start { later: 0.01 }, Moment::Publishing { later: 0.0 });
     for moment in [start, Moment::Commits { number: 1, later: 0.05 }, publishing] {

@@ -33,8 +33,8 @@ pub fn best_beginning(
         sum_of_squares(task, &predictor.experiments(&values), friction)
     };
     let start: Vec<f64> = predictor.start().iter().map(|value| value.ln()).collect();
-    let ends: Vec<[f64; 2]> =
-        task.unknowns.iter().zip(&start).map(|(unknown, start)| ends(*unknown, *start, &task.bounds)).collect();
+    let ends = task.unknowns.iter().zip(&start).map(|(unknown, start)| ends(*unknown, *start, &task.bounds));
+    let ends = ends.collect::<Result<Vec<[f64; 2]>, _>>()?;
     let mut best = (sum(&start), start);
     let mut centre: Vec<f64> = ends.iter().map(|[least, most]| 0.5 * (least + most)).collect();
     let mut half: Vec<f64> = ends.iter().map(|[least, most]| 0.5 * (most - least)).collect();
@@ -80,12 +80,18 @@ fn sum_of_squares(
 }
 
 /// Where the logarithm of an unknown is looked for.
-fn ends(unknown: Unknown, start: f64, bounds: &[Bounds]) -> [f64; 2] {
+fn ends(unknown: Unknown, start: f64, bounds: &[Bounds]) -> Result<[f64; 2], FrictionFitError> {
     let bounds = bounds.iter().find(|bounds| bounds.unknown == unknown);
-    let end = |bound: Option<f64>, far: f64| bound.filter(|bound| *bound > 0.0).map_or(start + far, f64::ln);
+    let end =
+        |bound: Option<f64>, far: f64| bound.filter(|it| *it > 0.0 && it.is_finite()).map_or(start + far, f64::ln);
+    let (least, most) = (end(bounds.and_then(|it| it.least), -FAR), end(bounds.and_then(|it| it.most), FAR));
+    if least >= most {
+        let what = format!("the bounds of {} leave nothing between them; give the lower one first", unknown.name());
+        return Err(FrictionFitError::Task { what });
+    }
     // A bound is no place to begin at: there the search would not move.
-    let inner = 1e-3 * FAR;
-    [end(bounds.and_then(|it| it.least), -FAR) + inner, end(bounds.and_then(|it| it.most), FAR) - inner]
+    let inner = 1e-3 * (most - least);
+    Ok([least + inner, most - inner])
 }
 
 /// The n-th of points that fill the unit cube evenly: multiples of powers of the root of x^(d+1) = x + 1 (Roberts).
