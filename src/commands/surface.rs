@@ -82,7 +82,7 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut text = filled(&made, "  ") + "\n" + &certificate(file);
     if !report.holds {
         text += &format!(
-            "the largest error is above the tolerance of {:e} after the most cases that a surface may take: narrow the \
+            "the largest error is above the tolerance of {:e} where the refinement ended: narrow the \
              ranges, or leave out quantities with kinks (film_min, p_max, x_p_max)\n",
             file.tolerance
         );

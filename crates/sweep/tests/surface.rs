@@ -54,6 +54,20 @@ fn a_surface_agrees_with_solutions_up_to_its_limits() {
     assert!(errors.iter().all(|errors| errors.largest < 1.5e-3 && errors.median < 5e-4), "{errors:?}");
 }
 
+/// A jump is no polynomial. The work on it ends, and what is made says how far it came.
+#[test]
+fn a_tolerance_that_cannot_be_reached_ends_the_work() {
+    let jump = "[axes]\nalpha = { from = 0.01, to = 100.0, scale = \"log\" }\nbeta = [100.0]\nf = [100.0]\n\
+                [surface]\ntolerance = 1e-3\nquantities = [\"x_p_max\"]\n";
+    let directory = tempfile::tempdir().expect("a directory");
+    let report = make(jump, directory.path(), 2);
+    assert!(!report.holds);
+    let surface = Surface::read(report.file).expect("readable");
+    let certificate = &surface.file().certificate;
+    assert!(certificate.errors[0].largest > 1e-2, "{certificate:?}");
+    assert!(certificate.cases < 4000, "{} cases", certificate.cases);
+}
+
 #[test]
 fn neither_threads_nor_an_interruption_change_a_byte() {
     let directories = [(); 3].map(|()| tempfile::tempdir().expect("a directory"));
