@@ -537,7 +537,7 @@ fn one_case_as_a_table_has_the_same_numbers_and_no_estimate_is_null() {
             "",
             "",
             true,
-            &["collocation, tolerance 1e-5", "seed table", " iterations, ", " factorisations, ", " unknowns\n"],
+            &["collocation, tolerance 1e-5", "seed table", " iterations, ", " factorisation, ", " unknowns\n"],
         ),
         (of_relaxation, " --estimate false", false, &["relaxation, 201 points", "seed hertz, ", " passes, "]),
     ];

@@ -7,7 +7,7 @@ use stribeck_solver::continuation::{Event, Seed, SolvedCase};
 use stribeck_solver::shortest;
 
 /// Residuals in one line.
-const PER_LINE: usize = 8;
+const PER_LINE: usize = 6;
 
 /// Says where a first guess came from.
 pub fn describe_seed(seed: Seed) -> &'static str {

@@ -72,7 +72,7 @@ impl<'a> Adjoint<'a> {
         let (load, end) = (points, points + 1);
         let (gap, c) = (&partials.gap, &partials.c);
         let matrix = &mut factors.matrix;
-        matrix.reset(points + 2, points + 2);
+        matrix.reshape(points + 2, points + 2);
         for node in 1..=points {
             let displaced = displacement.relative.column(node)[points - 1];
             let column = matrix.column_mut(node - 1);

@@ -4,10 +4,11 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::log_moments::{LANES, MOST_MOMENTS, log_moments_together};
+use super::log_moments::{ELSEWHERE, LANES, MOST_MOMENTS, log_moments_together};
 use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
+use super::wide::wide;
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///
@@ -72,7 +73,10 @@ impl Discretisation {
             }
         }
         self.mesh = Arc::clone(mesh);
-        self.set_elastic_displacement();
+        wide(
+            #[inline(always)]
+            || self.set_elastic_displacement(),
+        );
     }
 
     /// Number of nodes of the pressure.
@@ -115,34 +119,38 @@ impl Discretisation {
 
     /// The columns of a panel are the moments of the kernel for the Legendre polynomials on it (T31), times their
     /// coefficients.
+    #[inline(always)]
     fn set_elastic_displacement(&mut self) {
         let Self { mesh, reference, points, elastic, moments, .. } = self;
         let (degree, rows) = (reference.degree, points.len());
         let size = degree + 1;
-        elastic.reset(rows, mesh.panels() * degree + 1);
-        moments.reset(rows, size);
+        elastic.reshape(rows, mesh.panels() * degree + 1);
+        moments.reshape(rows, size);
         let first_film_row = (mesh.behind.len() - 1) * degree;
-        let mut together = [[0.0; LANES]; MOST_MOMENTS];
+        let mut together = [[0.0; LANES]; MOST_MOMENTS + 1];
         for (panel, ends) in mesh.film.windows(2).enumerate() {
             let (centre, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            let own = first_film_row + panel * degree..first_film_row + (panel + 1) * degree;
             for (block, y) in points.chunks(LANES).enumerate() {
-                // a last block that is not full is filled with its first place
-                let places = std::array::from_fn(|lane| (y.get(lane).unwrap_or(&y[0]) - centre) / half);
-                log_moments_together(&places, &mut together[..size]);
+                // rows of this panel are known, and a last block need not be full
+                let places = std::array::from_fn(|lane| match y.get(lane) {
+                    Some(y) if !own.contains(&(block * LANES + lane)) => (y - centre) / half,
+                    _ => ELSEWHERE,
+                });
+                log_moments_together(&places, &mut together[..=size]);
                 for (k, values) in together[..size].iter().enumerate() {
                     moments.column_mut(k)[block * LANES..][..y.len()].copy_from_slice(&values[..y.len()]);
                 }
             }
-            let own = first_film_row + panel * degree;
             for k in 0..size {
                 let values = &reference.own_log_moments[k * degree..(k + 1) * degree];
-                moments.column_mut(k)[own..own + degree].copy_from_slice(values);
+                moments.column_mut(k)[own.clone()].copy_from_slice(values);
             }
             // ln|y − s| = ln|t − t′| + ln half, and ∫ P_0 = 2
             for moment in moments.column_mut(0) {
                 *moment += 2.0 * half.ln();
             }
-            elastic.add_product(panel * degree, half / PI, moments, &reference.node_coefficients);
+            elastic.set_product(panel * degree, half / PI, moments, &reference.node_coefficients, panel > 0);
         }
         let outlet = self.outlet();
         self.elastic_at_outlet.clear();

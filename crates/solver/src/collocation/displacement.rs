@@ -147,7 +147,7 @@ impl Displacement {
         let discretisation = &self.discretisation;
         let mut e = vec![0.0; discretisation.points.len()];
         if behind || !self.filters.is_empty() {
-            discretisation.elastic.multiply_rows(0, pressure, &mut e);
+            discretisation.elastic.multiply(pressure, &mut e);
         }
         let places = if behind { discretisation.behind() } else { 0..0 };
         let mut retarded_slope = vec![0.0; discretisation.film_points()];
@@ -183,7 +183,7 @@ impl Displacement {
     pub fn on_rows(&self, pressure: &[f64]) -> Vec<f64> {
         let discretisation = &self.discretisation;
         let mut e = vec![0.0; discretisation.points.len()];
-        discretisation.elastic.multiply_rows(0, pressure, &mut e);
+        discretisation.elastic.multiply(pressure, &mut e);
         let mut displacement: Vec<f64> = e.iter().map(|e| self.elastic_weight * e).collect();
         for (weight, filter) in &self.filters {
             for (w, v) in displacement.iter_mut().zip(filter.on_rows(discretisation, &e, pressure)) {

@@ -13,9 +13,6 @@ use super::workspace::Workspace;
 use crate::continuation::Effort;
 use crate::model::{CavityShear, Quantities, RelativeErrors};
 
-/// How many degrees richer the panels of the estimate are.
-pub const ENRICHMENT: usize = 2;
-
 /// How many times the tolerance the largest pressure, and the smallest film, may change when panels get richer. The
 /// richer value is the one that is published, and is better by far.
 const PRESSURE_SLACK: f64 = 50.0;
@@ -33,7 +30,7 @@ const REMAINDER: f64 = 0.01;
 /// The film is not that of the interpolated pressure (T12): where it is thin, the displacements of the two degrees
 /// differ by more than the film, and Newton's method mends that in one step only as long as the film is an unknown of
 /// its own.
-fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State {
+pub fn enriched(coarse: &Displacement, fine: &Displacement, state: &State) -> State {
     let (from, to) = (&coarse.discretisation.reference, &fine.discretisation.reference);
     let (degree, size) = (from.degree, from.degree + 1);
     let mut coefficients = vec![0.0; size];
@@ -103,8 +100,7 @@ pub fn estimate(
     effort: &mut Effort,
 ) -> Estimate {
     workspace.prepare_fine(&state.mesh, effort);
-    let coarse = workspace.coarse.displacement();
-    let (corrector, fine) = workspace.fine.parts();
+    let (coarse, fine, mut refiner) = workspace.estimating();
     let numbers = |displacement: &Displacement, state: &State| {
         let integrands = Integrands::of(displacement, state, cavity_shear);
         let parts = Parts::of(displacement, beta, state, &integrands, cavity_shear);
@@ -113,7 +109,7 @@ pub fn estimate(
     let (solution, parts) = numbers(coarse, state);
     let mut richer = enriched(coarse, fine, state);
     let before = richer.clone();
-    let remainder = corrector.refine(fine, beta, &mut richer, REMAINDER * tolerance, effort);
+    let remainder = refiner.refine(fine, beta, &mut richer, REMAINDER * tolerance, effort);
     let (corrected, richer_parts) = numbers(fine, &richer);
     let sources = Sources {
         spread: parts.spread(&richer_parts),

@@ -10,20 +10,6 @@ pub fn legendre(t: f64, values: &mut [f64]) {
     }
 }
 
-/// [`legendre`] at several places, to the same bits: one list of values for each k. Their recurrences are independent
-/// and overlap in the processor.
-pub fn legendre_together<const N: usize>(t: &[f64; N], values: &mut [[f64; N]]) {
-    let (mut before, mut here) = ([0.0; N], [1.0; N]);
-    for (k, values) in values.iter_mut().enumerate() {
-        *values = here;
-        let k = k as f64;
-        for lane in 0..N {
-            let next = ((2.0 * k + 1.0) * t[lane] * here[lane] - k * before[lane]) / (k + 1.0);
-            (before[lane], here[lane]) = (here[lane], next);
-        }
-    }
-}
-
 /// P_n and P_n′ at |t| < 1.
 fn with_derivative(n: usize, t: f64) -> (f64, f64) {
     let (mut before, mut here) = (0.0, 1.0);

@@ -4,6 +4,13 @@ use std::ops::Range;
 
 use faer::{Mat, MatRef};
 
+use super::wide::wide;
+
+/// Rows of a product that are done together.
+const BLOCK: usize = 16;
+const LONG: usize = 32;
+const SHORT: usize = 8;
+
 /// A dense matrix, stored column by column as the factorisation wants it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Matrix {
@@ -12,19 +19,19 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Makes it all zeros and of this shape; what it holds already is used again.
-    pub fn reset(&mut self, rows: usize, columns: usize) {
+    /// Gives it this shape; what it holds already is used again, and has to be overwritten.
+    pub fn reshape(&mut self, rows: usize, columns: usize) {
         self.rows = rows;
-        self.values.clear();
         self.values.resize(rows * columns, 0.0);
     }
 
     /// Makes it a multiple of some rows of another one; what it holds already is used again.
     pub fn copy_scaled(&mut self, other: &Self, rows: Range<usize>, factor: f64) {
-        self.rows = rows.len();
-        self.values.clear();
+        self.reshape(rows.len(), other.columns());
         for j in 0..other.columns() {
-            self.values.extend(other.column(j)[rows.clone()].iter().map(|value| factor * value));
+            for (value, of_other) in self.column_mut(j).iter_mut().zip(&other.column(j)[rows.clone()]) {
+                *value = factor * of_other;
+            }
         }
     }
 
@@ -63,29 +70,26 @@ impl Matrix {
         MatRef::from_column_major_slice(&self.values, self.rows, self.columns()).to_owned()
     }
 
-    /// Adds to the columns from `first` on a factor times the product of a matrix with another, given row by row, which
-    /// is so small that a general routine would cost more.
-    pub fn add_product(&mut self, first: usize, factor: f64, left: &Self, right: &[f64]) {
-        let (count, inner) = (self.rows, left.columns());
-        let columns = right.len() / inner;
+    /// Makes the columns from `first` on a factor times the product of a matrix with another, given row by row, which is
+    /// so small that a general routine would cost more. Six arguments: the first column keeps what it holds, and the
+    /// product is added to it, if it is `shared`.
+    #[inline(always)]
+    pub fn set_product(&mut self, first: usize, factor: f64, left: &Self, right: &[f64], shared: bool) {
+        let columns = right.len() / left.columns();
         for j in 0..columns {
-            let sum = &mut self.values[(first + j) * count..(first + j + 1) * count];
-            let factors = |k: usize| factor * right[k * columns + j];
-            // three columns at a time, so that the sum is not read and written for each
-            let mut k = 0;
-            while k + 3 <= inner {
-                let (a, b, c) = (factors(k), factors(k + 1), factors(k + 2));
-                let columns = left.column(k).iter().zip(left.column(k + 1)).zip(left.column(k + 2));
-                for (sum, ((x, y), z)) in sum.iter_mut().zip(columns) {
-                    *sum += a * x + b * y + c * z;
-                }
-                k += 3;
+            let sum = &mut self.values[(first + j) * self.rows..(first + j + 1) * self.rows];
+            if j > 0 || !shared {
+                sum.fill(0.0);
             }
-            for k in k..inner {
-                let a = factors(k);
-                for (sum, x) in sum.iter_mut().zip(left.column(k)) {
-                    *sum += a * x;
-                }
+            let factors = right[j..].iter().step_by(columns).map(|value| factor * value);
+            let (mut done, blocks) = (0, sum.as_chunks_mut::<BLOCK>());
+            for sums in blocks.0 {
+                add_rows(left, done, factors.clone(), sums);
+                done += BLOCK;
+            }
+            for sum in blocks.1 {
+                add_rows(left, done, factors.clone(), std::array::from_mut(sum));
+                done += 1;
             }
         }
     }
@@ -109,13 +113,84 @@ impl Matrix {
         }
     }
 
-    /// The rows `from..from + product.len()` of the product with a vector.
-    pub fn multiply_rows(&self, from: usize, vector: &[f64], product: &mut [f64]) {
-        product.fill(0.0);
-        for (j, factor) in vector.iter().enumerate() {
-            let column = &self.column(j)[from..from + product.len()];
-            for (sum, value) in product.iter_mut().zip(column) {
-                *sum += factor * value;
+    /// The product with a vector.
+    pub fn multiply(&self, vector: &[f64], product: &mut [f64]) {
+        debug_assert_eq!((vector.len(), product.len()), (self.columns(), self.rows));
+        wide(
+            #[inline(always)]
+            || {
+                let (mut first, rows) = (0, self.rows);
+                while first + LONG <= rows {
+                    self.multiply_rows::<LONG>(first, vector, product);
+                    first += LONG;
+                }
+                while first + SHORT <= rows {
+                    self.multiply_rows::<SHORT>(first, vector, product);
+                    first += SHORT;
+                }
+                if first > 0 && first < rows {
+                    // with some of those before, to the same bits
+                    self.multiply_rows::<SHORT>(rows - SHORT, vector, product);
+                } else {
+                    (first..rows).for_each(|row| self.multiply_rows::<1>(row, vector, product));
+                }
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn multiply_rows<const N: usize>(&self, first: usize, vector: &[f64], product: &mut [f64]) {
+        let mut sums = [0.0; N];
+        add_rows(self, first, vector.iter().copied(), &mut sums);
+        product[first..first + N].copy_from_slice(&sums);
+    }
+}
+
+/// Adds some rows of the product of a matrix with a vector; the sums stay in registers.
+#[inline(always)]
+fn add_rows<const N: usize>(left: &Matrix, first: usize, vector: impl Iterator<Item = f64>, sums: &mut [f64; N]) {
+    let mut here = *sums;
+    for (column, factor) in left.values.chunks_exact(left.rows).zip(vector) {
+        for (sum, value) in here.iter_mut().zip(&column[first..first + N]) {
+            *sum = value.mul_add(factor, *sum);
+        }
+    }
+    *sums = here;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn matrix(rows: usize, columns: usize) -> Matrix {
+        let mut matrix = Matrix::default();
+        matrix.reshape(rows, columns);
+        for (i, value) in matrix.values_mut().iter_mut().enumerate() {
+            *value = (1.7 * i as f64).sin();
+        }
+        matrix
+    }
+
+    /// Whatever is left of the blocks of rows.
+    #[test]
+    fn products_are_sums_of_products() {
+        for rows in [1, 7, 8, 9, 31, 32, 39, 41, 75] {
+            for columns in [1, 4, 9] {
+                let (left, vector) = (matrix(rows, columns), matrix(columns, 1));
+                let mut product = vec![f64::NAN; rows];
+                left.multiply(vector.values(), &mut product);
+                let sum = |i: usize| (0..columns).map(|j| left.column(j)[i] * vector.values()[j]).sum::<f64>();
+                assert!((0..rows).all(|i| (product[i] - sum(i)).abs() < 1e-14), "{rows} × {columns}");
+
+                let mut twice = Matrix::default();
+                twice.reshape(rows, 2);
+                twice.values_mut().fill(1.0);
+                twice.set_product(0, 2.0, &left, vector.values(), false);
+                twice.set_product(1, -1.0, &left, vector.values(), true);
+                for i in 0..rows {
+                    let error = (twice.column(0)[i] - 2.0 * sum(i)).abs() + (twice.column(1)[i] - 1.0 + sum(i)).abs();
+                    assert!(error < 1e-14, "{rows} × {columns}");
+                }
             }
         }
     }

@@ -19,6 +19,7 @@
 //! | `scaling.rs`, `transfer.rs` | how solutions are carried on |
 //! | `adaptation.rs` | where panels are wanted |
 //! | `estimate.rs`, `bounds.rs`, `acceptance.rs` | how large the errors are, and whether the solution is accepted |
+//! | `refine.rs`, `two_level.rs` | the solution on richer panels, which the estimate compares with |
 //! | `parts.rs`, `truncation.rs` | sources of error: panels, and what lies beyond the mesh |
 //! | `quantities.rs` | the numbers of a solution |
 //! | `gap.rs`, `fields.rs` | film and surface between the points, and the fields of a solution |
@@ -26,6 +27,7 @@
 //! | `friction_partials.rs`, `inlet_partials.rs` | partial derivatives of friction with respect to the unknowns |
 //! | `substrate_derivatives.rs`, `retardation_derivatives.rs` | derivatives of w with respect to α and f |
 //! | `retardation_transpose.rs` | the transposed retardation filter |
+//! | `wide.rs` | loops over vectors as wide as the processor has them |
 //! | `workspace.rs`, `state.rs`, `settings.rs`, `timings.rs` | what a chain keeps, what a case is, how time is spent |
 //! | `solver.rs`, `fixed_panels.rs` | the method as a [`CaseSolver`](crate::continuation::CaseSolver) |
 
@@ -52,6 +54,7 @@ mod newton;
 mod parts;
 mod quantities;
 mod reference;
+mod refine;
 mod retardation;
 mod retardation_derivatives;
 mod retardation_transpose;
@@ -68,6 +71,8 @@ mod thick_film;
 mod timings;
 mod transfer;
 mod truncation;
+mod two_level;
+mod wide;
 mod workspace;
 
 pub use settings::Settings;
@@ -77,4 +82,4 @@ pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 5;
+pub const RESULTS_VERSION: u32 = 6;

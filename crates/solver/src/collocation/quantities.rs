@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::displacement::{Along, Displacement};
 use super::inlet::Inlet;
-use super::reference::{evaluate, multiply};
+use super::reference::{evaluate, evaluate_slope, multiply};
 use super::state::State;
 use super::system::pressure_gradient;
 use crate::model::{CavityShear, Friction, Quantities};
@@ -190,7 +190,7 @@ fn extreme_pressure(displacement: &Displacement, state: &State) -> (f64, f64) {
     for panel in (top.saturating_sub(1) / degree)..=(top / degree).min(panels - 1) {
         reference.coefficients_of_nodes(&state.pressure[panel * degree..panel * degree + size], &mut coefficients);
         let ends = &discretisation.mesh.film[panel..=panel + 1];
-        let (t, value) = maximum(|t| evaluate(&coefficients, t), &reference.nodes);
+        let (t, value) = maximum(&coefficients, &reference.nodes);
         if value > best.1 {
             best = (0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * t, value);
         }
@@ -208,30 +208,42 @@ fn smallest_film(displacement: &Displacement, state: &State) -> f64 {
     let (panel, last) = (low / degree, state.film.len() / degree - 1);
     for panel in panel.saturating_sub(1)..=(panel + 1).min(last) {
         reference.coefficients_of_points(&state.film[panel * degree..(panel + 1) * degree], &mut coefficients);
-        smallest = smallest.min(-maximum(|t| -evaluate(&coefficients, t), &reference.nodes).1);
+        coefficients.iter_mut().for_each(|coefficient| *coefficient = -*coefficient);
+        smallest = smallest.min(-maximum(&coefficients, &reference.nodes).1);
     }
     smallest
 }
 
-/// The largest value of a smooth function on [−1, 1] and its place, by golden section about the best of `samples`.
-fn maximum(function: impl Fn(f64) -> f64, samples: &[f64]) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let values: Vec<f64> = samples.iter().map(|&t| function(t)).collect();
+/// The largest value of a polynomial on [−1, 1] and its place, from its Legendre coefficients: where its slope is 0 beside
+/// the best of `samples`, by regula falsi with halved values at an end that stays (Illinois).
+fn maximum(coefficients: &[f64], samples: &[f64]) -> (f64, f64) {
+    const MOST_STEPS: usize = 30;
+    const NEAR: f64 = 1e-10;
+    let values: Vec<f64> = samples.iter().map(|&t| evaluate(coefficients, t)).collect();
     let best = (0..values.len()).fold(0, |best, i| if values[i] > values[best] { i } else { best });
+    let sampled = (samples[best], values[best]);
     let (mut a, mut b) = (samples[best.saturating_sub(1)], samples[(best + 1).min(samples.len() - 1)]);
-    let (mut left, mut right) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-    let (mut at_left, mut at_right) = (function(left), function(right));
-    for _ in 0..40 {
-        if at_left > at_right {
-            (b, right, at_right) = (right, left, at_left);
-            left = b - GOLDEN * (b - a);
-            at_left = function(left);
-        } else {
-            (a, left, at_left) = (left, right, at_right);
-            right = a + GOLDEN * (b - a);
-            at_right = function(right);
-        }
+    let (mut at_a, mut at_b) = (evaluate_slope(coefficients, a), evaluate_slope(coefficients, b));
+    if !(at_a > 0.0 && at_b < 0.0) {
+        return sampled;
     }
-    let found = (0.5 * (a + b), function(0.5 * (a + b)));
-    if found.1 >= values[best] { found } else { (samples[best], values[best]) }
+    let (mut t, mut stayed) = (sampled.0, 0.0);
+    for _ in 0..MOST_STEPS {
+        let next = (a * at_b - b * at_a) / (at_b - at_a);
+        let (moved, slope) = ((next - t).abs(), evaluate_slope(coefficients, next));
+        t = next;
+        if moved < NEAR || slope == 0.0 {
+            break;
+        }
+        let again = slope.signum() == stayed;
+        let (moving, staying) =
+            if slope > 0.0 { ((&mut a, &mut at_a), &mut at_b) } else { ((&mut b, &mut at_b), &mut at_a) };
+        (*moving.0, *moving.1) = (t, slope);
+        if again {
+            *staying *= 0.5;
+        }
+        stayed = slope.signum();
+    }
+    let found = (t, evaluate(coefficients, t));
+    if found.1 >= sampled.1 { found } else { sampled }
 }

@@ -1,7 +1,8 @@
 //! What all panels of one degree share: points, derivative and transforms on the reference panel [−1, 1].
 
+use super::exponential_moments::Places;
 use super::legendre::{gauss, legendre, lobatto};
-use super::log_moments::log_moments;
+use super::log_moments::{MOST_MOMENTS, log_moments};
 
 /// Tables of the reference panel of degree d; computed once for each degree.
 ///
@@ -29,6 +30,8 @@ pub struct ReferencePanel {
     pub node_coefficients: Vec<f64>,
     /// Legendre coefficients from values at the Gauss points, d × d.
     pub point_coefficients: Vec<f64>,
+    /// The Gauss points and, after them, the left end.
+    pub places: Places,
     /// What each Gauss point contributes to the value at −1, and at 1, of the polynomial through the Gauss points.
     pub end_values: [Vec<f64>; 2],
     /// Derivative at −1, the Gauss points and 1 from the values there, (d + 2) × (d + 2).
@@ -70,6 +73,7 @@ impl ReferencePanel {
                 own_log_moments[k * degree + i] = *moment;
             }
         }
+        let places = Places::new(points.iter().copied().chain([-1.0]));
         let between_nodes = values_between_nodes(&nodes, &node_coefficients);
         let rich_points: Vec<f64> = std::iter::once(-1.0).chain(points.iter().copied()).chain([1.0]).collect();
         let rich_derivative = differentiation(&rich_points);
@@ -84,6 +88,7 @@ impl ReferencePanel {
             between_nodes,
             node_coefficients,
             point_coefficients,
+            places,
             end_values,
             rich_derivative,
             own_log_moments,
@@ -174,26 +179,38 @@ fn slopes(values: &[f64]) -> Vec<f64> {
 /// The value at t of the polynomial with these Legendre coefficients, by Clenshaw's recurrence.
 pub fn evaluate(coefficients: &[f64], t: f64) -> f64 {
     let (mut above, mut here) = (0.0, 0.0);
-    for (k, coefficient) in coefficients.iter().enumerate().skip(1).rev() {
-        let k = k as f64;
-        let next = coefficient + (2.0 * k + 1.0) / (k + 1.0) * t * here - (k + 1.0) / (k + 2.0) * above;
+    for (coefficient, (outer, inner)) in coefficients.iter().zip(&CLENSHAW).skip(1).rev() {
+        let next = coefficient + outer * t * here - inner * above;
         (above, here) = (here, next);
     }
     coefficients[0] + t * here - 0.5 * above
 }
 
+/// (2k + 1)/(k + 1) and (k + 1)/(k + 2).
+const CLENSHAW: [(f64, f64); MOST_MOMENTS] = {
+    let mut factors = [(0.0, 0.0); MOST_MOMENTS];
+    let mut k = 0;
+    while k < factors.len() {
+        let n = k as f64;
+        factors[k] = ((2.0 * n + 1.0) / (n + 1.0), (n + 1.0) / (n + 2.0));
+        k += 1;
+    }
+    factors
+};
+
 /// The derivative at t of the polynomial with these Legendre coefficients.
 pub fn evaluate_slope(coefficients: &[f64], t: f64) -> f64 {
-    // P_{k+1} by its recurrence beside P_{k+1}′ = P_{k−1}′ + (2k + 1) P_k
-    let (mut below, mut here, mut slope_below, mut slope) = (1.0, t, 0.0, 1.0);
-    let mut sum = 0.0;
-    for (k, coefficient) in coefficients.iter().enumerate().skip(1) {
-        sum += coefficient * slope;
-        let n = k as f64;
-        (below, here) = (here, ((2.0 * n + 1.0) * t * here - n * below) / (n + 1.0));
-        (slope_below, slope) = (slope, slope_below + (2.0 * n + 1.0) * below);
+    // the coefficients of the derivative from above: c_k′ = (2k + 1) (c_{k+1} + c_{k+3} + …)
+    let (mut above, mut here) = (0.0, 0.0);
+    let (mut sum, mut other) = (0.0, 0.0);
+    for k in (0..coefficients.len() - 1).rev() {
+        sum += coefficients[k + 1];
+        let (outer, inner) = CLENSHAW[k];
+        let next = (2 * k + 1) as f64 * sum + outer * t * here - inner * above;
+        (above, here) = (here, next);
+        (sum, other) = (other, sum);
     }
-    sum
+    here
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! The retarded displacement of one mode: a filter that runs from right to left (T8).
 
+use std::array::from_fn;
 use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::discretisation::Discretisation;
-use super::exponential_moments::{exponential_moment_derivatives, exponential_moments};
-use super::log_moments::MOST_MOMENTS;
+use super::exponential_moments::{AtPlaces, MOST_PLACES, NO_MOMENTS, Room};
 use super::matrix::Matrix;
 use super::reference::{ReferencePanel, dot};
+use super::wide::wide;
 use crate::model::retarded_mode;
 
 /// The filter on all panels of a mesh.
@@ -22,128 +23,151 @@ pub struct RetardationFilter {
     pub(super) ahead: Vec<f64>,
 }
 
+/// Columns of e that are filtered together.
+const TOGETHER: usize = 4;
 /// κ from which on α(v − e) is not formed as the difference that it is: its rounding error, about κ, would be above
 /// that of e′, about d².
 const STIFF_SLOPE: f64 = 50.0;
 
-/// What a panel makes of e, and of what it is handed at its right end: at each Gauss point, and in the last place at
-/// its left end.
+/// What a panel makes of e, and of what it is handed at its right end, at its [places](ReferencePanel::places).
 pub(super) struct PanelFilter {
-    /// Weights of what is handed on, d + 1.
-    pub decay: Vec<f64>,
+    /// Weights of what is handed on.
+    pub decay: AtPlaces,
     /// For v.
     pub displacement: Weights,
     /// For v′ = α(v − e), where the panel is stiff; it obeys the same filter with e′ in place of e.
     pub slope: Option<Weights>,
 }
 
-/// Weights of the values of e on a panel in those of something else at d + 1 places.
-pub(super) struct Weights {
-    /// Weights of e at the Gauss points, (d + 1) × d row by row.
-    points: Vec<f64>,
-    /// Weights of e at the left and the right end, d + 1.
-    ends: Vec<[f64; 2]>,
-}
+/// Weights of the values of e on a panel in those of something else at its places: of e at the Gauss points, and at the
+/// left and the right end after them.
+pub(super) struct Weights(Vec<AtPlaces>);
 
 impl Weights {
-    /// What the place with this index has from e.
-    pub fn apply(&self, place: usize, e: &[f64], ends: [f64; 2]) -> f64 {
-        let [left, right] = self.ends[place];
-        dot(&self.points[place * e.len()..(place + 1) * e.len()], e) + left * ends[0] + right * ends[1]
-    }
-
-    /// The weights of e at the Gauss points, d × (d + 1): those of the first point in all places first.
-    fn by_point(&self) -> Vec<f64> {
-        let (places, degree) = (self.ends.len(), self.points.len() / self.ends.len());
-        (0..degree).flat_map(|point| (0..places).map(move |place| self.points[place * degree + point])).collect()
+    /// What all places have from e.
+    #[inline(always)]
+    pub fn apply(&self, e: &[f64], ends: [f64; 2]) -> AtPlaces {
+        let mut at = [0.0; MOST_PLACES];
+        for (weights, e) in self.0.iter().zip(e.iter().chain(&ends)) {
+            for (at, weight) in at.iter_mut().zip(weights) {
+                *at += weight * e;
+            }
+        }
+        at
     }
 
     /// Adds to the weights of e a factor times what this place takes of it: the transpose of [`Weights::apply`].
     pub fn add_transposed(&self, place: usize, factor: f64, e: &mut [f64], ends: &mut [f64; 2]) {
-        let row = &self.points[place * e.len()..(place + 1) * e.len()];
-        for (sum, weight) in e.iter_mut().zip(row).chain(ends.iter_mut().zip(&self.ends[place])) {
-            *sum += factor * weight;
+        for (sum, weights) in e.iter_mut().chain(ends).zip(&self.0) {
+            *sum += factor * weights[place];
         }
     }
 
     /// The weights of e that give the same for a factor times e′.
     fn of_derivative(&self, reference: &ReferencePanel, factor: f64) -> Self {
         let (degree, rich) = (reference.degree, reference.degree + 2);
-        let mut weights =
-            Self { points: Vec::with_capacity(self.points.len()), ends: Vec::with_capacity(self.ends.len()) };
-        for (points, ends) in self.points.chunks_exact(degree).zip(&self.ends) {
-            let all = || std::iter::once(&ends[0]).chain(points).chain([&ends[1]]);
-            let of = |j: usize| {
-                factor * all().enumerate().map(|(i, w)| w * reference.rich_derivative[i * rich + j]).sum::<f64>()
-            };
-            weights.ends.push([of(0), of(rich - 1)]);
-            weights.points.extend((1..=degree).map(of));
-        }
-        weights
+        // the rich points begin with the left end
+        let of = |j: usize| {
+            let mut sums = [0.0; MOST_PLACES];
+            let inputs = [&self.0[degree]].into_iter().chain(&self.0[..degree]).chain([&self.0[degree + 1]]);
+            for (i, weights) in inputs.enumerate() {
+                let derivative = factor * reference.rich_derivative[i * rich + j];
+                for (sum, weight) in sums.iter_mut().zip(weights) {
+                    *sum += derivative * weight;
+                }
+            }
+            sums
+        };
+        Self((1..=degree).chain([0, rich - 1]).map(of).collect())
     }
 }
 
 impl PanelFilter {
-    fn new(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
-        let kappa = alpha * half;
-        let decay = |t: f64| (-kappa * (1.0 - t)).exp();
-        Self::of(reference, kappa, half, decay, |t, moments| exponential_moments(kappa, t, moments))
+    fn new(reference: &ReferencePanel, alpha: f64, half: f64, room: &mut Room) -> Self {
+        let (kappa, places) = (alpha * half, &reference.places);
+        wide(
+            #[inline(always)]
+            || places.exponential_moments(kappa, reference.degree + 2, room),
+        );
+        Self::of(reference, kappa, half, places.decay(kappa), room)
     }
 
     /// α times its derivative with respect to α.
-    pub fn derivatives(reference: &ReferencePanel, alpha: f64, half: f64) -> Self {
-        let kappa = alpha * half;
-        let decay = |t: f64| -kappa * (1.0 - t) * (-kappa * (1.0 - t)).exp();
-        Self::of(reference, kappa, half, decay, |t, derivatives| exponential_moment_derivatives(kappa, t, derivatives))
+    pub fn derivatives(reference: &ReferencePanel, alpha: f64, half: f64, room: &mut Room) -> Self {
+        let (kappa, places) = (alpha * half, &reference.places);
+        places.exponential_moment_derivatives(kappa, reference.degree + 2, room);
+        Self::of(reference, kappa, half, places.decay_derivative(kappa), room)
     }
 
-    /// One of what is left at t of what is handed on, and of the moments there.
-    fn of(
-        reference: &ReferencePanel,
-        kappa: f64,
-        half: f64,
-        decay_at: impl Fn(f64) -> f64,
-        moments_at: impl Fn(f64, &mut [f64]),
-    ) -> Self {
-        let degree = reference.degree;
-        let mut displacement =
-            Weights { points: vec![0.0; (degree + 1) * degree], ends: Vec::with_capacity(degree + 1) };
-        let mut decay = Vec::with_capacity(degree + 1);
-        let mut moments = [0.0; MOST_MOMENTS];
-        let rows = displacement.points.chunks_exact_mut(degree);
-        for (t, weights) in reference.points.iter().copied().chain([-1.0]).zip(rows) {
-            decay.push(decay_at(t));
-            moments_at(t, &mut moments[..degree + 2]);
-            displacement.ends.push(response(reference, &moments, weights));
-        }
+    /// One of what is left of what is handed on, and of the moments.
+    fn of(reference: &ReferencePanel, kappa: f64, half: f64, decay: AtPlaces, moments: &Room) -> Self {
+        let displacement = wide(
+            #[inline(always)]
+            || response(reference, moments),
+        );
         let slope = (kappa > STIFF_SLOPE).then(|| displacement.of_derivative(reference, half.recip()));
         Self { decay, displacement, slope }
     }
+
+    /// v at the places: what they have from e and of what is handed on.
+    #[inline(always)]
+    pub fn pass(&self, handed_on: f64, e: &[f64], ends: [f64; 2]) -> AtPlaces {
+        self.add_handed_on(handed_on, self.displacement.apply(e, ends))
+    }
+
+    /// Adds what is left at the places of what is handed on.
+    #[inline(always)]
+    pub fn add_handed_on(&self, handed_on: f64, mut at: AtPlaces) -> AtPlaces {
+        for (at, decay) in at.iter_mut().zip(&self.decay) {
+            *at += decay * handed_on;
+        }
+        at
+    }
 }
 
-/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds: of its values at the Gauss points, and at both ends; from the d + 2
-/// moments at t.
-///
-/// The polynomial through all of them is the one through the Gauss points, and P_d(s)(a + bs), which vanishes there,
-/// for what is missing at the ends.
-fn response(reference: &ReferencePanel, moments: &[f64], weights: &mut [f64]) -> [f64; 2] {
-    let degree = reference.degree;
-    let constant = moments[degree];
-    // s P_d = ((d + 1) P_{d+1} + d P_{d−1})/(2d + 1)
-    let d = degree as f64;
-    let linear = ((d + 1.0) * moments[degree + 1] + d * moments[degree - 1]) / (2.0 * d + 1.0);
-    let parity = if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
-    let (left, right) = (0.5 * parity * (constant - linear), 0.5 * (constant + linear));
-    for (i, weight) in weights.iter_mut().enumerate() {
-        *weight = -left * reference.end_values[0][i] - right * reference.end_values[1][i];
-    }
-    for (k, moment) in moments[..degree].iter().enumerate() {
-        let coefficients = &reference.point_coefficients[k * degree..(k + 1) * degree];
-        for (weight, coefficient) in weights.iter_mut().zip(coefficients) {
-            *weight += moment * coefficient;
+/// Adds the weights of a value at all places times that value, for several columns.
+#[inline(always)]
+fn add_weighted<const N: usize, const C: usize>(at: &mut [[f64; N]; C], weights: &AtPlaces, values: &[f64; C]) {
+    for j in 0..C {
+        for lane in 0..N {
+            at[j][lane] = weights[lane].mul_add(values[j], at[j][lane]);
         }
     }
-    [left, right]
+}
+
+/// Weights of e in ∫_t^1 κ e^{−κ(s − t)} e(s) ds, from the d + 2 moments.
+///
+/// The polynomial through the Gauss points and both ends is the one through the Gauss points, and P_d(s)(a + bs), which
+/// vanishes there, for what is missing at the ends.
+#[inline(always)]
+fn response(reference: &ReferencePanel, moments: &[AtPlaces]) -> Weights {
+    let degree = reference.degree;
+    let parity = if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let (mut left, mut right) = ([0.0; MOST_PLACES], [0.0; MOST_PLACES]);
+    for lane in 0..MOST_PLACES {
+        let constant = moments[degree][lane];
+        // s P_d = ((d + 1) P_{d+1} + d P_{d−1})/(2d + 1)
+        let d = degree as f64;
+        let linear = ((d + 1.0) * moments[degree + 1][lane] + d * moments[degree - 1][lane]) / (2.0 * d + 1.0);
+        (left[lane], right[lane]) = (0.5 * parity * (constant - linear), 0.5 * (constant + linear));
+    }
+    let mut weights = Vec::with_capacity(degree + 2);
+    for i in 0..degree {
+        let [at_left, at_right] = [0, 1].map(|end| reference.end_values[end][i]);
+        let mut of_point = [0.0; MOST_PLACES];
+        for lane in 0..MOST_PLACES {
+            of_point[lane] = -left[lane] * at_left - right[lane] * at_right;
+        }
+        for (k, moment) in moments[..degree].iter().enumerate() {
+            let coefficient = reference.point_coefficients[k * degree + i];
+            for (weight, moment) in of_point.iter_mut().zip(moment) {
+                *weight += coefficient * moment;
+            }
+        }
+        weights.push(of_point);
+    }
+    weights.extend([left, right]);
+    Weights(weights)
 }
 
 impl RetardationFilter {
@@ -151,7 +175,9 @@ impl RetardationFilter {
     pub fn new(discretisation: &Discretisation, alpha: f64) -> Self {
         let mesh = &discretisation.mesh;
         let ends = mesh.behind.windows(2).chain(mesh.film.windows(2));
-        let panel = |ends: &[f64]| PanelFilter::new(&discretisation.reference, alpha, 0.5 * (ends[1] - ends[0]));
+        let mut room = NO_MOMENTS;
+        let panel =
+            |ends: &[f64]| PanelFilter::new(&discretisation.reference, alpha, 0.5 * (ends[1] - ends[0]), &mut room);
         let mut ahead = far_field(discretisation, mesh.reach(), |x| retarded_mode(alpha, x));
         for (v, e) in ahead.iter_mut().zip(&discretisation.elastic_at_outlet) {
             *v -= e;
@@ -167,39 +193,80 @@ impl RetardationFilter {
     /// Adds `weight` times v − v(0) at the film's Gauss points, from p at the nodes, to a matrix of points × nodes.
     /// Leaves v(0) − e(0) from p at the nodes in `outlet`.
     pub fn add_to(&self, discretisation: &Discretisation, weight: f64, sum: &mut Matrix, outlet: &mut Vec<f64>) {
-        let elastic = &discretisation.elastic;
-        let degree = discretisation.reference.degree;
-        let first = discretisation.film().start;
         outlet.clear();
         outlet.extend_from_slice(&self.ahead);
+        wide(
+            #[inline(always)]
+            || match discretisation.reference.degree {
+                ..12 => self.filter_columns::<12>(discretisation, weight, sum, outlet),
+                _ => self.filter_columns::<MOST_PLACES>(discretisation, weight, sum, outlet),
+            },
+        );
+    }
+
+    /// [`RetardationFilter::add_to`] with room for `N` places, in `outlet` from v ahead of the mesh.
+    #[inline(always)]
+    fn filter_columns<const N: usize>(
+        &self,
+        discretisation: &Discretisation,
+        weight: f64,
+        sum: &mut Matrix,
+        outlet: &mut [f64],
+    ) {
+        let rows = sum.rows();
+        let (columns, last) = (outlet.len() / TOGETHER * TOGETHER, outlet.len());
+        let (sums, last_sums) = sum.values_mut().split_at_mut(columns * rows);
+        for (block, (sums, outlet)) in
+            sums.chunks_exact_mut(TOGETHER * rows).zip(outlet[..columns].as_chunks_mut().0).enumerate()
+        {
+            let e = from_fn(|j| discretisation.elastic.column(TOGETHER * block + j));
+            self.filter_block::<N, TOGETHER>(discretisation, weight, e, sums, outlet);
+        }
+        for ((j, sums), outlet) in (columns..last).zip(last_sums.chunks_exact_mut(rows)).zip(&mut outlet[columns..]) {
+            let e = [discretisation.elastic.column(j)];
+            self.filter_block::<N, 1>(discretisation, weight, e, sums, std::array::from_mut(outlet));
+        }
+    }
+
+    /// Runs the filter along `C` columns of e from right to left, which need not wait for one another; adds `weight`
+    /// times v − v(0) to `sums`. `v` is v(Y) before and v(0) after.
+    #[inline(always)]
+    fn filter_block<const N: usize, const C: usize>(
+        &self,
+        discretisation: &Discretisation,
+        weight: f64,
+        e: [&[f64]; C],
+        sums: &mut [f64],
+        v: &mut [f64; C],
+    ) {
+        let (degree, rows) = (discretisation.reference.degree, sums.len() / C);
+        let first = discretisation.film().start;
         for (index, filter) in self.panels.iter().enumerate().skip(first / degree).rev() {
-            let rows = index * degree..(index + 1) * degree;
-            let ends = discretisation.ends(index);
-            let weights = filter.displacement.by_point();
-            for (j, handed_on) in outlet.iter_mut().enumerate() {
-                let e = elastic.column(j);
-                let (on_panel, ends) = (&e[rows.clone()], [e[ends.0], e[ends.1]]);
-                let mut at = [0.0; MOST_MOMENTS];
-                let at = &mut at[..=degree];
-                // all places together, which do not wait for one another
-                for (weights, e) in weights.chunks_exact(at.len()).zip(on_panel) {
-                    for (at, weight) in at.iter_mut().zip(weights) {
-                        *at += weight * e;
-                    }
+            let (left, right) = discretisation.ends(index);
+            let on_panel = index * degree..(index + 1) * degree;
+            let mut values = [[0.0; C]; MOST_PLACES + 1];
+            for (j, e) in e.iter().enumerate() {
+                for (values, e) in values.iter_mut().zip(&e[on_panel.clone()]) {
+                    values[j] = *e;
                 }
-                for ((at, of_ends), decay) in at.iter_mut().zip(&filter.displacement.ends).zip(&filter.decay) {
-                    *at = decay * *handed_on + (*at + of_ends[0] * ends[0] + of_ends[1] * ends[1]);
-                }
-                let column = &mut sum.column_mut(j)[rows.start - first..rows.end - first];
-                for (sum, at) in column.iter_mut().zip(&*at) {
+                (values[degree][j], values[degree + 1][j]) = (e[left], e[right]);
+            }
+            let mut at = [[0.0; N]; C];
+            add_weighted(&mut at, &filter.decay, v);
+            for (weights, values) in filter.displacement.0.iter().zip(&values) {
+                add_weighted(&mut at, weights, values);
+            }
+            for (j, at) in at.iter().enumerate() {
+                let sums = &mut sums[j * rows..][on_panel.start - first..on_panel.end - first];
+                for (sum, at) in sums.iter_mut().zip(at) {
                     *sum += weight * at;
                 }
-                *handed_on = at[degree];
+                v[j] = at[degree];
             }
         }
-        for (j, outlet) in outlet.iter().enumerate() {
-            for sum in sum.column_mut(j) {
-                *sum -= weight * outlet;
+        for (sums, v) in sums.chunks_exact_mut(rows).zip(&*v) {
+            for sum in sums {
+                *sum -= weight * v;
             }
         }
     }
@@ -215,25 +282,18 @@ impl RetardationFilter {
         for (index, filter) in self.panels.iter().enumerate().skip(first / degree).rev() {
             let (on_panel, ends) = discretisation.on_panel(e, index);
             let slopes = &mut slopes[index * degree - first..(index + 1) * degree - first];
-            let at = |weights: &Weights, i: usize, handed_on: f64| {
-                filter.decay[i] * handed_on + weights.apply(i, on_panel, ends)
-            };
-            let left = at(&filter.displacement, degree, v);
-            match &filter.slope {
-                Some(weights) => {
-                    for (i, value) in slopes.iter_mut().enumerate() {
-                        *value = at(weights, i, slope);
-                    }
-                    slope = at(weights, degree, slope);
+            let v_at = filter.pass(v, on_panel, ends);
+            v = v_at[degree];
+            if let Some(weights) = &filter.slope {
+                let slope_at = filter.add_handed_on(slope, weights.apply(on_panel, ends));
+                slopes.copy_from_slice(&slope_at[..degree]);
+                slope = slope_at[degree];
+            } else {
+                for ((slope, v), e) in slopes.iter_mut().zip(v_at).zip(on_panel) {
+                    *slope = self.alpha * (v - e);
                 }
-                None => {
-                    for (i, value) in slopes.iter_mut().enumerate() {
-                        *value = self.alpha * (at(&filter.displacement, i, v) - on_panel[i]);
-                    }
-                    slope = self.alpha * (left - ends[0]);
-                }
+                slope = self.alpha * (v - ends[0]);
             }
-            v = left;
         }
         (slopes, v)
     }
@@ -287,11 +347,9 @@ impl RetardationFilter {
                 *relative = e - origin;
             }
             let ends = ends.map(|e| e - origin);
-            let at = |i: usize| filter.decay[i] * handed_on + filter.displacement.apply(i, &relative, ends);
-            for (i, value) in values[index * degree..(index + 1) * degree].iter_mut().enumerate() {
-                *value = at(i);
-            }
-            handed_on = at(degree);
+            let at = filter.pass(handed_on, &relative, ends);
+            values[index * degree..(index + 1) * degree].copy_from_slice(&at[..degree]);
+            handed_on = at[degree];
             values[discretisation.ends(index).0] = handed_on;
         }
     }
@@ -383,7 +441,7 @@ mod tests {
     fn filter_agrees_with_the_exponential_integral_kernel() {
         let (discretisation, nodes) = pressed();
         let mut e = vec![0.0; discretisation.points.len()];
-        discretisation.elastic.multiply_rows(0, &nodes, &mut e);
+        discretisation.elastic.multiply(&nodes, &mut e);
         for alpha in [1e-4, 0.05, 1.0, 7.0, 60.0, 1e4] {
             let filter = RetardationFilter::new(&discretisation, alpha);
             let film = discretisation.film();
@@ -395,7 +453,7 @@ mod tests {
             filter.add_to(&discretisation, 3.0, &mut matrix, &mut outlets);
             assert!((dot(&outlets, &nodes) - outlet).abs() < 1e-13);
             let mut product = vec![0.0; film.len()];
-            matrix.multiply_rows(0, &nodes, &mut product);
+            matrix.multiply(&nodes, &mut product);
             let mut v = filter.behind(&discretisation, &e, outlet);
             v.extend(film.clone().zip(&product).map(|(row, product)| (product + 2.0 * e[row]) / 3.0));
             v.push(0.0);

@@ -1,8 +1,11 @@
 //! Derivatives of the retarded displacement of one mode with respect to the mode's rate.
 
+use std::array::from_fn;
+
 use super::discretisation::Discretisation;
+use super::exponential_moments::{AtPlaces, NO_MOMENTS};
 use super::reference::dot;
-use super::retardation::{PanelFilter, RetardationFilter, far_field};
+use super::retardation::{PanelFilter, RetardationFilter, Weights, far_field};
 use crate::model::retarded_mode_derivative;
 
 /// α times the derivative of a [`RetardationFilter`] with respect to α (T50).
@@ -26,8 +29,10 @@ impl FilterDerivatives {
     pub fn new(discretisation: &Discretisation, alpha: f64) -> Self {
         let mesh = &discretisation.mesh;
         let ends = mesh.behind.windows(2).chain(mesh.film.windows(2));
-        let panel =
-            |ends: &[f64]| PanelFilter::derivatives(&discretisation.reference, alpha, 0.5 * (ends[1] - ends[0]));
+        let mut room = NO_MOMENTS;
+        let panel = |ends: &[f64]| {
+            PanelFilter::derivatives(&discretisation.reference, alpha, 0.5 * (ends[1] - ends[0]), &mut room)
+        };
         let ahead = far_field(discretisation, mesh.reach(), |x| retarded_mode_derivative(alpha, x));
         Self { panels: ends.map(panel).collect(), ahead }
     }
@@ -53,30 +58,23 @@ impl FilterDerivatives {
             filter.panels.iter().zip(&self.panels).enumerate().skip(first / degree).rev()
         {
             let (on_panel, ends) = discretisation.on_panel(e, index);
-            let at = |i: usize| panel.decay[i] * v + panel.displacement.apply(i, on_panel, ends);
-            let derivative_at = |i: usize| {
-                panel.decay[i] * derivative
-                    + derivatives.decay[i] * v
-                    + derivatives.displacement.apply(i, on_panel, ends)
+            let v_at = panel.pass(v, on_panel, ends);
+            let derivative_at =
+                of_product([panel, derivatives], [v, derivative], &derivatives.displacement, on_panel, ends);
+            let slope_at: AtPlaces = match &panel.slope {
+                Some(weights) => panel.add_handed_on(steep, weights.apply(on_panel, ends)),
+                None => from_fn(|i| alpha * (v_at[i] - on_panel.get(i).copied().unwrap_or(ends[0]))),
             };
-            let e_at = |i: usize| if i < degree { on_panel[i] } else { ends[0] };
-            let slope_at = |i: usize| match &panel.slope {
-                Some(weights) => panel.decay[i] * steep + weights.apply(i, on_panel, ends),
-                None => alpha * (at(i) - e_at(i)),
-            };
-            let slope_rate_at = |i: usize| match &derivatives.slope {
-                Some(weights) => {
-                    panel.decay[i] * steep_derivative + derivatives.decay[i] * steep + weights.apply(i, on_panel, ends)
-                }
+            let slope_rate_at: AtPlaces = match &derivatives.slope {
+                Some(weights) => of_product([panel, derivatives], [steep, steep_derivative], weights, on_panel, ends),
                 // of α(v − e)
-                None => slope_at(i) + alpha * derivative_at(i),
+                None => from_fn(|i| slope_at[i] + alpha * derivative_at[i]),
             };
-            for i in 0..degree {
-                film[index * degree - first + i] = derivative_at(i);
-                slope[index * degree - first + i] = slope_rate_at(i);
-            }
+            let points = index * degree - first..(index + 1) * degree - first;
+            film[points.clone()].copy_from_slice(&derivative_at[..degree]);
+            slope[points].copy_from_slice(&slope_rate_at[..degree]);
             (v, derivative, steep, steep_derivative) =
-                (at(degree), derivative_at(degree), slope_at(degree), slope_rate_at(degree));
+                (v_at[degree], derivative_at[degree], slope_at[degree], slope_rate_at[degree]);
         }
         for value in &mut film {
             *value -= derivative;
@@ -105,19 +103,28 @@ impl FilterDerivatives {
                 *relative = e - outlet;
             }
             let ends = ends.map(|e| e - outlet);
-            let derivative_at = |i: usize| {
+            let mut derivative_at =
+                of_product([panel, derivatives], [handed_on, derivative], &derivatives.displacement, &relative, ends);
+            for (value, decay) in derivative_at.iter_mut().zip(&panel.decay) {
                 // constants pass: what the panel takes of one is 1 less what it takes of what is handed on
-                panel.decay[i] * derivative
-                    + derivatives.decay[i] * handed_on
-                    + derivatives.displacement.apply(i, &relative, ends)
-                    - (1.0 - panel.decay[i]) * outlet_derivative
-            };
-            for (i, value) in values.iter_mut().enumerate() {
-                *value = derivative_at(i);
+                *value -= (1.0 - decay) * outlet_derivative;
             }
-            let left = panel.decay[degree] * handed_on + panel.displacement.apply(degree, &relative, ends);
-            (handed_on, derivative) = (left, derivative_at(degree));
+            values.copy_from_slice(&derivative_at[..degree]);
+            (handed_on, derivative) = (panel.pass(handed_on, &relative, ends)[degree], derivative_at[degree]);
         }
         values
     }
+}
+
+/// The derivative of what the places of a panel have, from the derivative of the weights of e: `panels` are the panel
+/// and its derivative, `handed_on` what it is handed and the derivative of that.
+fn of_product(
+    panels: [&PanelFilter; 2],
+    handed_on: [f64; 2],
+    weights: &Weights,
+    e: &[f64],
+    ends: [f64; 2],
+) -> AtPlaces {
+    let ([panel, derivatives], [value, derivative]) = (panels, handed_on);
+    panel.add_handed_on(derivative, derivatives.add_handed_on(value, weights.apply(e, ends)))
 }

@@ -1,14 +1,13 @@
 //! The collocation method as a [`CaseSolver`].
 
 use std::f64::consts::LN_10;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard};
 
 use faer::Mat;
 
 use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, tension};
 use super::adaptation::{Longest, Panels, equidistributed, indicators};
 use super::bounds::ROUNDING;
-use super::estimate::ENRICHMENT;
 use super::mesh::growth_behind;
 use super::reference::ReferencePanel;
 use super::scaling::{Scaling, layer};
@@ -17,6 +16,7 @@ use super::starting_solutions::{self, SOLVED_WITH};
 use super::state::State;
 use super::system::unknowns;
 use super::thick_film;
+use super::two_level::{ENRICHMENT, Tables};
 use super::workspace::{Workspace, half_width};
 use crate::continuation::{
     CaseSolver, Effort, Failure, FailureKind, Seed, Solution, SolveContext, SolveError, StepControl, distance, secant,
@@ -72,6 +72,10 @@ pub struct CollocationSolver {
     pub(super) of_table: Arc<ReferencePanel>,
     pub(super) coarse: Arc<ReferencePanel>,
     pub(super) fine: Arc<ReferencePanel>,
+    /// What estimates take from the solutions.
+    pub(super) two_level: Arc<Tables>,
+    /// Workspaces of chains that are over.
+    pub(super) spare: Mutex<Vec<Workspace>>,
 }
 
 impl CollocationSolver {
@@ -84,6 +88,7 @@ impl CollocationSolver {
         assert!(Settings::TOLERANCE.contains(&tolerance), "no solver for a tolerance of {tolerance:e}");
         assert!(Settings::DEGREE.contains(&degree), "no solver with panels of degree {degree}");
         let coarse = Arc::new(ReferencePanel::new(settings.degree));
+        let fine = Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT));
         let same = degree == SOLVED_WITH.degree;
         Self {
             settings,
@@ -91,8 +96,10 @@ impl CollocationSolver {
             farther: 1.0,
             marches: !starting_solutions::is_present(),
             of_table: if same { Arc::clone(&coarse) } else { Arc::new(ReferencePanel::new(SOLVED_WITH.degree)) },
+            two_level: Arc::new(Tables::new(&coarse, &fine)),
             coarse,
-            fine: Arc::new(ReferencePanel::new(settings.degree + ENRICHMENT)),
+            fine,
+            spare: Mutex::default(),
         }
     }
 
@@ -108,6 +115,10 @@ impl CollocationSolver {
     #[must_use]
     pub fn marching(self) -> Self {
         Self { marches: true, ..self }
+    }
+
+    fn spare(&self) -> MutexGuard<'_, Vec<Workspace>> {
+        self.spare.lock().expect("nothing panics while it is held")
     }
 
     /// How far a mesh reaches.
@@ -162,7 +173,15 @@ impl CaseSolver for CollocationSolver {
     type State = State;
 
     fn prepare(&self, parameters: &Parameters, _: &Output) -> Result<Workspace, Failure> {
-        Ok(Workspace::new(&self.coarse, &self.fine, parameters))
+        let spare = self.spare().pop();
+        Ok(match spare {
+            Some(workspace) => workspace.renewed(parameters),
+            None => Workspace::new([&self.coarse, &self.fine], &self.two_level, parameters),
+        })
+    }
+
+    fn keep(&self, workspace: Workspace) {
+        self.spare().push(workspace);
     }
 
     /// The case itself; unless its film is thick, another one of the same substrate from which the table may lead to

@@ -22,3 +22,13 @@ pub struct State {
     /// The longest first panel that the next mesh may have, over the length of the layer at the outlet.
     pub outlet_panel: f64,
 }
+
+/// Rounding error of the film (T12), whose terms are of order 1.
+const ROUNDING: f64 = 2e-15;
+
+impl State {
+    /// The rounding error of the film over the thinnest film.
+    pub fn rounding(&self) -> f64 {
+        ROUNDING / self.film.iter().fold(self.c, |least, &u| least.min(u))
+    }
+}

@@ -66,7 +66,7 @@ impl Displacement {
     pub fn derivatives_with_f(&self, pressure: &[f64], along: &Along) -> [DisplacementDerivatives; 2] {
         let discretisation = &self.discretisation;
         let mut displaced = vec![0.0; discretisation.film_points()];
-        self.relative.multiply_rows(0, pressure, &mut displaced);
+        self.relative.multiply(pressure, &mut displaced);
         let (e, compliance) = (&along.elastic, self.elastic_weight);
         let retarded = |w: &[f64], e: &[f64]| w.iter().zip(e).map(|(w, e)| compliance * (w - e)).collect();
         let scaled = |slope: Vec<f64>| slope.iter().map(|slope| compliance * slope).collect();
@@ -175,7 +175,7 @@ mod tests {
 
     fn values(displacement: &Displacement, pressure: &[f64]) -> DisplacementDerivatives {
         let mut film = vec![0.0; displacement.discretisation.film_points()];
-        displacement.relative.multiply_rows(0, pressure, &mut film);
+        displacement.relative.multiply(pressure, &mut film);
         let along = displacement.along(pressure, true);
         let retarded_slopes = Body::BOTH.map(|body| along.slope(body));
         DisplacementDerivatives { film, retarded_slopes, behind: along.behind }

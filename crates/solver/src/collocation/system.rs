@@ -7,6 +7,7 @@ use super::inlet::Inlet;
 use super::matrix::Matrix;
 use super::reference::dot;
 use super::state::State;
+use super::wide::wide;
 
 /// Reynolds' equation integrated once (T2): β p′ u³ + u − c; zero where the flow is conserved.
 pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f64 {
@@ -73,11 +74,16 @@ pub fn pressure_gradient(displacement: &Displacement, pressure: &[f64], gradient
 impl System {
     /// Residuals of a state; the right side is left in `right_side`.
     pub fn linearise(&mut self, displacement: &Displacement, beta: f64, state: &State) {
+        self.displacement.resize(displacement.discretisation.film_points(), 0.0);
+        displacement.relative.multiply(&state.pressure, &mut self.displacement);
+        self.linearise_advanced(displacement, beta, state);
+    }
+
+    /// The same for the state that was [advanced](System::advance) last, whose displacement is known.
+    pub fn linearise_advanced(&mut self, displacement: &Displacement, beta: f64, state: &State) {
         let discretisation = &displacement.discretisation;
         let points = discretisation.film_points();
         pressure_gradient(displacement, &state.pressure, &mut self.gradient);
-        self.displacement.resize(points, 0.0);
-        displacement.relative.multiply_rows(0, &state.pressure, &mut self.displacement);
 
         self.film_residual.clear();
         let y = discretisation.film_y();
@@ -108,9 +114,17 @@ impl System {
 
     /// The matrix about the state of the last [`System::linearise`].
     pub fn matrix(&self, displacement: &Displacement, beta: f64, state: &State, matrix: &mut Matrix) {
+        wide(
+            #[inline(always)]
+            || self.assemble(displacement, beta, state, matrix),
+        );
+    }
+
+    #[inline(always)]
+    fn assemble(&self, displacement: &Displacement, beta: f64, state: &State, matrix: &mut Matrix) {
         let discretisation = &displacement.discretisation;
         let points = discretisation.film_points();
-        matrix.reset(points + 1, points + 1);
+        matrix.reshape(points + 1, points + 1);
         let inlet = self.inlet();
         for node in 1..=points {
             // the last node is not an unknown of its own: its column counts with dp(Y)/dx_out
@@ -124,6 +138,7 @@ impl System {
         for ((entry, gradient), u) in c_column.iter_mut().zip(&self.gradient).zip(&state.film) {
             *entry = 3.0 * beta * gradient * u;
         }
+        c_column[points] = 0.0;
         let outlet = matrix.column_mut(points);
         for ((entry, a), y) in outlet.iter_mut().zip(&self.stiffness).zip(discretisation.film_y()) {
             *entry += a * y;
@@ -134,6 +149,7 @@ impl System {
 
     /// Sets the rows of the flow in a column to a factor times what p at a node does to them. Six arguments: the
     /// operands of the equations, and the place of one column.
+    #[inline(always)]
     pub fn set_node(
         &self,
         displacement: &Displacement,
@@ -208,7 +224,7 @@ impl System {
         self.step_pressure.extend_from_slice(&solution[..points - 1]);
         self.step_pressure.push(self.end_correction + inlet.gradient * outlet);
         self.step_displacement.resize(points, 0.0);
-        displacement.relative.multiply_rows(0, &self.step_pressure, &mut self.step_displacement);
+        displacement.relative.multiply(&self.step_pressure, &mut self.step_displacement);
         self.step_film.clear();
         let y = discretisation.film_y();
         self.step_film
@@ -236,13 +252,16 @@ impl System {
     }
 
     /// Goes a part of the step.
-    pub fn advance(&self, state: &mut State, part: f64) {
+    pub fn advance(&mut self, state: &mut State, part: f64) {
         let points = self.step_film.len();
         for (p, step) in state.pressure.iter_mut().zip(&self.step_pressure) {
             *p += part * step;
         }
         for (u, step) in state.film.iter_mut().zip(&self.step_film) {
             *u += part * step;
+        }
+        for (w, step) in self.displacement.iter_mut().zip(&self.step_displacement) {
+            *w += part * step;
         }
         state.c += part * self.right_side[points - 1];
         state.outlet += part * self.right_side[points];
@@ -292,7 +311,7 @@ mod tests {
             let direction: Vec<f64> =
                 scales.iter().enumerate().map(|(i, s)| s * (0.3 + 1.7 * i as f64).sin()).collect();
             let mut predicted = vec![0.0; n];
-            matrix.multiply_rows(0, &direction, &mut predicted);
+            matrix.multiply(&direction, &mut predicted);
 
             let residuals = |part: f64| {
                 let mut there = state.clone();

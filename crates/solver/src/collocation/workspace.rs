@@ -6,7 +6,9 @@ use super::displacement::Displacement;
 use super::mesh::Mesh;
 use super::newton::Corrector;
 use super::reference::ReferencePanel;
+use super::refine::Refiner;
 use super::timings::{Timings, timed};
+use super::two_level::{Tables, TwoLevel};
 use crate::continuation::Effort;
 use crate::exact;
 use crate::model::{DisplacementKernel, Parameters};
@@ -18,6 +20,7 @@ pub struct Workspace {
     pub(super) coarse: Level,
     /// The same panels, of a higher degree, for the estimate.
     pub(super) fine: Level,
+    two_level: TwoLevel,
     /// f, α and substrate of `kernel` and `half_width`; β does not count.
     substrate: Parameters,
     kernel: DisplacementKernel,
@@ -56,6 +59,13 @@ impl Level {
         true
     }
 
+    /// Forgets all but its memory.
+    fn renew(&mut self) {
+        self.corrector.renew();
+        self.prepared = false;
+        self.timings = Timings::default();
+    }
+
     /// The same mesh, another substrate.
     fn change(&mut self, kernel: &DisplacementKernel) {
         if self.prepared {
@@ -81,14 +91,28 @@ impl Level {
 
 impl Workspace {
     /// An empty workspace for a chain that begins with a case.
-    pub(super) fn new(coarse: &Arc<ReferencePanel>, fine: &Arc<ReferencePanel>, parameters: &Parameters) -> Self {
+    pub(super) fn new(
+        [coarse, fine]: [&Arc<ReferencePanel>; 2],
+        two_level: &Arc<Tables>,
+        parameters: &Parameters,
+    ) -> Self {
+        let (substrate, kernel, half_width) = substrate_of(parameters);
         Self {
             coarse: Level::new(coarse),
             fine: Level::new(fine),
-            substrate: parameters.clone(),
-            kernel: DisplacementKernel::new(parameters),
-            half_width: half_width(parameters),
+            two_level: TwoLevel::new(two_level),
+            substrate,
+            kernel,
+            half_width,
         }
+    }
+
+    /// The same for the next chain: nothing is left of the last one but the memory, which is faster than new memory.
+    pub(super) fn renewed(mut self, parameters: &Parameters) -> Self {
+        self.coarse.renew();
+        self.fine.renew();
+        let (substrate, kernel, half_width) = substrate_of(parameters);
+        Self { substrate, kernel, half_width, ..self }
     }
 
     /// Makes all that follows be about a case.
@@ -97,9 +121,7 @@ impl Workspace {
         if known.alpha == parameters.alpha && known.f == parameters.f && known.substrate == parameters.substrate {
             return;
         }
-        self.substrate = parameters.clone();
-        self.kernel = DisplacementKernel::new(parameters);
-        self.half_width = half_width(parameters);
+        (self.substrate, self.kernel, self.half_width) = substrate_of(parameters);
         self.coarse.change(&self.kernel);
         self.fine.change(&self.kernel);
     }
@@ -112,6 +134,15 @@ impl Workspace {
     /// The same for the estimate.
     pub(super) fn prepare_fine(&mut self, mesh: &Arc<Mesh>, effort: &mut Effort) {
         effort.meshes += u64::from(self.fine.prepare(mesh, &self.kernel));
+    }
+
+    /// The displacement of the solution, that of the estimate, and what refines a solution on the mesh that was solved
+    /// on last.
+    pub(super) fn estimating(&mut self) -> (&Displacement, &Displacement, Refiner<'_>) {
+        let Self { coarse, fine, two_level, .. } = self;
+        let plain_factors = &mut coarse.corrector.factorisation;
+        let refiner = Refiner { corrector: &mut fine.corrector, two_level, plain_factors };
+        (&coarse.displacement, &fine.displacement, refiner)
     }
 
     /// Where the time went so far: for the solutions, and for their error estimates.
@@ -128,4 +159,9 @@ impl Workspace {
 /// Half the width of the dry contact of a case.
 pub fn half_width(parameters: &Parameters) -> f64 {
     exact::contact_bounds(parameters).2
+}
+
+/// What a workspace keeps of the substrate of a case.
+fn substrate_of(parameters: &Parameters) -> (Parameters, DisplacementKernel, f64) {
+    (parameters.clone(), DisplacementKernel::new(parameters), half_width(parameters))
 }

@@ -58,8 +58,9 @@ impl<'a, S: CaseSolver> Chain<'a, S> {
 
     /// The same chain with a time limit for each case.
     #[must_use]
-    pub fn with_time_limit(self, time_limit: Duration) -> Self {
-        Self { time_limit: Some(time_limit), ..self }
+    pub fn with_time_limit(mut self, time_limit: Duration) -> Self {
+        self.time_limit = Some(time_limit);
+        self
     }
 
     /// Turns the [trace](SolvedCase::trace) of the next cases on or off.
@@ -114,6 +115,14 @@ impl<'a, S: CaseSolver> Chain<'a, S> {
         let (parameters, state) = self.solved.last()?;
         let workspace = self.workspace.as_mut()?.as_mut().ok()?;
         Some((workspace, parameters, state))
+    }
+}
+
+impl<S: CaseSolver> Drop for Chain<'_, S> {
+    fn drop(&mut self) {
+        if let Some(Ok(workspace)) = self.workspace.take() {
+            self.solver.keep(workspace);
+        }
     }
 }
 

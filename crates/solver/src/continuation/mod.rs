@@ -138,6 +138,9 @@ pub trait CaseSolver: Sync {
     /// [`Failure`] if no case of this kind can be solved.
     fn prepare(&self, parameters: &Parameters, output: &Output) -> Result<Self::Workspace, Failure>;
 
+    /// Takes the workspace of a chain that is over; its memory may serve the next one, and nothing else of it.
+    fn keep(&self, _: Self::Workspace) {}
+
     /// Whether the workspace of a chain that holds `from` is also good for `to`, and a line leads there.
     fn can_continue(&self, from: &Parameters, to: &Parameters) -> bool {
         Line::new(from, to).is_ok()

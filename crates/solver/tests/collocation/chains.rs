@@ -1,7 +1,8 @@
 //! Cases reached along chains: in any direction, the same numbers as alone, and always the same bits.
 
 use rayon::prelude::*;
-use stribeck_solver::continuation::Seed;
+use stribeck_solver::collocation::CollocationSolver;
+use stribeck_solver::continuation::{Interrupt, Seed, solve_chain};
 use stribeck_solver::{Output, Parameters};
 
 use crate::collocation::cases::{numbers, outcomes, settings, solution};
@@ -40,6 +41,24 @@ fn any_straight_line_leads_to_the_numbers_of_each_case() {
         }
         assert!(from_start <= 1 + cases.len() / 10, "{name}: {from_start} cases of {} start anew", cases.len());
     });
+}
+
+/// A solver keeps the memory of chains that are over, and nothing else of them: the same bits as by a new one.
+#[test]
+fn a_chain_leaves_nothing_to_the_next() {
+    let others = [Parameters::new(0.01, 3e4, 1e3), Parameters::elastic(10.0), Parameters::new(1e4, 2.0, 0.1)];
+    let output = Output { sensitivities: true, ..numbers() };
+    let chain: Vec<Parameters> = [30.0, 40.0, 50.0].map(|beta| Parameters::new(1.0, beta, 10.0)).to_vec();
+    let solve = |solver: &CollocationSolver, cases: &[Parameters]| {
+        solve_chain(solver, cases, &output, &Interrupt::new()).expect("nobody interrupts")
+    };
+    let used = CollocationSolver::new(settings(1e-6));
+    let before = solve(&used, &chain);
+    solve(&used, &others);
+    for (before, after) in before.iter().zip(solve(&used, &chain)) {
+        assert_eq!(format!("{:?}", before.outcome), format!("{:?}", after.outcome));
+        assert_eq!(before.effort.factorisations, after.effort.factorisations);
+    }
 }
 
 /// The same chain twice, on whatever thread: the same bits.
