@@ -23,7 +23,7 @@ const OUTLET_SLACK: f64 = 5.0;
 /// How many times the rounding of the film the outlet and the friction behind it may change by rounding alone.
 const OUTLET_ROUNDING: f64 = 200.0;
 /// Part of the tolerance that the nonlinearity may hide in an estimate.
-const REMAINDER: f64 = 0.01;
+const REMAINDER: f64 = 0.001;
 
 /// The state on the same panels of a higher degree: p and ln u by their polynomials.
 ///

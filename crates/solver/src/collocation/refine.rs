@@ -72,10 +72,10 @@ impl Refiner<'_> {
                 return None;
             }
             system.advance(state, 1.0);
-            if size <= remainder.max(floor) {
-                return Some(LEFT * size.min(remainder));
+            if size <= floor || LEFT * size <= remainder {
+                return Some(f64::min(LEFT * size, remainder));
             }
-            let needed = (remainder / size).ln() / rate.ln();
+            let needed = (remainder / (LEFT * size)).ln() / rate.ln();
             if step > 1 && step as f64 + needed > MOST_CHEAP_STEPS as f64 {
                 return None;
             }
