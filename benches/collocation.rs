@@ -33,6 +33,10 @@ impl CaseSolver for Observed {
         self.solver.prepare(parameters, output)
     }
 
+    fn keep(&self, workspace: Workspace) {
+        self.solver.keep(workspace);
+    }
+
     fn origins(&self, parameters: &Parameters) -> Vec<Parameters> {
         self.solver.origins(parameters)
     }
@@ -85,13 +89,12 @@ struct Run {
     seconds: f64,
 }
 
-fn run(alpha: f64) -> Result<Run, Box<dyn Error>> {
+fn run(observed: &Observed, alpha: f64) -> Result<Run, Box<dyn Error>> {
     let beta = (0..=60).map(|i| 10_f64.powf(1.0 + f64::from(i) / 20.0));
     let cases: Vec<Parameters> = beta.map(|beta| Parameters::new(alpha, beta, 100.0)).collect();
     let output = Output { limits: false, fields: FieldSelection::default(), ..Output::default() };
-    let observed = Observed { solver: CollocationSolver::new(Settings::default()), timings: Mutex::default() };
     let start = Instant::now();
-    let solved = solve_chain(&observed, &cases, &output, &Interrupt::new()).map_err(|_| "interrupted")?;
+    let solved = solve_chain(observed, &cases, &output, &Interrupt::new()).map_err(|_| "interrupted")?;
     let seconds = start.elapsed().as_secs_f64();
     let timings = *observed.timings.lock().expect("one thread");
     Ok(Run { cases: solved, timings, seconds })
@@ -134,11 +137,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         "n",
         "x bare LU"
     );
+    let observed = Observed { solver: CollocationSolver::new(Settings::default()), timings: Mutex::default() };
     let (mut all, mut sum) = (Vec::new(), 0.0);
     for alpha in (-3..=3).map(|i| 10_f64.powi(i)) {
         let mut best: Option<Run> = None;
         for _ in 0..REPEATS {
-            let run = run(alpha)?;
+            let run = run(&observed, alpha)?;
             if best.as_ref().is_none_or(|best| run.seconds < best.seconds) {
                 best = Some(run);
             }
