@@ -58,7 +58,7 @@ fn read_precision(entry: &Entry<'_>, solver: &SolverSettings) -> Result<FieldPre
         "numbers of fields are rounded by up to 6e-8 of themselves, a good part of such a tolerance: write \
          field_precision = \"double\", or tolerance = {least:e} in [solver]"
     );
-    Err(entry.fault(what, "rounds more than the tolerance is worth", help))
+    Err(entry.fault(what, "rounds by a good part of the tolerance", help).unquoted())
 }
 
 fn read_sensitivities(entry: &Entry<'_>, method: Method) -> Result<bool, Fault> {
