@@ -4,8 +4,8 @@ use super::StoredOutput;
 use crate::{Column, Field, FieldPrecision};
 use stribeck_solver::{FieldSelection, Output};
 
-/// What a shard holds beside the columns: fields, the x they are on and their precision, and whether limits and sensitivities were
-/// computed.
+/// What a shard holds beside the columns: fields, the x they are on and their precision, and whether limits and
+/// sensitivities were computed.
 ///
 /// `cavity_shear` is not here: it changes the numbers, so it is part of the case's id.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

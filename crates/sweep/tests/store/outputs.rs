@@ -145,7 +145,7 @@ fn rounded_fields_are_marked_and_the_nearest_of_single_precision() {
         }
     }
     // What the store gives back is what it keeps.
-    let store = Store::open(single.path(), SWEEP, &rounded()).unwrap();
+    let store = Store::open(single.path(), SWEEP, rounded()).unwrap();
     let kept = store.entry(row(1, 1)[0]).unwrap().unwrap().fields.pressure.unwrap();
     assert_eq!(kept, single_data.field(Field::Pressure, [1, 1, 0]).unwrap());
 }
