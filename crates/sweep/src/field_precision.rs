@@ -70,7 +70,6 @@ mod tests {
             prop_assert_eq!(single(rounded).to_bits(), rounded.to_bits(), "a second time nothing changes");
             prop_assert_eq!(rounded.is_sign_negative(), value.is_sign_negative());
             match value.is_normal() {
-                // The difference of two neighbours is exact; scaled, it is so for the smallest as well.
                 true => prop_assert!((rounded / value - 1.0).abs() <= 2_f64.powi(-24) * (1.0 + f64::EPSILON)),
                 false => prop_assert_eq!(rounded.to_bits(), bits),
             }
