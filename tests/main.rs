@@ -12,6 +12,7 @@ mod examples;
 mod explain;
 mod extension;
 mod faults;
+mod field_precision;
 mod fit;
 #[path = "../crates/sweep/tests/grids/mod.rs"]
 mod grids;

@@ -8,7 +8,7 @@ use stribeck_input::shown;
 use stribeck_sweep::campaign::{FailedCase, Pending, Refinement, RunReport, field_bytes};
 use stribeck_sweep::engine::rate;
 use stribeck_sweep::store::{Published, StoreError};
-use stribeck_sweep::{Note, NoteCounts, Part, Plan, Sweep};
+use stribeck_sweep::{FieldPrecision, Note, NoteCounts, Part, Plan, Sweep};
 
 /// What becomes of the cases of a directory that was last run with another sweep file.
 pub fn about_other_sweep(directory: &Path, pending: &Pending, refinements: &[Refinement]) -> String {
@@ -30,9 +30,12 @@ const MANY_BYTES: u64 = 100_000_000;
 /// What the fields of a sweep take, and how to do without, if it is much.
 pub fn about_fields(sweep: &Sweep) -> Option<String> {
     let taken = Some(field_bytes(sweep, &Plan::new(sweep))).filter(|taken| *taken >= MANY_BYTES)?;
+    let may_round =
+        sweep.field_precision == FieldPrecision::Double && sweep.solver.tolerance >= FieldPrecision::SINGLE_TOLERANCE;
+    let rounded = if may_round { ", or field_precision = \"single\" for about half of it" } else { "" };
     Some(format!(
         "note: fields at {} values of x take about {} on the disk; write fields = [] below [output] to leave them out, \
-         or x = {{ from = -3.0, to = 3.0, points = 101 }} for fewer values",
+         or x = {{ from = -3.0, to = 3.0, points = 101 }} for fewer values{rounded}",
         sweep.output.x.len(),
         bytes(taken)
     ))

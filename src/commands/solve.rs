@@ -15,7 +15,7 @@ use stribeck_solver::relaxation::{Acceleration, Domain};
 use stribeck_solver::{CavityShear, FieldSelection, Interrupt, Output, Parameters, RetardationMode, Solver, Substrate};
 use stribeck_sweep::campaign::{case_entry, published_point, read_sweep};
 use stribeck_sweep::store::Status;
-use stribeck_sweep::{Axes, Field, Grid, GridIndex, Method, Plan, SolverSettings, Sweep};
+use stribeck_sweep::{Axes, Field, FieldPrecision, Grid, GridIndex, Method, Plan, SolverSettings, Sweep};
 
 /// Fewest points of a grid whose errors can be estimated.
 pub const ESTIMATE_POINTS: usize = relaxation::Settings::ESTIMATE_POINTS;
@@ -323,6 +323,7 @@ impl Arguments {
                 sensitivities: self.sensitivities,
                 ..Output::default()
             },
+            field_precision: FieldPrecision::Double,
             text: String::new(),
             name: String::new(),
         })

@@ -10,7 +10,7 @@ use stribeck_solver::{FieldSelection, Interrupt, Output, RetardationMode, Substr
 use stribeck_sweep::campaign::case_entry;
 use stribeck_sweep::engine::solver_threads;
 use stribeck_sweep::store::{CaseEntry, Point, further_columns};
-use stribeck_sweep::{Axes, Dimension, Field, Grid, Plan, SolverSettings, Sweep};
+use stribeck_sweep::{Axes, Dimension, Field, FieldPrecision, Grid, Plan, SolverSettings, Sweep};
 
 use crate::background::{threads, watched};
 use crate::errors;
@@ -127,6 +127,7 @@ impl Request<'_> {
             substrate: self.substrate()?,
             solver: settings,
             output: self.output()?,
+            field_precision: FieldPrecision::Double,
             text: String::new(),
             name: String::new(),
         })

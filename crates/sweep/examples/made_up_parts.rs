@@ -94,7 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let start = Instant::now();
     for (part, chains) in Part::all(parts).zip(chains) {
         let home = directory.join("results/parts").join(part.name());
-        let mut store = Store::open(&home, &sweep.text, &sweep.output)?.solving_with(recipe.clone());
+        let mut store = Store::open(&home, &sweep.text, &sweep)?.solving_with(recipe.clone());
         store.begin(&sweep.name, chains.len() as u64, 1)?;
         let mut entries: Vec<CaseEntry> = Vec::new();
         for index in chains {

@@ -266,7 +266,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let plan = Plan::new(&sweep);
     let cases = plan.cases();
     let mut clock = Clock::new(cases);
-    let mut store = Store::open(&directory, &sweep.text, &sweep.output)?;
+    let mut store = Store::open(&directory, &sweep.text, &sweep)?;
     let chains = chains(&plan, options.beta, options.chain);
     if missing(&plan, &chains, &store) != cases {
         return Err("the directory holds cases already".into());
@@ -304,7 +304,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let seconds = whole.elapsed().as_secs_f64();
 
     drop(store);
-    let mut store = Store::open(&directory, &sweep.text, &sweep.output)?;
+    let mut store = Store::open(&directory, &sweep.text, &sweep)?;
     if missing(&plan, &chains, &store) != 0 || publish(&sweep, &plan, &mut store)? {
         return Err("a second run found something to do".into());
     }

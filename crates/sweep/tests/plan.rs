@@ -7,7 +7,8 @@ use proptest::prelude::*;
 use stribeck_solver::relaxation::{Acceleration, Domain};
 use stribeck_solver::{CavityShear, FieldSelection, Output, Parameters, RetardationMode, Substrate};
 use stribeck_sweep::{
-    Axes, CaseId, Chain, Fingerprint, Grid, GridIndex, MAX_CHAIN, Method, Part, Plan, Recipe, SolverSettings, Sweep,
+    Axes, CaseId, Chain, FieldPrecision, Fingerprint, Grid, GridIndex, MAX_CHAIN, Method, Part, Plan, Recipe,
+    SolverSettings, Sweep,
 };
 
 fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
@@ -17,6 +18,7 @@ fn sweep(f: &[f64], alpha: &[f64], beta: &[f64]) -> Sweep {
         substrate: Substrate::default(),
         solver: SolverSettings::default(),
         output: Output::default(),
+        field_precision: FieldPrecision::Double,
         text: String::new(),
         name: "plan".into(),
     }

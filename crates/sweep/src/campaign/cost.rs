@@ -5,16 +5,16 @@ use std::num::NonZeroUsize;
 use super::{MergedCatalog, Pending};
 use crate::engine::{GROUP_CASES, GROUP_WAIT};
 use crate::store::Catalog;
-use crate::{Field, Method, Plan, Sweep};
-use stribeck_solver::{Interrupt, Output, Solver, relaxation};
+use crate::{Field, FieldPrecision, Method, Plan, Sweep};
+use stribeck_solver::{Interrupt, Solver, relaxation};
 
 /// Bytes of a value after shuffling and deflating, measured; the pressure has many zeros.
 const PRESSURE_VALUE: f64 = 4.4;
 const FIELD_VALUE: f64 = 6.3;
 /// Bytes beside the values for a field of a case in a shard: index of chunks and the like.
 const FIELD: f64 = 350.0;
-/// What a field of many cases takes in `results.h5`, over what it takes in a shard, where each is compressed by itself.
-const FIELD_PUBLISHED: f64 = 0.87;
+/// Bytes of a value of single precision, over those of one of double precision.
+const SINGLE_VALUE: f64 = 0.53;
 /// Bytes of a shard without fields.
 const SHARD: f64 = 8_200.0;
 /// Bytes of a case in the log, and of its numbers in a shard.
@@ -65,23 +65,33 @@ pub struct Size {
 
 /// Bytes that the fields of a sweep take, stored and published.
 pub fn field_bytes(sweep: &Sweep, plan: &Plan) -> u64 {
-    let of_case = fields_of_case(&sweep.output);
-    (of_case * (plan.problems() as f64 + FIELD_PUBLISHED * plan.cases() as f64)) as u64
+    let of_case = fields_of_case(sweep);
+    (of_case * (plan.problems() as f64 + field_published(sweep.field_precision) * plan.cases() as f64)) as u64
 }
 
 /// Bytes of the fields of a case in a shard.
-fn fields_of_case(output: &Output) -> f64 {
+fn fields_of_case(sweep: &Sweep) -> f64 {
     let of_field = |field| if field == Field::Pressure { PRESSURE_VALUE } else { FIELD_VALUE };
-    let values = |field| FIELD + of_field(field) * output.x.len() as f64;
-    Field::selected(output.fields).map(values).sum()
+    let rounded = if sweep.field_precision == FieldPrecision::Single { SINGLE_VALUE } else { 1.0 };
+    let values = |field| FIELD + rounded * of_field(field) * sweep.output.x.len() as f64;
+    Field::selected(sweep.output.fields).map(values).sum()
+}
+
+/// What a field of many cases takes in `results.h5`, over what it takes in a shard, where each is compressed by itself.
+fn field_published(precision: FieldPrecision) -> f64 {
+    match precision {
+        FieldPrecision::Double => 0.87,
+        FieldPrecision::Single => 0.65,
+    }
 }
 
 impl Size {
     /// The size of `cases` stored cases in so many shards, and of the whole sweep published.
     fn of(sweep: &Sweep, plan: &Plan, cases: u64, shards: f64) -> Self {
-        let fields = fields_of_case(&sweep.output);
+        let fields = fields_of_case(sweep);
         let stored = cases as f64 * (LOGGED_CASE + fields) + shards.ceil() * SHARD;
-        let published = FRAME + plan.cases() as f64 * (PLACE + TABLE_ROW + FIELD_PUBLISHED * fields);
+        let published =
+            FRAME + plan.cases() as f64 * (PLACE + TABLE_ROW + field_published(sweep.field_precision) * fields);
         Self { stored: stored as u64, published: published as u64 }
     }
 }

@@ -107,7 +107,7 @@ pub enum Comparison {
 pub fn explain(directory: &Path, name: &CaseName) -> Result<CaseReport, CampaignError> {
     let sweep = read_sweep(&sweep_file(directory)?)?;
     let plan = Plan::new(&sweep);
-    let found = SweepDirectory::read_existing(directory, &sweep.output, Inspection::Bytes)?;
+    let found = SweepDirectory::read_existing(directory, &(&sweep).into(), Inspection::Bytes)?;
     let stored = found.merged();
     let place = match name {
         CaseName::Near(numbers) => Some(nearest(&sweep, *numbers)),

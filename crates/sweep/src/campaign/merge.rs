@@ -87,7 +87,7 @@ pub(super) fn join_all(
 ) -> Result<Joined, CampaignError> {
     let mut all = Joined::default();
     for directory in directories {
-        let catalog = Catalog::read(&directory, &sweep.output, Inspection::Bytes)?;
+        let catalog = Catalog::read(&directory, sweep, Inspection::Bytes)?;
         catalog.warnings().iter().for_each(|warning| observe(Event::Damaged(warning)));
         let Joined { shards, cases, twice } = store.join(&catalog, &|here, there| agree(sweep, here, there))?;
         all = Joined { shards: all.shards + shards, cases: all.cases + cases, twice: all.twice + twice };
@@ -150,7 +150,7 @@ fn agree(sweep: &Sweep, here: &Values, there: &Values) -> bool {
 fn incomplete_parts(directories: &[PathBuf], sweep: &Sweep, plan: &Plan) -> Result<Vec<IncompletePart>, CampaignError> {
     let mut incomplete = Vec::new();
     for directory in directories {
-        let stored = SweepDirectory::read(directory, &sweep.output, Inspection::Bytes)?;
+        let stored = SweepDirectory::read(directory, sweep, Inspection::Bytes)?;
         let states = part_states(plan, &stored, &stored.merged())?.into_iter().filter(|state| state.missing > 0);
         incomplete.extend(states.map(|state| IncompletePart { directory: directory.clone(), state }));
     }

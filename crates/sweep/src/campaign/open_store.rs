@@ -14,7 +14,7 @@ pub(crate) fn open_store(
     observe: &mut Observer<'_>,
 ) -> Result<Store, StoreError> {
     let recipe = serde_json::to_value(plan.recipe()).expect("a recipe is made of words and finite numbers");
-    let store = Store::open(directory, &sweep.text, &sweep.output)?.solving_with(recipe);
+    let store = Store::open(directory, &sweep.text, sweep)?.solving_with(recipe);
     store.warnings().iter().for_each(|warning| observe(Event::Damaged(warning)));
     Ok(store)
 }

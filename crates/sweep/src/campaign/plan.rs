@@ -64,7 +64,7 @@ pub enum DirectoryState {
 pub fn plan(sweep: &Sweep, directory: &Path, options: &PlanOptions) -> Result<PlanReport, CampaignError> {
     check_directory(directory)?;
     let plan = Plan::new(sweep);
-    let found = SweepDirectory::read(directory, &sweep.output, options.inspection)?;
+    let found = SweepDirectory::read(directory, sweep, options.inspection)?;
     if found.whole.is_none() {
         check_available(directory)?;
     }

@@ -47,7 +47,7 @@ pub fn publish_stored(
     let sweep = read_sweep(&sweep_file(directory)?)?;
     let plan = Plan::new(&sweep);
     // A directory that is none is not to become one.
-    SweepDirectory::read_existing(directory, &sweep.output, Inspection::Size)?;
+    SweepDirectory::read_existing(directory, &(&sweep).into(), Inspection::Size)?;
     let mut store = open_store(directory, &sweep, &plan, observe)?;
     join_all(
         part_directories(directory)?.into_iter().filter(|part| part.join("log").is_dir()),
@@ -65,7 +65,7 @@ pub fn publish_stored(
 /// # Errors
 /// [`CampaignError`] if the directory cannot be written, or the sweep has other cases too.
 pub fn publish_solved(sweep: &Sweep, directory: &Path, entries: &[CaseEntry]) -> Result<Published, CampaignError> {
-    let (plan, contents) = (Plan::new(sweep), Contents::of(&sweep.output));
+    let (plan, contents) = (Plan::new(sweep), Contents::of(sweep));
     let mut store = open_store(directory, sweep, &plan, &mut |_| {})?;
     let cases: Vec<_> = entries.iter().map(|entry| PackedCase::new(entry.clone(), &contents)).collect();
     store.begin(&sweep.name, cases.len() as u64, 1)?;

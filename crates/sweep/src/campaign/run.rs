@@ -143,7 +143,7 @@ fn stored_elsewhere(
 ) -> Result<SweepDirectory, CampaignError> {
     if let Some(part) = part {
         let other_split = |other: Part| other.of() != part.of();
-        return SweepDirectory::read_parts(directory, &sweep.output, Inspection::Bytes, other_split);
+        return SweepDirectory::read_parts(directory, &sweep.into(), Inspection::Bytes, other_split);
     }
     // A part that has only just begun holds nothing yet.
     let parts = part_directories(directory)?.into_iter().filter(|part| part.join("log").is_dir());

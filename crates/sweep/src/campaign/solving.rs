@@ -70,7 +70,7 @@ impl Solving<'_> {
     ) -> Result<Report, StoreError> {
         let solver = Solver::new(&self.sweep.solver_settings());
         let output = &self.sweep.output;
-        let contents = Contents::of(output);
+        let contents = Contents::of(self.sweep);
         let pack = |index, cases| self.packed_missing(index, cases, &contents);
         engine.run(
             &self.pending.chains,

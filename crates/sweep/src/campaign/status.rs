@@ -5,7 +5,7 @@ use std::path::Path;
 use super::failures::failure_regions;
 use super::parts::part_states;
 use super::{CampaignError, FailureRegion, MergedCatalog, PartState, Pending, SweepDirectory, read_sweep, sweep_file};
-use crate::store::{Catalog, Counts, DataSet, Inspection, Start, StoreError, Warning};
+use crate::store::{Catalog, Counts, DataSet, Inspection, Start, StoreError, StoredOutput, Warning};
 use crate::{NoteCounts, Plan, Sweep};
 use stribeck_solver::{FieldSelection, Output};
 
@@ -65,8 +65,8 @@ pub fn status(directory: &Path, inspection: Inspection) -> Result<StatusReport, 
     let sweep = read_sweep(&sweep_file(directory)?);
     // Without a sweep nothing is asked for, so that whatever is stored counts.
     let nothing = Output { fields: FieldSelection::default(), limits: false, ..Output::default() };
-    let output = sweep.as_ref().map_or(&nothing, |sweep| &sweep.output);
-    let found = SweepDirectory::read_existing(directory, output, inspection)?;
+    let wanted = sweep.as_ref().map_or_else(|_| StoredOutput::from(&nothing), StoredOutput::from);
+    let found = SweepDirectory::read_existing(directory, &wanted, inspection)?;
     let owners = found.catalogs().into_iter().map(Catalog::owner).collect::<Result<Vec<_>, _>>()?;
     let cases = match sweep {
         Ok(sweep) => {

@@ -5,10 +5,9 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::{CampaignError, MergedCatalog};
-use crate::store::{Catalog, Inspection, Store, StoreError, holds_text};
+use crate::store::{Catalog, Inspection, Store, StoreError, StoredOutput, holds_text};
 use crate::{Part, Sweep};
 use stribeck_input::InputError;
-use stribeck_solver::Output;
 
 /// The name of the directory in which the parts of a sweep are, each a results directory of its own.
 const PARTS: &str = "parts";
@@ -30,14 +29,18 @@ impl SweepDirectory {
     ///
     /// # Errors
     /// As for [`Catalog::read`]; a directory without results is no error.
-    pub fn read(directory: &Path, output: &Output, inspection: Inspection) -> Result<Self, CampaignError> {
-        Self::read_parts(directory, output, inspection, |_| true)
+    pub fn read(
+        directory: &Path,
+        output: impl Into<StoredOutput>,
+        inspection: Inspection,
+    ) -> Result<Self, CampaignError> {
+        Self::read_parts(directory, &output.into(), inspection, |_| true)
     }
 
     /// Reads a directory and those of its parts that are wanted.
     pub(super) fn read_parts(
         directory: &Path,
-        output: &Output,
+        output: &StoredOutput,
         inspection: Inspection,
         wanted: impl Fn(Part) -> bool,
     ) -> Result<Self, CampaignError> {
@@ -54,7 +57,7 @@ impl SweepDirectory {
     /// Reads a directory that must have results, itself or in its parts.
     pub(super) fn read_existing(
         directory: &Path,
-        output: &Output,
+        output: &StoredOutput,
         inspection: Inspection,
     ) -> Result<Self, CampaignError> {
         let mut found = Self::read(directory, output, inspection)?;
@@ -81,7 +84,7 @@ impl SweepDirectory {
 }
 
 /// What a directory holds; `None` if it has no results.
-fn read(directory: &Path, output: &Output, inspection: Inspection) -> Result<Option<Catalog>, CampaignError> {
+fn read(directory: &Path, output: &StoredOutput, inspection: Inspection) -> Result<Option<Catalog>, CampaignError> {
     match Catalog::read(directory, output, inspection) {
         Ok(catalog) => Ok(Some(catalog)),
         Err(StoreError::NotResults { .. }) => Ok(None),

@@ -11,7 +11,7 @@ use super::index::{Index, Shard, Slot};
 use super::log::read_logs;
 use super::record::{CaseRecord, FileRecord, ShardRecord};
 use super::shard::ShardReader;
-use super::{CaseEntry, Contents, History, Status, StoreError, Warning};
+use super::{CaseEntry, Contents, History, Status, StoreError, StoredOutput, Warning};
 use crate::{CaseId, Values};
 use stribeck_solver::Output;
 
@@ -30,7 +30,7 @@ pub struct Counts {
 #[derive(Debug)]
 pub struct Catalog {
     pub(super) directory: Directory,
-    pub(super) output: Output,
+    pub(super) wanted: StoredOutput,
     pub(super) index: Index,
     pub(super) history: History,
     pub(super) published: Option<LastPublished>,
@@ -62,14 +62,14 @@ impl Catalog {
     ///
     /// # Errors
     /// [`StoreError::NotResults`] if there is no results directory, others if it cannot be read.
-    pub fn read(path: &Path, output: &Output, inspection: Inspection) -> Result<Self, StoreError> {
+    pub fn read(path: &Path, output: impl Into<StoredOutput>, inspection: Inspection) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
         directory.must_exist()?;
-        Self::load(directory, output, inspection)
+        Self::load(directory, output.into(), inspection)
     }
 
-    pub(super) fn load(directory: Directory, output: &Output, inspection: Inspection) -> Result<Self, StoreError> {
-        let wanted = Contents::of(output);
+    pub(super) fn load(directory: Directory, output: StoredOutput, inspection: Inspection) -> Result<Self, StoreError> {
+        let wanted = Contents::of(&output);
         let LogContent { mut warnings, history, published, claims } = read_claims(&directory)?;
         let path = |claim: &Claim| directory.shards().join(&claim.file.file);
         let (sound, damaged) = inspect(&directory, claims, |claim| fault(&path(claim), &claim.file, inspection))?;
@@ -89,7 +89,7 @@ impl Catalog {
                 recipes.push(record.recipe);
             }
         }
-        Ok(Self { directory, output: output.clone(), index, history, published, recipes, inspection, warnings })
+        Ok(Self { directory, wanted: output, index, history, published, recipes, inspection, warnings })
     }
 
     /// The name of the sweep that was run last in a directory; `None` if it is not known.
@@ -111,7 +111,7 @@ impl Catalog {
 
     /// The output that a case must have to count as done.
     pub fn output(&self) -> &Output {
-        &self.output
+        &self.wanted.output
     }
 
     /// Files and records that are damaged and not used. Show them to the user.
@@ -145,7 +145,7 @@ impl Catalog {
 
     /// Names what the output asks for and a stored case does not have; empty if it has everything, or is not stored.
     pub fn lacks(&self, id: CaseId) -> Vec<&'static str> {
-        let wanted = Contents::of(&self.output);
+        let wanted = Contents::of(&self.wanted);
         self.index.any(id).map_or_else(Vec::new, |slot| self.index.shard(slot.shard).contents.lacks(&wanted))
     }
 

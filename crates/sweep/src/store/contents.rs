@@ -1,10 +1,11 @@
 //! Which numbers of a case a shard holds, in a form that is cheap to compare.
 
-use crate::{Column, Field};
+use super::StoredOutput;
+use crate::{Column, Field, FieldPrecision};
 use stribeck_solver::{FieldSelection, Output};
 
-/// What a shard holds beside the columns: fields, the x they are on, and whether limits and sensitivities were
-/// computed.
+/// What a shard holds beside the columns: fields, the x they are on and their precision, and whether limits and
+/// sensitivities were computed.
 ///
 /// `cavity_shear` is not here: it changes the numbers, so it is part of the case's id.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub struct Contents {
     pub fields: FieldSelection,
     /// Hash of the bits of x; 0 without fields.
     pub x: u64,
+    /// How precisely the fields are kept; double without fields.
+    pub field_precision: FieldPrecision,
     /// True if the limits beside the solution were computed.
     pub limits: bool,
     /// True if the sensitivities of friction were computed.
@@ -22,11 +25,15 @@ pub struct Contents {
 }
 
 impl Contents {
-    /// The contents of a shard that is written for `output`.
-    pub fn of(output: &Output) -> Self {
-        let x = if output.fields.is_empty() { 0 } else { x_key(&output.x) };
-        let &Output { fields, limits, sensitivities, .. } = output;
-        Self { fields, x, limits, sensitivities, columns: columns_key() }
+    /// The contents of a shard that is written for what is wanted.
+    pub fn of(wanted: impl Into<StoredOutput>) -> Self {
+        let StoredOutput { output, field_precision } = wanted.into();
+        let Output { fields, limits, sensitivities, .. } = output;
+        let (x, field_precision) = match fields.is_empty() {
+            true => (0, FieldPrecision::Double),
+            false => (x_key(&output.x), field_precision),
+        };
+        Self { fields, x, field_precision, limits, sensitivities, columns: columns_key() }
     }
 
     /// True if a shard with these contents holds everything that `wanted` asks for. It may hold more.
@@ -40,8 +47,12 @@ impl Contents {
         if self.columns != wanted.columns {
             lacks.push("the columns of this version of the program");
         }
-        if !wanted.fields.is_empty() && !self.fields.is_empty() && self.x != wanted.x {
+        let both_have_fields = !wanted.fields.is_empty() && !self.fields.is_empty();
+        let is_rounded = self.field_precision == FieldPrecision::Single;
+        if both_have_fields && self.x != wanted.x {
             lacks.push("fields on this x");
+        } else if both_have_fields && is_rounded && wanted.field_precision == FieldPrecision::Double {
+            lacks.push("fields of double precision");
         } else {
             let held: Vec<Field> = Field::selected(self.fields).collect();
             lacks.extend(Field::selected(wanted.fields).filter(|field| !held.contains(field)).map(Field::name));
@@ -102,6 +113,21 @@ mod tests {
         assert!(with_sensitivities.covers(&all) && !all.covers(&with_sensitivities));
         let other_columns = Contents { columns: all.columns ^ 1, ..all };
         assert!(!all.covers(&other_columns) && !other_columns.covers(&all));
+    }
+
+    /// Fields of double precision can still be rounded; rounded ones are of no use where those are wanted.
+    #[test]
+    fn double_covers_single_and_never_the_other_way() {
+        let output = Output::default();
+        let single = |output: &Output| {
+            Contents::of(&StoredOutput { output: output.clone(), field_precision: FieldPrecision::Single })
+        };
+        let (double, rounded) = (Contents::of(&output), single(&output));
+        assert!(double.covers(&rounded) && rounded.covers(&rounded));
+        assert_eq!(rounded.lacks(&double), ["fields of double precision"]);
+        let bare = Output { fields: FieldSelection::default(), ..output };
+        assert_eq!(single(&bare), Contents::of(&bare), "without fields there is nothing to be rounded");
+        assert!(rounded.covers(&Contents::of(&bare)));
     }
 
     #[test]

@@ -9,11 +9,12 @@ use std::sync::Arc;
 use hdf5::Result;
 use rayon::prelude::*;
 
+use super::StoredOutput;
 use super::chunks::Chunks;
 use super::packed::{Effort, Packed};
 use super::placed::Placing;
-use crate::Field;
 use crate::grid_index::indices;
+use crate::{Field, FieldPrecision};
 
 /// About so many bytes has a block.
 const BYTES: usize = 1 << 20;
@@ -41,6 +42,8 @@ pub(super) struct FieldBlocks {
     shape: Vec<usize>,
     /// Where the fields are given.
     x: Arc<[f64]>,
+    /// How precisely they are published.
+    precision: FieldPrecision,
     /// Places of a block.
     places: usize,
     /// The blocks that wait; the last one may not be whole.
@@ -64,9 +67,11 @@ pub(super) struct FieldSource {
 
 impl FieldBlocks {
     /// Fields without values yet.
-    pub(super) fn new(fields: Vec<(Field, Chunks)>, shape: &[usize], x: &Arc<[f64]>) -> Self {
-        let places = places_in_block(shape.last().copied().unwrap_or(1), x.len());
-        Self { fields, shape: shape.to_vec(), x: Arc::clone(x), places, waiting: Vec::new() }
+    pub(super) fn new(fields: Vec<(Field, Chunks)>, shape: &[usize], wanted: &StoredOutput) -> Self {
+        let StoredOutput { output, field_precision } = wanted;
+        let places = places_in_block(shape.last().copied().unwrap_or(1), output.x.len());
+        let (x, precision) = (Arc::clone(&output.x), *field_precision);
+        Self { fields, shape: shape.to_vec(), x, precision, places, waiting: Vec::new() }
     }
 
     /// The fields.
@@ -100,9 +105,11 @@ impl FieldBlocks {
         let blocks = std::mem::take(&mut self.waiting);
         let tasks: Vec<(&Block, usize)> =
             blocks.iter().flat_map(|block| (0..self.fields.len()).map(move |field| (block, field))).collect();
-        let (places, x) = (self.places, &*self.x);
-        let packed: Vec<Packed> =
-            tasks.par_iter().map(|(block, field)| block.packed(*field, places, x)).collect::<Result<_>>()?;
+        let pack = |(block, field): &(&Block, usize)| {
+            let values = block.values(*field, self.places, &self.x, self.precision)?;
+            Ok(Packed::new(&values, Effort::Small))
+        };
+        let packed: Vec<Packed> = tasks.par_iter().map(pack).collect::<Result<_>>()?;
         for ((block, field), packed) in tasks.into_iter().zip(packed) {
             let mut at = indices(self.shape.iter().copied(), block.first);
             at.push(0);
@@ -114,15 +121,18 @@ impl FieldBlocks {
 
 impl Block {
     /// A field of so many places from the first one on. What is beyond the end of the last dimension is NaN as well.
-    fn packed(&self, field: usize, places: usize, x: &[f64]) -> Result<Packed> {
+    fn values(&self, field: usize, places: usize, x: &[f64], precision: FieldPrecision) -> Result<Vec<f64>> {
         let mut values = vec![f64::NAN; places * x.len()];
         for (place, sources) in &self.sources {
             let FieldSource { stored, placing } = &sources[field];
             let mut stored = stored.unpack()?;
+            // Before it is placed too: what is published does not depend on how precisely it is stored.
+            precision.round(&mut stored);
             placing.apply(x, &mut stored);
+            precision.round(&mut stored);
             values[(place - self.first) * x.len()..][..x.len()].copy_from_slice(&stored);
         }
-        Ok(Packed::new(&values, Effort::Small))
+        Ok(values)
     }
 }
 

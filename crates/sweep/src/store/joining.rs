@@ -94,7 +94,7 @@ impl Store {
         if shards.is_empty() {
             return Ok(());
         }
-        let wanted = Contents::of(&self.output);
+        let wanted = Contents::of(&self.wanted);
         for (source, record) in &shards {
             link(source, self.directory.shards().join(&record.file.file))?;
         }

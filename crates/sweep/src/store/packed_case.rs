@@ -16,11 +16,15 @@ pub struct PackedCase {
 }
 
 impl PackedCase {
-    /// Packs the fields of a case that a store has; others are left out.
+    /// Packs the fields of a case that a store has, as precisely as it has them; others are left out.
     pub fn new(entry: CaseEntry, contents: &Contents) -> Self {
         let mut fields = [const { None }; Field::ALL.len()];
         for field in Field::selected(contents.fields) {
-            fields[field as usize] = field.of(&entry.fields).map(|values| Packed::new(values, Effort::Quick));
+            fields[field as usize] = field.of(&entry.fields).map(|values| {
+                let mut values = values.to_vec();
+                contents.field_precision.round(&mut values);
+                Packed::new(&values, Effort::Quick)
+            });
         }
         Self { entry: CaseEntry { fields: Fields::default(), ..entry }, fields }
     }

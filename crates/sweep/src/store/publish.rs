@@ -95,9 +95,12 @@ fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, Stor
     for text in [program().as_str(), publication.title, publication.sweep_text] {
         hasher.update(&(text.len() as u64).to_le_bytes()).update(text.as_bytes());
     }
-    let contents = Contents::of(&store.output);
+    let contents = Contents::of(&store.wanted);
     hasher.update(field_names(contents.fields).as_bytes()).update(&contents.x.to_le_bytes());
     hasher.update(&[u8::from(contents.limits), u8::from(contents.sensitivities)]);
+    if let Some(kept) = contents.field_precision.kept_bits() {
+        hasher.update(&kept.to_le_bytes());
+    }
     for dimension in publication.dimensions {
         hasher.update(&(dimension.name.len() as u64).to_le_bytes()).update(dimension.name.as_bytes());
         hasher.update(&(dimension.values.len() as u64).to_le_bytes());
@@ -166,14 +169,14 @@ impl<'a> Files<'a> {
     ) -> Result<Self, StoreError> {
         let results_path = results.path();
         let first = publication.places(0)?[0];
-        let more = further_columns::columns(Some(&first), &store.output);
+        let more = further_columns::columns(Some(&first), store.output());
         let first = first.experiment;
         let has_ratios = publication.has_ratios();
         Ok(Self {
             store,
             publication,
             open: OpenShards::new(store),
-            results: Results::create(results_path, publication, first.as_ref(), &more, &store.output)
+            results: Results::create(results_path, publication, first.as_ref(), &more, &store.wanted)
                 .map_err(StoreError::hdf5(results_path, "write"))?,
             results_path,
             summary: Summary::create(summary.path(), has_ratios, first.as_ref(), &more)?,
@@ -202,7 +205,7 @@ impl<'a> Files<'a> {
             return self.missing_place(point);
         };
         let swapped = point.swapped.map(|case| self.values(case, -point.slide_roll)).transpose()?;
-        let output = &self.store.output;
+        let output = self.store.output();
         let (shard, case) = self.open.case(point.case, slot)?;
         let reader = &shard.reader;
         let (status, reason) = (reader.status(case), reader.reason(case).to_owned());
@@ -228,7 +231,7 @@ impl<'a> Files<'a> {
 
     /// A place without a case, of a partial publication.
     fn missing_place(&mut self, point: Point) -> Result<Place, StoreError> {
-        let output = &self.store.output;
+        let output = self.store.output();
         let numbers = point.numbers_of(&Values::NONE, [None; 2], point.swapped.map(|_| Values::NONE).as_ref(), output);
         let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status: Status::Failed, reason: NOT_SOLVED.to_owned(), values, more, notes };

@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::contents::columns_key;
 use super::{CaseEntry, Contents, Status, Timing};
-use crate::{CaseId, Field};
+use crate::{CaseId, Field, FieldPrecision};
 use stribeck_input::printable;
 use stribeck_solver::continuation::kind_name_of_text;
 
@@ -54,6 +54,10 @@ pub(super) struct ShardRecord {
     pub file: FileRecord,
     pub fields: Vec<String>,
     pub x: String,
+    /// True if the fields are rounded to single precision. Not written where it is false, as in records of earlier
+    /// versions.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub single: bool,
     pub limits: bool,
     /// Not written where it is false, as in records of earlier versions.
     #[serde(default, skip_serializing_if = "is_false")]
@@ -141,10 +145,11 @@ impl CaseRecord {
 
 impl ShardRecord {
     pub(super) fn new(file: FileRecord, contents: &Contents, recipe: Value, time: u64, cases: Vec<CaseRecord>) -> Self {
-        let &Contents { fields, x, limits, sensitivities, columns } = contents;
+        let &Contents { fields, x, field_precision, limits, sensitivities, columns } = contents;
         let fields = Field::selected(fields).map(|field| field.name().to_owned()).collect();
         let (x, columns) = (hexadecimal(x), hexadecimal(columns));
-        Self { file, fields, x, limits, sensitivities, columns, recipe, time, cases }
+        let single = field_precision == FieldPrecision::Single;
+        Self { file, fields, x, single, limits, sensitivities, columns, recipe, time, cases }
     }
 
     /// What the shard holds; `None` if the record names a field unknown to this version.
@@ -155,6 +160,7 @@ impl ShardRecord {
         Some(Contents {
             fields: Field::selection(fields),
             x,
+            field_precision: if self.single { FieldPrecision::Single } else { FieldPrecision::Double },
             limits: self.limits,
             sensitivities: self.sensitivities,
             columns,
@@ -217,15 +223,18 @@ mod case_id {
 mod tests {
     use super::*;
 
-    /// A record without sensitivities is that of an earlier version, to the letter.
+    /// A record without sensitivities and rounding is that of an earlier version, to the letter.
     #[test]
-    fn sensitivities_are_named_where_they_are() {
+    fn sensitivities_and_rounding_are_named_where_they_are() {
         let file = FileRecord { file: "a.h5".into(), bytes: 1, blake3: "00".repeat(32) };
-        for sensitivities in [false, true] {
-            let contents = Contents { sensitivities, ..Contents::default() };
+        for (sensitivities, field_precision) in
+            [(false, FieldPrecision::Double), (true, FieldPrecision::Double), (false, FieldPrecision::Single)]
+        {
+            let contents = Contents { sensitivities, field_precision, ..Contents::default() };
             let record = Record::Shard(ShardRecord::new(file.clone(), &contents, Value::Null, 0, Vec::new()));
             let line = record.line();
             assert_eq!(line.contains("sensitivities"), sensitivities, "{line}");
+            assert_eq!(line.contains("single"), field_precision == FieldPrecision::Single, "{line}");
             let Ok(Record::Shard(read)) = Record::parse(line.trim_end().as_bytes()) else { panic!("{line}") };
             assert_eq!(read.contents(), Some(contents));
         }

@@ -13,11 +13,10 @@ use super::field_blocks::{FieldBlocks, places_in_block};
 use super::further_columns::FurtherColumn;
 use super::hdf5_file::{DEFLATE, NewFile, set_text, text};
 use super::publication::{Place, Publication};
-use super::{Status, program, version};
+use super::{Status, StoredOutput, program, version};
 use crate::grid_index::indices;
 use crate::{CaseId, Column, Dimension, Field, Note, Unit};
 use stribeck_lab::Experiment;
-use stribeck_solver::Output;
 
 /// Attribute of the file with the names of its dimensions but x, the one along rows last; files without it have f,
 /// alpha, beta.
@@ -25,6 +24,10 @@ pub(super) const DIMENSIONS: &str = "stribeck_dimensions";
 
 /// Attribute of a file that lacks cases: how many.
 pub(super) const PARTIAL: &str = "partial";
+
+/// Attribute of a field that is rounded: the bits of the mantissa that are kept, without the first one, which is not
+/// written. Name and count are those of CF-1.12.
+const KEPT_BITS: &str = "quantization_nsb";
 
 /// The paper whose equations are solved.
 const REFERENCES: &str =
@@ -66,11 +69,11 @@ impl Results {
         publication: &Publication<'_>,
         experiment: Option<&Experiment>,
         more: &[FurtherColumn],
-        output: &Output,
+        wanted: &StoredOutput,
     ) -> Result<Self> {
         let mut file = NewFile::create(path)?;
         describe_file(&file, publication)?;
-        file.set_text("cavity_shear", &output.cavity_shear.to_string())?;
+        file.set_text("cavity_shear", &wanted.output.cavity_shear.to_string())?;
         let names: Vec<&str> = publication.dimensions.iter().map(|dimension| dimension.name.as_str()).collect();
         if experiment.is_some() {
             file.set_text(DIMENSIONS, &names.join(" "))?;
@@ -100,7 +103,7 @@ impl Results {
             .map(|column| layout.number(&mut file, &column.name, Unit::ONE, &column.long_name))
             .collect::<Result<Vec<_>>>()?;
 
-        let fields = layout.fields(&mut file, output, unit)?;
+        let fields = layout.fields(&mut file, wanted, unit)?;
         let variables = Variables { columns, more, notes, laboratory, case, status, reason, fields };
         Ok(Self { shape: layout.shape, variables, file })
     }
@@ -206,9 +209,10 @@ impl Layout {
     fn fields(
         &mut self,
         file: &mut NewFile,
-        output: &Output,
+        wanted: &StoredOutput,
         unit: impl Fn(&'static str) -> Unit,
     ) -> Result<FieldBlocks> {
+        let StoredOutput { output, field_precision } = wanted;
         let mut fields = Vec::new();
         if !output.fields.is_empty() {
             let over = ("1", Some(Field::X_UNITS));
@@ -231,9 +235,12 @@ impl Layout {
             let variable = file.keep(variable);
             self.describe(&variable, Some(unit(field.units())), field.long_name())?;
             set_fill(&variable)?;
+            if let Some(kept) = field_precision.kept_bits() {
+                variable.new_attr::<i32>().create(KEPT_BITS)?.write_scalar(&kept.cast_signed())?;
+            }
             fields.push((field, Chunks::new(variable)));
         }
-        Ok(FieldBlocks::new(fields, &self.shape, &output.x))
+        Ok(FieldBlocks::new(fields, &self.shape, wanted))
     }
 
     /// A variable of numbers on the grid, NaN where none is written.

@@ -13,9 +13,9 @@ use super::index::{Shard, Slot};
 use super::log::{Log, LogPlace, synchronise_logs};
 use super::record::{CaseRecord, FileRecord, Record, ShardRecord};
 use super::shard::{check_shard, shard_name, write_shard};
-use super::{CaseEntry, Catalog, Contents, Ending, PackedCase, Status, StoreError, Warning, clock, program};
+use super::{CaseEntry, Catalog, Contents, Ending, PackedCase, Status, StoreError, StoredOutput, Warning};
+use super::{clock, program};
 use crate::Field;
-use stribeck_solver::Output;
 
 /// A results directory opened for writing. All that [`Catalog`] tells is here as well.
 #[derive(Debug)]
@@ -47,7 +47,7 @@ impl Store {
     /// [`StoreError::Locked`] if another process works there, [`StoreError::Occupied`] if files are there that would be
     /// replaced and no run has written, [`StoreError::NotText`] if HDF5 cannot take the path (nothing is changed then),
     /// others if the directory cannot be read or written.
-    pub fn open(path: &Path, sweep_text: &str, output: &Output) -> Result<Self, StoreError> {
+    pub fn open(path: &Path, sweep_text: &str, output: impl Into<StoredOutput>) -> Result<Self, StoreError> {
         let directory = Directory::new(path);
         directory.check_available()?;
         directory.create()?;
@@ -60,7 +60,7 @@ impl Store {
             write_whole(directory.sweep(), sweep_text.as_bytes())?;
         }
         synchronise_logs(&directory.logs())?;
-        let mut catalog = Catalog::load(directory, output, Inspection::Bytes)?;
+        let mut catalog = Catalog::load(directory, output.into(), Inspection::Bytes)?;
         if !lock.is_kept {
             catalog.warn(Warning::NoLock { directory: path.to_owned() });
         }
@@ -108,7 +108,7 @@ impl Store {
     /// [`StoreError::Entry`] for an entry that cannot be stored (nothing is written then), others if the disk fails.
     /// After an error nothing is committed, and the store can be used further.
     pub fn commit(&mut self, cases: &[CaseEntry]) -> Result<(), StoreError> {
-        let contents = Contents::of(&self.output);
+        let contents = Contents::of(&self.wanted);
         let packed: Vec<PackedCase> = cases.iter().map(|case| PackedCase::new(case.clone(), &contents)).collect();
         self.commit_packed(&packed)
     }
@@ -121,10 +121,10 @@ impl Store {
         if cases.is_empty() {
             return Ok(());
         }
-        let contents = Contents::of(&self.output);
-        check(cases, &contents, &self.output.x)?;
+        let contents = Contents::of(&self.wanted);
+        check(cases, &contents, &self.wanted.output.x)?;
         let staged = Staged::new(self.directory.new_shard());
-        write_shard(staged.path(), &contents, &self.output.x, cases)
+        write_shard(staged.path(), &contents, &self.wanted.output.x, cases)
             .map_err(StoreError::hdf5(staged.path(), "write"))?;
         check_shard(staged.path(), &contents, cases)?;
         let (bytes, hash) = staged.synchronise()?;

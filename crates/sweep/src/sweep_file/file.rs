@@ -7,7 +7,7 @@ use toml::de::DeTable;
 use super::bodies::{self, ReadBodies};
 use super::named_series::NamedSeries;
 use super::sections::{home, keys, section};
-use super::specification::{Method, Sweep};
+use super::specification::{SolverSettings, Sweep};
 use super::spelling::{Keys, Spelt};
 use super::{laboratory, output, solver, surface};
 use crate::{Axes, Grid};
@@ -65,21 +65,23 @@ pub(super) fn interpret_document(
     let title = root.optional("title", read_title);
     let surface = root.optional("surface", surface::read_settings);
     let solver = root.optional("solver", solver::read).map(Option::unwrap_or_default);
-    // what can be asked for depends on the method
-    let method = solver.as_ref().map_or(Method::Collocation, |solver| solver.method);
-    let output = root.optional("output", |entry| output::read(entry, method)).map(Option::unwrap_or_default);
+    // what can be asked for depends on how it is solved
+    let solved = solver.as_ref().map_or_else(|_| SolverSettings::default(), |solver| *solver);
+    let output = root.optional("output", |entry| output::read(entry, &solved));
+    let output = output.map(|output| output.unwrap_or_else(output::default));
     let fields = match (&grid, &output) {
-        (Ok(grid), Ok(output)) => check_fields(&root, grid, output),
+        (Ok(grid), Ok(wanted)) => check_fields(&root, grid, &wanted.output),
         _ => Ok(()),
     };
     let checks = (fields, surface).all();
-    let (bodies, grid, title, solver, output, _) = (bodies, grid, title, solver, output, checks).all()?;
+    let (bodies, grid, title, solver, wanted, _) = (bodies, grid, title, solver, output, checks).all()?;
     Ok(Sweep {
         title: title.unwrap_or_else(|| printable(name).into_owned()),
         grid,
         substrate: bodies.substrate,
         solver,
-        output,
+        output: wanted.output,
+        field_precision: wanted.field_precision,
         text: files.written_into(text)?,
         name: name.to_owned(),
     })

@@ -1,8 +1,9 @@
 //! The section `[output]` of a sweep file.
 
 use super::sections::section;
-use super::specification::Method;
-use crate::Field;
+use super::specification::{Method, SolverSettings};
+use crate::store::StoredOutput;
+use crate::{Field, FieldPrecision};
 use stribeck_input::{Entry, Fault, Quantity, Readings, each, read_axis};
 use stribeck_solver::{CavityShear, FieldSelection, Output};
 
@@ -10,25 +11,54 @@ use stribeck_solver::{CavityShear, FieldSelection, Output};
 pub(super) const CAVITY_SHEARS: [(&str, CavityShear); 3] =
     [("full", CavityShear::Full), ("streamers", CavityShear::Streamers), ("none", CavityShear::None)];
 
-/// Reads `[output]` of a sweep that is solved by a method.
-pub(super) fn read(entry: &Entry<'_>, method: Method) -> Result<Output, Fault> {
+/// How precisely fields may be kept by name, the default first.
+pub(super) const FIELD_PRECISIONS: [(&str, FieldPrecision); 2] =
+    [("double", FieldPrecision::Double), ("single", FieldPrecision::Single)];
+
+/// What is kept where there is no section `[output]`.
+pub(super) fn default() -> StoredOutput {
+    StoredOutput::from(&Output::default())
+}
+
+/// Reads `[output]` of a sweep that is solved so.
+pub(super) fn read(entry: &Entry<'_>, solver: &SolverSettings) -> Result<StoredOutput, Fault> {
     let section = section(entry)?;
     let defaults = Output::default();
-    let (fields, x, limits, cavity_shear, sensitivities) = (
+    let (fields, x, field_precision, limits, cavity_shear, sensitivities) = (
         section.optional("fields", read_fields),
         section.optional("x", |entry| read_axis(entry, Quantity::Position)),
+        section.optional("field_precision", |entry| read_precision(entry, solver)),
         section.optional("limits", Entry::boolean),
         section.optional("cavity_shear", |entry| entry.choice(&CAVITY_SHEARS)),
-        section.optional("sensitivities", |entry| read_sensitivities(entry, method)),
+        section.optional("sensitivities", |entry| read_sensitivities(entry, solver.method)),
     )
         .all()?;
-    Ok(Output {
+    let output = Output {
         fields: fields.unwrap_or(defaults.fields),
         x: x.map_or(defaults.x, Into::into),
         limits: limits.unwrap_or(defaults.limits),
         cavity_shear: cavity_shear.unwrap_or(defaults.cavity_shear),
         sensitivities: sensitivities.unwrap_or(defaults.sensitivities),
-    })
+    };
+    Ok(StoredOutput { output, field_precision: field_precision.unwrap_or_default() })
+}
+
+/// Refuses to round what is solved more precisely. The tolerance of the relaxation method is no error.
+fn read_precision(entry: &Entry<'_>, solver: &SolverSettings) -> Result<FieldPrecision, Fault> {
+    let (precision, least) = (entry.choice(&FIELD_PRECISIONS)?, FieldPrecision::SINGLE_TOLERANCE);
+    let is_fine = solver.method == Method::Relaxation || solver.tolerance >= least;
+    if is_fine || precision == FieldPrecision::Double {
+        return Ok(precision);
+    }
+    let what = format!(
+        "`output.field_precision` may be \"single\" from a tolerance of {least:e} on, and `solver.tolerance` is {:e}",
+        solver.tolerance
+    );
+    let help = format!(
+        "numbers of fields are rounded by up to 6e-8 of themselves, a good part of such a tolerance: write \
+         field_precision = \"double\", or tolerance = {least:e} in [solver]"
+    );
+    Err(entry.fault(what, "rounds by a good part of the tolerance", help).unquoted())
 }
 
 fn read_sensitivities(entry: &Entry<'_>, method: Method) -> Result<bool, Fault> {

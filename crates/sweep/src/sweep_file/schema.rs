@@ -262,6 +262,10 @@ pub(super) fn fields() -> Value {
     json!({ "type": "array", "items": words(names), "uniqueItems": true, "default": names })
 }
 
+pub(super) fn field_precision() -> Value {
+    with_default(words(output::FIELD_PRECISIONS.map(|(name, _)| name)), json!(output::FIELD_PRECISIONS[0].0))
+}
+
 pub(super) fn cavity_shear() -> Value {
     with_default(words(output::CAVITY_SHEARS.map(|(name, _)| name)), json!(output::CAVITY_SHEARS[0].0))
 }

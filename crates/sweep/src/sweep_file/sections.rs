@@ -168,6 +168,11 @@ static SECTIONS: [(&str, &[Key]); 10] = [
             key("fields", Shape::Computed(schema::fields), "Fields to keep along x; [] for none."),
             key("x", Shape::Axis(Quantity::Position), "Where fields are kept, in a0; the inlet is at x > 0."),
             key(
+                "field_precision",
+                Shape::Computed(schema::field_precision),
+                "single rounds fields to 24 significant bits, which makes them less than half as large.",
+            ),
+            key(
                 "limits",
                 Shape::Boolean(true),
                 "Keep the dry limit and the large-beta approximation beside the solution.",

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use crate::Grid;
+use crate::{FieldPrecision, Grid};
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation;
 use stribeck_solver::{self as solver, Output, Substrate};
@@ -24,6 +24,8 @@ pub struct Sweep {
     pub solver: SolverSettings,
     /// What is wanted of each case.
     pub output: Output,
+    /// How precisely the fields of each case are kept.
+    pub field_precision: FieldPrecision,
     /// The sweep file as it was read, with the content of files that it names in place of their names.
     pub text: String,
     /// Stem of the file's name.

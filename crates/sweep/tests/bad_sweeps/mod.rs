@@ -272,6 +272,13 @@ pub fn bad_files() -> Vec<Row> {
             "needs the collocation method",
             "sensitivities = false",
         ),
+        (with_axes("[output]\nfield_precision = \"half\"\n"), "6:19", "\"double\" or \"single\"", "write"),
+        (
+            with_axes("[output]\nfield_precision = \"single\"\n[solver]\ntolerance = 9e-8\n"),
+            "6:19",
+            "from a tolerance of 1e-7 on, and `solver.tolerance` is 9e-8",
+            "field_precision = \"double\", or tolerance = 1e-7",
+        ),
         (with_axes("[output]\ncavity_shear = \"ful\"\n"), "6:16", "\"full\", \"streamers\" or \"none\"", "\"full\"?"),
         ("title = \"two\\nlines\"\n".to_owned() + AXES, "1:9", "one line", "file's name"),
         // Quantities of the laboratory.

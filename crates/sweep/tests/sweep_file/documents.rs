@@ -49,6 +49,7 @@ const SECTIONS: [Section; 6] = [
             ("limits", &["true", "false"]),
             ("cavity_shear", &["'full'", "'none'"]),
             ("sensitivities", &["true", "false"]),
+            ("field_precision", &["'double'", "'single'"]),
         ],
     ),
 ];

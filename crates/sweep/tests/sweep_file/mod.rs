@@ -17,7 +17,7 @@ use stribeck_input::InputError;
 use stribeck_solver::collocation;
 use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
 use stribeck_solver::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
-use stribeck_sweep::{Axes, Method, Plan, SolverSettings, SurfaceSweep, Sweep};
+use stribeck_sweep::{Axes, FieldPrecision, Method, Plan, SolverSettings, SurfaceSweep, Sweep};
 
 #[test]
 fn what_is_left_out_has_its_default() {
@@ -28,6 +28,7 @@ fn what_is_left_out_has_its_default() {
         substrate: Substrate::default(),
         solver: SolverSettings { method: Method::Collocation, tolerance: 1e-5, ..SolverSettings::default() },
         output: Output::default(),
+        field_precision: FieldPrecision::Double,
         text: AXES.into(),
         name: "small".into(),
     };
@@ -62,6 +63,7 @@ x = [-1, 0.0, 2.5]
 limits = false
 cavity_shear = "streamers"
 sensitivities = false
+field_precision = "single"
 "#;
     let sweep = Sweep::parse("all", text).expect("valid");
     let modes = vec![RetardationMode { share: 0.7, time: 1.0 }, RetardationMode { share: 0.3, time: 100.0 }];
@@ -91,6 +93,7 @@ sensitivities = false
         substrate: Substrate::new(modes).expect("valid"),
         solver: SolverSettings { method: Method::Relaxation, tolerance: 1e-3, relaxation, time_limit: 90.0 },
         output,
+        field_precision: FieldPrecision::Single,
         text: text.into(),
         name: "all".into(),
     };

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use stribeck_solver::relaxation::{Acceleration, Domain, Settings};
 use stribeck_solver::{CavityShear, FieldSelection, Output, RetardationMode, Substrate};
-use stribeck_sweep::{Axes, Field, Method, SolverSettings, Sweep};
+use stribeck_sweep::{Axes, Field, FieldPrecision, Method, SolverSettings, Sweep};
 
 use crate::sweep_file::with_beta;
 
@@ -80,13 +80,15 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
     let alpha = ascending(prop_oneof![9 => at_least_zero(), 1 => Just(f64::INFINITY)]);
     let beta = ascending((-300.0..300.0f64).prop_map(|power| 10f64.powf(power)));
     let title = "[a-zA-Zα-ω0-9\"\\\\,= \\[\\]#]{0,30}[a-z]";
-    (title, ascending(at_least_zero()), alpha, beta, substrate(), solver(), output()).prop_map(
-        |(title, f, alpha, beta, substrate, solver, mut output)| {
+    (title, ascending(at_least_zero()), alpha, beta, substrate(), solver(), output(), any::<bool>()).prop_map(
+        |(title, f, alpha, beta, substrate, solver, mut output, single)| {
             // the other method has none
             output.sensitivities &= solver.method == Method::Collocation;
             let axes = Axes { slide_roll: None, f, alpha, beta };
-            let mut sweep =
-                Sweep { title, grid: axes.into(), substrate, solver, output, text: String::new(), name: "made".into() };
+            let is_coarse = solver.method == Method::Relaxation || solver.tolerance >= 1e-7;
+            let field_precision = if single && is_coarse { FieldPrecision::Single } else { FieldPrecision::Double };
+            let (grid, text, name) = (axes.into(), String::new(), "made".into());
+            let mut sweep = Sweep { title, grid, substrate, solver, output, field_precision, text, name };
             sweep.text = written(&sweep);
             sweep
         },
@@ -95,7 +97,7 @@ fn sweeps() -> impl Strategy<Value = Sweep> {
 
 /// A sweep in TOML, apart from the program's own way of reading it.
 fn written(sweep: &Sweep) -> String {
-    let Sweep { title, grid, substrate, solver, output, .. } = sweep;
+    let Sweep { title, grid, substrate, solver, output, field_precision, .. } = sweep;
     let axes = grid.axes().expect("a dimensionless sweep");
     let title = title.replace('\\', "\\\\").replace('"', "\\\"");
     let modes: Vec<String> = substrate
@@ -114,7 +116,7 @@ fn written(sweep: &Sweep) -> String {
     };
     format!(
         "title = \"{title}\"\n[axes]\nbeta = {:?}\nf = {:?}\nalpha = {:?}\n[substrate]\nmodes = [{}]\n[output]\n\
-         fields = {:?}\nx = {:?}\nlimits = {}\ncavity_shear = \"{}\"\nsensitivities = {}\n[solver]\nmethod = \"{}\"\ntolerance = {:?}\ntime_limit = {:?}\n\
+         fields = {:?}\nx = {:?}\nfield_precision = \"{}\"\nlimits = {}\ncavity_shear = \"{}\"\nsensitivities = {}\n[solver]\nmethod = \"{}\"\ntolerance = {:?}\ntime_limit = {:?}\n\
          [solver.relaxation]\ndomain = {domain}\npoints = {}\ntolerance = {:?}\nacceleration = \"{acceleration}\"\n\
          estimate = {}\n",
         axes.beta,
@@ -123,6 +125,7 @@ fn written(sweep: &Sweep) -> String {
         modes.join(", "),
         Field::selected(output.fields).map(Field::name).collect::<Vec<_>>(),
         output.x,
+        if *field_precision == FieldPrecision::Single { "single" } else { "double" },
         output.limits,
         output.cavity_shear,
         output.sensitivities,
