@@ -147,11 +147,17 @@ fn kinds<const N: usize>(kinds: [&'static str; N]) -> BTreeSet<&'static str> {
 
 #[test]
 fn a_disk_may_be_full_at_any_write() {
-    let fresh = |disk: &Disk| Place::fresh_in(disk.path(), Sweep::Small);
-    let found = on_ever_larger_disks(Room::Pages, fresh);
-    let contents = ["lock", "sweep.toml", "first record", "shard", "record of a shard"];
-    let published = ["results.h5", "summary.csv", "timings.csv"];
-    assert!(found.is_superset(&kinds(contents)) && found.is_superset(&kinds(published)), "{found:?}");
+    let contents = kinds(["lock", "sweep.toml", "first record", "shard", "record of a shard"]);
+    let published = kinds(["results.h5", "summary.csv", "timings.csv"]);
+    let mut found = BTreeSet::new();
+    // How many shards a run writes depends on its time, and with it at which size of the disk their records do.
+    for _ in 0..3 {
+        found.extend(on_ever_larger_disks(Room::Pages, |disk| Place::fresh_in(disk.path(), Sweep::Small)));
+        if found.is_superset(&contents) && found.is_superset(&published) {
+            return;
+        }
+    }
+    panic!("{found:?}");
 }
 
 #[test]

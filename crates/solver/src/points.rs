@@ -36,7 +36,7 @@ pub fn solve_points(
     let solver = Solver::new(settings);
     let order = in_order(points);
     let groups = equal_points(&order, points);
-    let chains = chains_of_groups(&groups, points, &solver);
+    let chains = chains_of_groups(&groups, points, &solver, interrupt)?;
     let solve = |chain: &Vec<usize>| {
         let chain: Vec<Parameters> = chain.iter().map(|&case| points[groups[case][0]].clone()).collect();
         solver.solve_chain(&chain, interrupt)
@@ -60,7 +60,8 @@ pub fn solve_points(
 pub fn point_chains(points: &[Parameters], settings: &Settings) -> Vec<Vec<usize>> {
     let order = in_order(points);
     let groups = equal_points(&order, points);
-    let chains = chains_of_groups(&groups, points, &Solver::new(settings));
+    let chains = chains_of_groups(&groups, points, &Solver::new(settings), &Interrupt::new());
+    let chains = chains.expect("nobody interrupts");
     chains.into_iter().map(|chain| chain.into_iter().map(|case| groups[case][0]).collect()).collect()
 }
 
@@ -76,9 +77,14 @@ fn equal_points<'a>(order: &'a [usize], points: &[Parameters]) -> Vec<&'a [usize
     order.chunk_by(|&a, &b| compare(&points[a], &points[b]).is_eq()).collect()
 }
 
-fn chains_of_groups(groups: &[&[usize]], points: &[Parameters], solver: &Solver) -> Vec<Vec<usize>> {
+fn chains_of_groups(
+    groups: &[&[usize]],
+    points: &[Parameters],
+    solver: &Solver,
+    interrupt: &Interrupt,
+) -> Result<Vec<Vec<usize>>, Interrupted> {
     let cases: Vec<&Parameters> = groups.iter().map(|group| &points[group[0]]).collect();
-    chains_of_neighbours(&cases, |from, to| solver.can_continue(from, to))
+    chains_of_neighbours(&cases, |from, to| solver.can_continue(from, to), interrupt)
 }
 
 /// A total order of cases, by β first.
@@ -97,20 +103,24 @@ fn compare(a: &Parameters, b: &Parameters) -> Ordering {
 fn chains_of_neighbours(
     cases: &[&Parameters],
     can_continue: impl Fn(&Parameters, &Parameters) -> bool,
-) -> Vec<Vec<usize>> {
+    interrupt: &Interrupt,
+) -> Result<Vec<Vec<usize>>, Interrupted> {
     let mut search = Neighbours { cases, taken: vec![false; cases.len()], can_continue };
     let longest = (cases.len() / ENOUGH_CHAINS).clamp(*LONGEST_CHAIN.start(), *LONGEST_CHAIN.end());
     let mut chains = Vec::new();
     for first in 0..cases.len() {
         let (mut chain, mut next) = (Vec::new(), (!search.taken[first]).then_some(first));
         while let Some(case) = next {
+            if interrupt.requested() {
+                return Err(Interrupted);
+            }
             search.taken[case] = true;
             chain.push(case);
             next = search.successor(case);
         }
         chains.extend(chain.chunks(longest).map(<[usize]>::to_vec));
     }
-    chains
+    Ok(chains)
 }
 
 /// Cases in ascending β, and which of them are in a chain.
@@ -163,7 +173,9 @@ mod tests {
     use crate::continuation::Line;
 
     fn chains(points: &[Parameters]) -> Vec<Vec<usize>> {
-        chains_of_neighbours(&points.iter().collect::<Vec<_>>(), |from, to| Line::new(from, to).is_ok())
+        let points: Vec<_> = points.iter().collect();
+        let chains = chains_of_neighbours(&points, |from, to| Line::new(from, to).is_ok(), &Interrupt::new());
+        chains.expect("nobody interrupts")
     }
 
     #[test]
