@@ -38,10 +38,12 @@ impl Refiner<'_> {
         remainder: f64,
         effort: &mut Effort,
     ) -> f64 {
-        match self.refine_cheaply(displacement, beta, state, remainder) {
-            Some(left) => left,
-            None => self.refine_fully(displacement, beta, state, remainder, effort),
+        let mut cheap = state.clone();
+        if let Some(left) = self.refine_cheaply(displacement, beta, &mut cheap, remainder) {
+            *state = cheap;
+            return left;
         }
+        self.refine_fully(displacement, beta, state, remainder, effort)
     }
 
     /// The same by the factors of the plain panels alone; `None` if these do too little.
