@@ -21,7 +21,7 @@ from browse_report import COLLISIONS
 from chromium import launched, read_number, window
 
 # What a slider's move may take of the processor, in milliseconds.
-MOST = 100
+MOST = 50
 
 PREFIXES = {"": 1, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6}
 
