@@ -51,6 +51,7 @@ mod log_moments;
 mod matrix;
 mod mesh;
 mod newton;
+mod panel_filter;
 mod parts;
 mod quantities;
 mod reference;

@@ -4,8 +4,9 @@ use std::array::from_fn;
 
 use super::discretisation::Discretisation;
 use super::exponential_moments::{AtPlaces, NO_MOMENTS};
+use super::panel_filter::{PanelFilter, Weights};
 use super::reference::dot;
-use super::retardation::{PanelFilter, RetardationFilter, Weights, far_field};
+use super::retardation::{RetardationFilter, far_field};
 use crate::model::retarded_mode_derivative;
 
 /// α times the derivative of a [`RetardationFilter`] with respect to α (T50).

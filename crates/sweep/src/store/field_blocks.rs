@@ -5,9 +5,11 @@
 //! far more time than its bytes do.
 
 use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvError, TryRecvError, channel};
+use std::thread;
+use std::time::Duration;
 
 use hdf5::Result;
-use rayon::prelude::*;
 
 use super::StoredOutput;
 use super::chunks::Chunks;
@@ -28,8 +30,8 @@ pub(super) fn places_in_block(length: usize, width: usize) -> usize {
     length.div_ceil(length.div_ceil(most).max(1)).max(1)
 }
 
-/// Values of the blocks that wait to be written together: so many are unpacked and packed again in parallel.
-const AT_ONCE: usize = 1 << 22;
+/// Values of the blocks that are unpacked and packed again together, in parallel, while as many others are read.
+const AT_ONCE: usize = 1 << 21;
 
 /// A place that waits takes about the memory of so many values beside its own.
 const OF_PLACE: usize = 32;
@@ -48,6 +50,16 @@ pub(super) struct FieldBlocks {
     places: usize,
     /// The blocks that wait; the last one may not be whole.
     waiting: Vec<Block>,
+    /// Those that were before them.
+    packing: Packing,
+}
+
+/// Blocks at work: of each, its first place, and which of the fields it has.
+#[derive(Default)]
+struct Packing {
+    blocks: Vec<(usize, usize)>,
+    /// The packed ones, each with its number, as they come.
+    packed: Option<Receiver<(usize, Result<Packed>)>>,
 }
 
 /// A block of neighbouring places, with what is there of their fields.
@@ -71,7 +83,7 @@ impl FieldBlocks {
         let StoredOutput { output, field_precision } = wanted;
         let places = places_in_block(shape.last().copied().unwrap_or(1), output.x.len());
         let (x, precision) = (Arc::clone(&output.x), *field_precision);
-        Self { fields, shape: shape.to_vec(), x, precision, places, waiting: Vec::new() }
+        Self { fields, shape: shape.to_vec(), x, precision, places, waiting: Vec::new(), packing: Packing::default() }
     }
 
     /// The fields.
@@ -100,22 +112,66 @@ impl FieldBlocks {
         Ok(())
     }
 
-    /// Writes the blocks that wait to the file. The threads at hand pack them; their bytes do not depend on those.
-    pub(super) fn flush(&mut self) -> Result<()> {
-        let blocks = std::mem::take(&mut self.waiting);
-        let tasks: Vec<(&Block, usize)> =
-            blocks.iter().flat_map(|block| (0..self.fields.len()).map(move |field| (block, field))).collect();
-        let pack = |(block, field): &(&Block, usize)| {
-            let values = block.values(*field, self.places, &self.x, self.precision)?;
-            Ok(Packed::new(&values, Effort::Small))
-        };
-        let packed: Vec<Packed> = tasks.par_iter().map(pack).collect::<Result<_>>()?;
-        for ((block, field), packed) in tasks.into_iter().zip(packed) {
-            let mut at = indices(self.shape.iter().copied(), block.first);
+    /// Writes all that is left to the file.
+    pub(super) fn finish(&mut self) -> Result<()> {
+        self.flush()?;
+        let last = std::mem::take(&mut self.packing);
+        self.write_blocks(last)
+    }
+
+    /// Has the blocks that wait packed by the threads at hand, whose number does not matter for their bytes. Writes
+    /// those that were packed before.
+    fn flush(&mut self) -> Result<()> {
+        let (sender, receiver) = channel();
+        let mut blocks = Vec::new();
+        for block in std::mem::take(&mut self.waiting) {
+            let block = Arc::new(block);
+            for field in 0..self.fields.len() {
+                let (block, sender, number) = (Arc::clone(&block), sender.clone(), blocks.len());
+                let (places, x, precision) = (self.places, Arc::clone(&self.x), self.precision);
+                blocks.push((block.first, field));
+                rayon::spawn_fifo(move || {
+                    let packed = block.values(field, places, &x, precision);
+                    // Nobody waits for it where another block could not be written.
+                    let _ = sender.send((number, packed.map(|values| Packed::new(&values, Effort::Small))));
+                });
+            }
+        }
+        let before = std::mem::replace(&mut self.packing, Packing { blocks, packed: Some(receiver) });
+        self.write_blocks(before)
+    }
+
+    /// Writes blocks in their order, which the bytes of the file depend on.
+    fn write_blocks(&self, Packing { blocks, packed }: Packing) -> Result<()> {
+        let Some(receiver) = packed else { return Ok(()) };
+        let mut packed = vec![None; blocks.len()];
+        for ((first, field), number) in blocks.into_iter().zip(0..) {
+            while packed[number].is_none() {
+                let (number, block) = next(&receiver).map_err(|error| hdf5::Error::Internal(error.to_string()))?;
+                packed[number] = Some(block?);
+            }
+            let mut at = indices(self.shape.iter().copied(), first);
             at.push(0);
-            self.fields[field].1.write(&at, &packed)?;
+            if let Some(packed) = packed[number].take() {
+                self.fields[field].1.write(&at, &packed)?;
+            }
         }
         Ok(())
+    }
+}
+
+/// Waits for what another thread sends. A thread of a pool works with the others meanwhile: it may be the only one.
+fn next<T>(receiver: &Receiver<T>) -> std::result::Result<T, RecvError> {
+    loop {
+        match receiver.try_recv() {
+            Ok(sent) => return Ok(sent),
+            Err(TryRecvError::Disconnected) => return Err(RecvError),
+            Err(TryRecvError::Empty) => match rayon::yield_now() {
+                Some(rayon::Yield::Executed) => {}
+                Some(rayon::Yield::Idle) => thread::sleep(Duration::from_micros(100)),
+                None => return receiver.recv(),
+            },
+        }
     }
 }
 

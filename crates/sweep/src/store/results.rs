@@ -147,7 +147,7 @@ impl Results {
 
     /// Brings everything to the file and closes it.
     pub(super) fn finish(mut self) -> Result<()> {
-        self.variables.fields.flush()?;
+        self.variables.fields.finish()?;
         drop(self.variables);
         self.file.finish()
     }
