@@ -1,7 +1,5 @@
 //! A solution from the inside of its method.
 
-use faer::Mat;
-
 use super::condition::condition;
 use stribeck_solver::Parameters;
 use stribeck_solver::collocation::CollocationSolver;
@@ -30,8 +28,8 @@ pub(super) trait Examine: CaseSolver {
     /// The number of equations, at most.
     fn equations(&self, state: &Self::State) -> usize;
 
-    /// The matrix of the linearised equations about a solution.
-    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64>;
+    /// The matrix of the linearised equations about a solution, column by column.
+    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Vec<Vec<f64>>;
 }
 
 impl Examine for CollocationSolver {
@@ -43,7 +41,7 @@ impl Examine for CollocationSolver {
         state.pressure.len()
     }
 
-    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64> {
+    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Vec<Vec<f64>> {
         self.jacobian(workspace, parameters, state)
     }
 }
@@ -58,7 +56,7 @@ impl Examine for RelaxationSolver {
         state.pressure.len()
     }
 
-    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Mat<f64> {
+    fn jacobian(&self, workspace: &mut Self::Workspace, parameters: &Parameters, state: &Self::State) -> Vec<Vec<f64>> {
         self.jacobian(workspace, parameters, state)
     }
 }
@@ -71,6 +69,6 @@ pub(super) fn examine<S: Examine>(
     state: &S::State,
 ) -> Examination {
     let few = solver.equations(state) <= MOST_EQUATIONS;
-    let condition = few.then(|| condition(solver.jacobian(workspace, parameters, state)));
+    let condition = few.then(|| condition(&solver.jacobian(workspace, parameters, state)));
     Examination { tension: solver.tension(state), condition }
 }

@@ -68,6 +68,7 @@
 pub mod collocation;
 pub mod continuation;
 pub mod exact;
+mod linear;
 mod model;
 mod points;
 pub mod relaxation;

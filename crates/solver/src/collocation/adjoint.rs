@@ -1,12 +1,12 @@
 //! The transposed system: how a number of a solution answers a small violation of each equation.
 
 use super::displacement::Displacement;
-use super::factorisation::Factorisation;
 use super::friction_partials::Partials;
 use super::inlet::Inlet;
 use super::inlet_partials::InletPartials;
 use super::state::State;
 use super::system::System;
+use crate::linear::Factorisation;
 
 /// The linearised equations of a solution, factorised.
 ///

@@ -5,10 +5,10 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::log_moments::{ELSEWHERE, LANES, MOST_MOMENTS, log_moments_together};
-use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
-use super::wide::wide;
+use crate::linear::Matrix;
+use crate::linear::wide;
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///

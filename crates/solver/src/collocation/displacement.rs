@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 use super::discretisation::Discretisation;
 use super::inlet::Inlet;
-use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::reference::{ReferencePanel, dot};
 use super::retardation::{RetardationFilter, far_field};
 use super::retardation_derivatives::FilterDerivatives;
 use super::timings::{Timings, timed};
+use crate::linear::Matrix;
 use crate::model::{DisplacementKernel, gauss, retarded_mode};
 
 /// One of the two bodies of a contact.

@@ -39,7 +39,6 @@ mod discretisation;
 mod displacement;
 mod estimate;
 mod exponential_moments;
-mod factorisation;
 mod fields;
 mod fixed_panels;
 mod friction_partials;
@@ -48,7 +47,6 @@ mod inlet;
 mod inlet_partials;
 mod legendre;
 mod log_moments;
-mod matrix;
 mod mesh;
 mod newton;
 mod panel_filter;
@@ -73,7 +71,6 @@ mod timings;
 mod transfer;
 mod truncation;
 mod two_level;
-mod wide;
 mod workspace;
 
 pub use settings::Settings;
@@ -83,4 +80,4 @@ pub use workspace::Workspace;
 
 /// Version of this solver's numbers, a part of every case id. Raise it when a change makes the solver give other
 /// numbers for the same case and settings: cases of older results are then solved again instead of being reused.
-pub const RESULTS_VERSION: u32 = 6;
+pub const RESULTS_VERSION: u32 = 7;

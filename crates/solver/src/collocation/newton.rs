@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use super::displacement::Displacement;
-use super::factorisation::Factorisation;
-use super::matrix::Matrix;
 use super::mesh::Mesh;
 use super::sensitivity::sensitivities;
 use super::state::State;
 use super::system::System;
 use super::timings::{Timings, timed};
 use crate::continuation::{Effort, FailureKind, SolveContext, SolveError};
+use crate::linear::Factorisation;
+use crate::linear::Matrix;
 use crate::model::{CavityShear, Sensitivities};
 
 /// Iterations after which the corrector is given up.

@@ -2,7 +2,7 @@
 
 use super::exponential_moments::{AtPlaces, MOST_PLACES, Room};
 use super::reference::ReferencePanel;
-use super::wide::wide;
+use crate::linear::wide;
 
 /// κ from which on α(v − e) is not formed as the difference that it is: its rounding error, about κ, would be above
 /// that of e′, about d².

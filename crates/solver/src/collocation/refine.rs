@@ -1,12 +1,12 @@
 //! The solution on richer panels, from that on the plain ones.
 
 use super::displacement::Displacement;
-use super::factorisation::Factorisation;
 use super::newton::Corrector;
 use super::state::State;
 use super::timings::timed;
 use super::two_level::TwoLevel;
 use crate::continuation::Effort;
+use crate::linear::Factorisation;
 
 /// Steps by the factors of the plain panels that cost as much as a factorisation of the richer ones.
 const MOST_CHEAP_STEPS: usize = 8;

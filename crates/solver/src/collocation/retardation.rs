@@ -6,10 +6,10 @@ use std::ops::Range;
 
 use super::discretisation::Discretisation;
 use super::exponential_moments::{AtPlaces, MOST_PLACES, NO_MOMENTS};
-use super::matrix::Matrix;
 use super::panel_filter::PanelFilter;
 use super::reference::dot;
-use super::wide::wide;
+use crate::linear::Matrix;
+use crate::linear::wide;
 use crate::model::retarded_mode;
 
 /// The filter on all panels of a mesh.

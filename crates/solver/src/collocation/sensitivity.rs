@@ -2,12 +2,12 @@
 
 use super::adjoint::{Adjoint, Multipliers};
 use super::displacement::{Body, Displacement};
-use super::factorisation::Factorisation;
 use super::friction_partials::Partials;
 use super::reference::dot;
 use super::state::State;
 use super::substrate_derivatives::DisplacementDerivatives;
 use super::system::System;
+use crate::linear::Factorisation;
 use crate::model::{CavityShear, Sensitivities};
 
 /// The derivatives of F_v of each body, F_h and P of a solution on its mesh with respect to ln β, and to ln α and ln f of

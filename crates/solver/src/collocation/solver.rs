@@ -3,8 +3,6 @@
 use std::f64::consts::LN_10;
 use std::sync::{Arc, Mutex, MutexGuard};
 
-use faer::Mat;
-
 use super::acceptance::{ACCEPTED, Acceptance, TENSION, check_tension, complete, tension};
 use super::adaptation::{Longest, Panels, equidistributed, indicators};
 use super::bounds::ROUNDING;
@@ -331,13 +329,13 @@ impl CaseSolver for CollocationSolver {
 }
 
 impl CollocationSolver {
-    /// The matrix of Newton's method at a solution: flow over u and the load as rows, p at the nodes, c and x_out as
-    /// columns.
-    pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
+    /// The matrix of Newton's method at a solution, column by column: flow over u and the load as rows, p at the nodes,
+    /// c and x_out as columns.
+    pub fn jacobian(&self, workspace: &mut Workspace, parameters: &Parameters, state: &State) -> Vec<Vec<f64>> {
         workspace.enter(parameters);
         workspace.prepare_coarse(&state.mesh, &mut Effort::default());
         let (corrector, displacement) = workspace.coarse.parts();
-        corrector.matrix(displacement, parameters.beta, state).to_faer()
+        corrector.matrix(displacement, parameters.beta, state).to_columns()
     }
 
     /// The smallest pressure of a solution over the largest, between the nodes too; 0 if it is nowhere negative.

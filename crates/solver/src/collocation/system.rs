@@ -4,10 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::displacement::Displacement;
 use super::inlet::Inlet;
-use super::matrix::Matrix;
 use super::reference::dot;
 use super::state::State;
-use super::wide::wide;
+use crate::linear::Matrix;
+use crate::linear::wide;
 
 /// Reynolds' equation integrated once (T2): β p′ u³ + u − c; zero where the flow is conserved.
 pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f64 {

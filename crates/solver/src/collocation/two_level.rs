@@ -4,13 +4,13 @@ use std::array::from_fn;
 use std::sync::Arc;
 
 use super::displacement::Displacement;
-use super::factorisation::Factorisation;
 use super::legendre::legendre;
 use super::log_moments::MOST_MOMENTS;
 use super::reference::{ReferencePanel, dot, evaluate, multiply};
 use super::state::State;
 use super::system::System;
-use super::wide::wide;
+use crate::linear::Factorisation;
+use crate::linear::wide;
 
 /// How many degrees richer the panels of the estimate are.
 pub const ENRICHMENT: usize = 2;

@@ -1,11 +1,9 @@
 //! Dry sliding with any number of retardation times (β → ∞).
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
-
 use super::bessel_ratio::{excess, i2_over_i1, k0_over_k1};
 use super::root::bracketed_root;
 use super::spectrum::{Line, Spectrum};
+use crate::linear::{Factorisation, Matrix};
 use crate::model::Parameters;
 
 /// Rates that a contact cannot tell from 0 or ∞; with them, no product leaves the range of double precision.
@@ -91,7 +89,7 @@ struct Exchange {
     /// √(e_m/ρ_m)
     stress: Vec<f64>,
     /// U, a row for each retardation rate and a column for each relaxation rate (T42).
-    exchange: Mat<f64>,
+    exchange: Matrix,
 }
 
 impl Exchange {
@@ -104,13 +102,20 @@ impl Exchange {
             let rates = stress.place / creep.place;
             (creep.strength / (1.0 + f) * rates).sqrt() * stress.strength.sqrt() / conjugate.distances[m][j]
         };
+        let mut exchange = Matrix::default();
+        exchange.reshape(creep.len(), stress.len());
+        for m in 0..stress.len() {
+            for (j, entry) in exchange.column_mut(m).iter_mut().enumerate() {
+                *entry = amplitude(j, m);
+            }
+        }
         Self {
             f,
             retardation: creep.iter().map(|line| line.place).collect(),
             relaxation: stress.iter().map(|line| line.place).collect(),
             creep: creep.iter().map(|line| (line.strength / (1.0 + f) / line.place).sqrt()).collect(),
             stress: stress.iter().map(|line| (line.strength / line.place).sqrt()).collect(),
-            exchange: Mat::from_fn(creep.len(), stress.len(), amplitude),
+            exchange,
         }
     }
 
@@ -122,13 +127,19 @@ impl Exchange {
         let inner: Vec<f64> = kappa.iter().map(|&k| (k / (k + excess(k))).sqrt()).collect();
         let outer: Vec<f64> = self.retardation.iter().map(|rate| k0_over_k1(rate * half_width)).collect();
         let u = &self.exchange;
-        let sums = |m: usize, k: usize| (0..n).map(|j| u[(j, m)] * outer[j] * u[(j, k)]).sum::<f64>();
+        let sums = |m: usize, k: usize| (0..n).map(|j| u.column(m)[j] * outer[j] * u.column(k)[j]).sum::<f64>();
         let identity = |m: usize, k: usize| if m == k { 1.0 } else { 0.0 };
-        let matrix = Mat::from_fn(n, n, |m, k| identity(m, k) + inner[m] * inner[k] * sums(m, k));
+        let mut system = Factorisation::default();
+        system.matrix.reshape(n, n);
+        for k in 0..n {
+            for (m, entry) in system.matrix.column_mut(k).iter_mut().enumerate() {
+                *entry = identity(m, k) + inner[m] * inner[k] * sums(m, k);
+            }
+        }
+        system.factorise();
         let drive: Vec<f64> = inner.iter().zip(&self.stress).map(|(inner, stress)| inner * stress).collect();
-        let right = Mat::from_fn(n, 1, |m, _| drive[m]);
-        let response = matrix.llt(Side::Lower).expect("its eigenvalues lie between 1 and 2").solve(&right);
-        let response = (0..n).map(|m| response[(m, 0)]).collect();
+        let mut response = drive.clone();
+        system.solve(&mut response);
         Contact { material: self, kappa, inner, outer, drive, response }
     }
 }
@@ -157,7 +168,7 @@ impl Contact<'_> {
     fn centre(&self) -> f64 {
         let n = self.response.len();
         let felt = |j: usize| -> f64 {
-            (0..n).map(|m| self.material.exchange[(j, m)] * self.inner[m] * self.response[m]).sum()
+            (0..n).map(|m| self.material.exchange.column(m)[j] * self.inner[m] * self.response[m]).sum()
         };
         (0..n).map(|j| self.outer[j] * self.material.creep[j] * felt(j)).sum()
     }

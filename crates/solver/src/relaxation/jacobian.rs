@@ -2,8 +2,6 @@
 
 use std::f64::consts::PI;
 
-use faer::Mat;
-
 use super::iteration::Iteration;
 use super::{RelaxationSolver, State, Workspace, reynolds};
 use crate::model::Parameters;
@@ -11,12 +9,12 @@ use crate::model::Parameters;
 impl RelaxationSolver {
     /// The Jacobian of the discrete equations at a solution on the grid of the workspace.
     ///
-    /// One row for each point under pressure, the derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (T20) with the film
+    /// Column by column. One row for each point under pressure, the derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (T20) with the film
     /// u = h₀ + x²/2 − χ∗p slaved to the pressure (T3), so that the rows are dense; and one row for the load (T4). The
     /// unknowns are the dimensionless p at the same points, and h₀ for the kernel whose mean at half a contact's width
     /// vanishes, as the iteration has it. What stays as it is: the points without pressure, and the pressure at the end
     /// of the grid with the load ahead of it, which follow explicitly from the rest.
-    pub fn jacobian(&self, workspace: &Workspace, parameters: &Parameters, state: &State) -> Mat<f64> {
+    pub fn jacobian(&self, workspace: &Workspace, parameters: &Parameters, state: &State) -> Vec<Vec<f64>> {
         jacobian(&Iteration::new(workspace.finest(), parameters.beta, state))
     }
 }
@@ -28,7 +26,7 @@ fn under_pressure(p: &[f64]) -> Vec<usize> {
 
 /// Derivatives of the equations of m points under pressure, then of the load, with respect to the m pressures, then to
 /// h₀: (m + 1) × (m + 1).
-fn jacobian(solution: &Iteration) -> Mat<f64> {
+fn jacobian(solution: &Iteration) -> Vec<Vec<f64>> {
     let (p, u, shared) = (&solution.p, &solution.u, solution.shared);
     let (beta, dx) = (solution.beta, shared.grid.spacing());
     let points = under_pressure(p);
@@ -37,7 +35,7 @@ fn jacobian(solution: &Iteration) -> Mat<f64> {
     let by_film: Vec<[f64; 3]> =
         points.iter().map(|&i| reynolds::film_derivatives(around(p, i), around(u, i), beta, dx)).collect();
 
-    let mut jacobian = Mat::zeros(count + 1, count + 1);
+    let mut columns = vec![vec![0.0; count + 1]; count + 1];
     let (mut unit, mut influence) = (vec![0.0; p.len()], vec![0.0; p.len()]);
     let mut space = shared.deformation.space();
     for (column, &k) in points.iter().enumerate() {
@@ -46,20 +44,20 @@ fn jacobian(solution: &Iteration) -> Mat<f64> {
         unit[k] = 0.0;
         for (row, (&i, by_film)) in points.iter().zip(&by_film).enumerate() {
             // ∂u/∂p_k = −χ
-            jacobian[(row, column)] = -dot(by_film, &around(&influence, i));
+            columns[column][row] = -dot(by_film, &around(&influence, i));
         }
-        jacobian[(count, column)] = 2.0 / PI * dx;
+        columns[column][count] = 2.0 / PI * dx;
     }
     for (row, (&i, by_film)) in points.iter().zip(&by_film).enumerate() {
         let coefficients = reynolds::row(around(u, i), beta, dx);
         for (k, coefficient) in [i - 1, i, i + 1].into_iter().zip(coefficients) {
             if let Ok(column) = points.binary_search(&k) {
-                jacobian[(row, column)] += coefficient;
+                columns[column][row] += coefficient;
             }
         }
-        jacobian[(row, count)] = by_film.iter().sum();
+        columns[count][row] = by_film.iter().sum();
     }
-    jacobian
+    columns
 }
 
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
@@ -124,8 +122,8 @@ mod tests {
                     let (forward, backward) = (moved(step), moved(-step));
                     for (row, (forward, backward)) in forward.iter().zip(&backward).enumerate() {
                         let difference = (forward - backward) / (2.0 * step);
-                        let scale = found.row(row).iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-                        let error = (difference - found[(row, column)]).abs() / scale;
+                        let scale = found.iter().fold(0.0, |largest: f64, values| largest.max(values[row].abs()));
+                        let error = (difference - found[column][row]).abs() / scale;
                         assert!(error < 1e-6, "{parameters:?}, {points} points, ({row}, {column}): {error:e}");
                     }
                 }

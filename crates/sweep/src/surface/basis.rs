@@ -1,8 +1,9 @@
 //! The functions of one coordinate that a surface is made of, and the nodes that tell them apart.
 
-use faer::{Mat, MatRef};
+use nalgebra::DMatrix;
 
 use super::leja::Leja;
+use super::matrix::{left_vectors, pseudoinverse, svd};
 
 /// What a value may depend on those at the nodes: the root of the sum of squares of its weights. Errors of three axes
 /// are multiplied.
@@ -15,7 +16,7 @@ const TELLING: f64 = 0.25;
 #[derive(Clone, Debug)]
 pub struct Basis {
     /// For each quantity its own functions, Chebyshev polynomials by functions: orthonormal columns.
-    pub vectors: Vec<Mat<f64>>,
+    pub vectors: Vec<DMatrix<f64>>,
     /// The Leja nodes, by their number, at which the functions of every quantity are known by their values: some more
     /// than functions, so that least squares dampen what the functions leave unsaid.
     pub nodes: Vec<usize>,
@@ -26,28 +27,28 @@ impl Basis {
     /// the sum of squares) above `threshold`. A case gives all quantities, so they share their nodes. Each one is where
     /// what the nodes before do not tell is largest (discrete empirical interpolation, of all quantities at once), or
     /// one of `solved` where that is nearly as much. None if a singular value decomposition does not converge.
-    pub fn of(columns: &[Mat<f64>], threshold: f64, leja: &Leja, before: &[usize]) -> Option<Self> {
+    pub fn of(columns: &[DMatrix<f64>], threshold: f64, leja: &Leja, before: &[usize]) -> Option<Self> {
         let vectors = columns.iter().map(|columns| functions(columns, threshold)).collect::<Option<Vec<_>>>()?;
-        let all: Vec<Mat<f64>> = vectors.iter().map(|vectors| values(vectors, leja)).collect();
+        let all: Vec<DMatrix<f64>> = vectors.iter().map(|vectors| values(vectors, leja)).collect();
         let nodes = steadied(&all, nodes_of(all.clone(), before))?;
         Some(Self { vectors, nodes })
     }
 
     /// From values of a quantity at the nodes to factors of its functions: functions by nodes.
-    pub fn interpolation(&self, quantity: usize, leja: &Leja) -> Option<Mat<f64>> {
-        Some(at_nodes(&values(&self.vectors[quantity], leja), &self.nodes).thin_svd().ok()?.pseudoinverse())
+    pub fn interpolation(&self, quantity: usize, leja: &Leja) -> Option<DMatrix<f64>> {
+        pseudoinverse(&at_nodes(&values(&self.vectors[quantity], leja), &self.nodes))
     }
 }
 
 /// The fewest functions that leave of no column a remainder above the threshold.
-fn functions(columns: &Mat<f64>, threshold: f64) -> Option<Mat<f64>> {
-    let decomposition = columns.thin_svd().ok()?;
-    let shares = decomposition.U().transpose() * columns;
-    Some(decomposition.U().subcols(0, rank(shares.as_ref(), threshold)).to_owned())
+fn functions(columns: &DMatrix<f64>, threshold: f64) -> Option<DMatrix<f64>> {
+    let vectors = left_vectors(svd(columns)?);
+    let shares = vectors.transpose() * columns;
+    Some(vectors.columns(0, rank(&shares, threshold)).into_owned())
 }
 
 /// The number of rows after which no column has a remainder above the threshold; at least one.
-fn rank(shares: MatRef<'_, f64>, threshold: f64) -> usize {
+fn rank(shares: &DMatrix<f64>, threshold: f64) -> usize {
     let needed = |column: usize| {
         let mut left = 0.0;
         let mut rows = (1..shares.nrows()).rev();
@@ -61,10 +62,10 @@ fn rank(shares: MatRef<'_, f64>, threshold: f64) -> usize {
 }
 
 /// The functions at the first Leja nodes, as many as there are polynomials: nodes by functions.
-fn values(vectors: &Mat<f64>, leja: &Leja) -> Mat<f64> {
+fn values(vectors: &DMatrix<f64>, leja: &Leja) -> DMatrix<f64> {
     let degrees = vectors.nrows();
     let mut polynomials = vec![0.0; degrees];
-    let mut all = Mat::zeros(degrees, degrees);
+    let mut all = DMatrix::zeros(degrees, degrees);
     for (row, &t) in leja.nodes[..degrees].iter().enumerate() {
         stribeck_surface::chebyshev(t, &mut polynomials);
         polynomials.iter().enumerate().for_each(|(k, value)| all[(row, k)] = *value);
@@ -74,9 +75,9 @@ fn values(vectors: &Mat<f64>, leja: &Leja) -> Mat<f64> {
 
 /// So many nodes, of the rows of all of `values`, that the functions of each quantity are told apart: first those of
 /// before.
-fn nodes_of(mut values: Vec<Mat<f64>>, before: &[usize]) -> Vec<usize> {
+fn nodes_of(mut values: Vec<DMatrix<f64>>, before: &[usize]) -> Vec<usize> {
     let rows = values[0].nrows();
-    let mut untold: Vec<usize> = values.iter().map(Mat::ncols).collect();
+    let mut untold: Vec<usize> = values.iter().map(DMatrix::ncols).collect();
     let mut nodes = Vec::new();
     while nodes.len() < before.len() || (untold.iter().any(|&functions| functions > 0) && nodes.len() < rows) {
         let open: Vec<usize> = (0..values.len()).filter(|&q| untold[q] > 0).collect();
@@ -94,8 +95,8 @@ fn nodes_of(mut values: Vec<Mat<f64>>, before: &[usize]) -> Vec<usize> {
 }
 
 /// What each row would tell, over the most that one does.
-fn told(values: &Mat<f64>) -> Vec<f64> {
-    let sizes: Vec<f64> = (0..values.nrows()).map(|row| values.row(row).norm_l2()).collect();
+fn told(values: &DMatrix<f64>) -> Vec<f64> {
+    let sizes: Vec<f64> = (0..values.nrows()).map(|row| values.row(row).norm()).collect();
     let most = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     sizes.into_iter().map(|size| size / most).collect()
 }
@@ -106,20 +107,20 @@ fn largest(numbers: impl Iterator<Item = (usize, f64)>) -> usize {
 }
 
 /// The rows of `values` at nodes.
-fn at_nodes(values: &Mat<f64>, nodes: &[usize]) -> Mat<f64> {
-    Mat::from_fn(nodes.len(), values.ncols(), |row, k| values[(nodes[row], k)])
+fn at_nodes(values: &DMatrix<f64>, nodes: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(nodes.len(), values.ncols(), |row, k| values[(nodes[row], k)])
 }
 
 /// Adds nodes until no value of a quantity at any node depends on those at the chosen ones by more than [`STEADY`]: each
 /// one where one depends most.
-fn steadied(values: &[Mat<f64>], mut nodes: Vec<usize>) -> Option<Vec<usize>> {
+fn steadied(values: &[DMatrix<f64>], mut nodes: Vec<usize>) -> Option<Vec<usize>> {
     while nodes.len() < values[0].nrows() {
         let mut most = (0, 0.0);
         for values in values {
-            let weights = values * at_nodes(values, &nodes).thin_svd().ok()?.pseudoinverse();
+            let weights = values * pseudoinverse(&at_nodes(values, &nodes))?;
             let free = (0..weights.nrows()).filter(|row| !nodes.contains(row));
-            let row = largest(free.map(|row| (row, weights.row(row).norm_l2())));
-            let size = weights.row(row).norm_l2();
+            let row = largest(free.map(|row| (row, weights.row(row).norm())));
+            let size = weights.row(row).norm();
             most = if size > most.1 { (row, size) } else { most };
         }
         if most.1 <= STEADY {
@@ -131,8 +132,8 @@ fn steadied(values: &[Mat<f64>], mut nodes: Vec<usize>) -> Option<Vec<usize>> {
 }
 
 /// Takes out of all rows what they have in the direction of one.
-fn take_out(values: &mut Mat<f64>, row: usize) {
-    let size = values.row(row).norm_l2();
+fn take_out(values: &mut DMatrix<f64>, row: usize) {
+    let size = values.row(row).norm();
     // What is rounding has no direction.
     if size < 1e-12 {
         return;
@@ -152,7 +153,7 @@ mod tests {
     #[test]
     fn a_basis_has_the_functions_of_its_columns_and_no_more() {
         let leja = Leja::new(12);
-        let columns = Mat::from_fn(12, 5, |n, c| match n {
+        let columns = DMatrix::from_fn(12, 5, |n, c| match n {
             3 => 1.0 + c as f64,
             7 => (c * c) as f64 - 2.0,
             8 => 2.0 * ((c * c) as f64 - 2.0),
@@ -165,7 +166,7 @@ mod tests {
             stribeck_surface::chebyshev(t, &mut p);
             5.0 * p[3] - p[7] - 2.0 * p[8]
         };
-        let values = Mat::from_fn(2, 1, |row, _| function(leja.nodes[basis.nodes[row]]));
+        let values = DMatrix::from_fn(2, 1, |row, _| function(leja.nodes[basis.nodes[row]]));
         let found = &basis.vectors[0] * (basis.interpolation(0, &leja).expect("converged") * values);
         for n in 0..12 {
             let expected = [5.0, -1.0, -2.0][[3, 7, 8].iter().position(|&k| k == n).unwrap_or(0)];
@@ -177,7 +178,7 @@ mod tests {
     #[test]
     fn a_lower_threshold_takes_more_functions() {
         let leja = Leja::new(20);
-        let columns = Mat::from_fn(20, 20, |n, c| (-0.7 * (n + c) as f64).exp() * ((n * c) as f64).cos());
+        let columns = DMatrix::from_fn(20, 20, |n, c| (-0.7 * (n + c) as f64).exp() * ((n * c) as f64).cos());
         let ranks =
             [1e-1, 1e-3, 1e-6].map(|t| Basis::of(std::slice::from_ref(&columns), t, &leja, &[]).expect("converged"));
         assert!(ranks.is_sorted_by_key(|basis| basis.vectors[0].ncols()) && ranks[2].vectors[0].ncols() > 5);

@@ -1,6 +1,8 @@
 //! Tensors: their products with matrices along an axis, and their Tucker form of lower rank.
 
-use faer::{Mat, MatRef};
+use nalgebra::DMatrix;
+
+use super::matrix::{left_vectors, svd};
 
 /// Numbers over one to three axes, the last one fastest.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +15,7 @@ pub struct Tensor {
 
 impl Tensor {
     /// The product with a matrix along an axis: `out[o][r][i] = Σ_k matrix[r][k] numbers[o][k][i]`.
-    pub fn along(&self, axis: usize, matrix: MatRef<'_, f64>) -> Self {
+    pub fn along(&self, axis: usize, matrix: &DMatrix<f64>) -> Self {
         let (outer, length, inner) = self.around(axis);
         let rows = matrix.nrows();
         let mut numbers = vec![0.0; outer * rows * inner];
@@ -33,16 +35,16 @@ impl Tensor {
     }
 
     /// The numbers along an axis by all others.
-    fn unfolded(&self, axis: usize) -> Mat<f64> {
+    fn unfolded(&self, axis: usize) -> DMatrix<f64> {
         let (outer, length, inner) = self.around(axis);
         let place = |k: usize, rest: usize| (rest / inner * length + k) * inner + rest % inner;
-        Mat::from_fn(length, outer * inner, |k, rest| self.numbers[place(k, rest)])
+        DMatrix::from_fn(length, outer * inner, |k, rest| self.numbers[place(k, rest)])
     }
 
     /// The root of the sum of squares at each place along an axis.
     pub fn norms(&self, axis: usize) -> Vec<f64> {
         let unfolded = self.unfolded(axis);
-        (0..unfolded.nrows()).map(|place| unfolded.row(place).norm_l2()).collect()
+        (0..unfolded.nrows()).map(|place| unfolded.row(place).norm()).collect()
     }
 
     /// The number of places before an axis, along it and after it.
@@ -54,21 +56,21 @@ impl Tensor {
 /// Compresses a tensor by a higher-order singular value decomposition, axis by axis, leaving out so much that the root
 /// of the sum of squares of what is left out is at most `most`: the factor of each axis, with orthonormal columns, and
 /// the core. None if a decomposition does not converge.
-pub fn compress(tensor: &Tensor, most: f64) -> Option<(Vec<Mat<f64>>, Tensor)> {
+pub fn compress(tensor: &Tensor, most: f64) -> Option<(Vec<DMatrix<f64>>, Tensor)> {
     let mut core = tensor.clone();
     let mut factors = Vec::with_capacity(core.shape.len());
     let share = most / (core.shape.len() as f64).sqrt();
     for axis in 0..core.shape.len() {
-        let decomposition = core.unfolded(axis).thin_svd().ok()?;
-        let values = decomposition.S().column_vector();
-        let mut rank = values.nrows();
+        let decomposition = svd(&core.unfolded(axis))?;
+        let values = &decomposition.singular_values;
+        let mut rank = values.len();
         let mut left_out = 0.0;
         while rank > 1 && left_out + values[rank - 1] * values[rank - 1] <= share * share {
             rank -= 1;
             left_out += values[rank] * values[rank];
         }
-        let factor = decomposition.U().subcols(0, rank).to_owned();
-        core = core.along(axis, factor.transpose());
+        let factor = left_vectors(decomposition).columns(0, rank).into_owned();
+        core = core.along(axis, &factor.transpose());
         factors.push(factor);
     }
     Some((factors, core))
@@ -86,7 +88,7 @@ mod tests {
         let tensor = Tensor { numbers, shape: shape.clone() };
         for most in [1e-2, 1e-5, 1e-12] {
             let (factors, core) = compress(&tensor, most).expect("converged");
-            let back = factors.iter().enumerate().fold(core, |core, (axis, factor)| core.along(axis, factor.as_ref()));
+            let back = factors.iter().enumerate().fold(core, |core, (axis, factor)| core.along(axis, factor));
             let square: f64 = back.numbers.iter().zip(&tensor.numbers).map(|(a, b)| (a - b) * (a - b)).sum();
             assert!(square.sqrt() <= most, "{most}: {}", square.sqrt());
         }

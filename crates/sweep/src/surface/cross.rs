@@ -1,7 +1,7 @@
 //! The cross approximation of a surface: from lines along each axis to functions of one coordinate, from a grid of the
 //! nodes that tell these functions apart to the factors of their products.
 
-use faer::Mat;
+use nalgebra::DMatrix;
 
 use super::basis::Basis;
 use super::compression::{Tensor, compress};
@@ -70,9 +70,9 @@ impl Cross {
                 lines.iter().map(|line| line.coefficients(leja, thresholds).collect()).collect();
             let columns = |q: usize| {
                 let number = |n: usize, line: usize| of_lines[line][q].get(n).copied().unwrap_or(0.0);
-                Mat::from_fn(degrees, of_lines.len(), number)
+                DMatrix::from_fn(degrees, of_lines.len(), number)
             };
-            let columns: Vec<Mat<f64>> = (0..thresholds.len()).map(columns).collect();
+            let columns: Vec<DMatrix<f64>> = (0..thresholds.len()).map(columns).collect();
             let before = self.bases.get(axis).map_or(&[][..], |basis| &basis.nodes);
             Basis::of(&columns, raised, leja, before)
         };
@@ -99,9 +99,10 @@ impl Cross {
         let shape: Vec<usize> = bases.iter().map(|basis| basis.nodes.len()).collect();
         let core = |(q, numbers): (usize, Vec<f64>)| {
             let tensor = Tensor { numbers, shape: shape.clone() };
-            bases.iter().enumerate().try_fold(tensor, |tensor, (axis, basis)| {
-                Some(tensor.along(axis, basis.interpolation(q, leja)?.as_ref()))
-            })
+            bases
+                .iter()
+                .enumerate()
+                .try_fold(tensor, |tensor, (axis, basis)| Some(tensor.along(axis, &basis.interpolation(q, leja)?)))
         };
         self.cores = series.into_iter().enumerate().map(core).collect::<Option<_>>()?;
         self.bases = bases;
@@ -116,10 +117,10 @@ impl Cross {
         let factors = self.bases.iter().zip(&factors).enumerate().map(|(axis, (basis, factor))| {
             let factor = &basis.vectors[quantity] * factor;
             let polynomials = needed(&factor, &core.norms(axis), share);
-            factor.subrows(0, polynomials).to_owned()
+            factor.rows(0, polynomials).into_owned()
         });
-        let factors: Vec<Mat<f64>> = factors.collect();
-        let row_by_row = |matrix: &Mat<f64>| {
+        let factors: Vec<DMatrix<f64>> = factors.collect();
+        let row_by_row = |matrix: &DMatrix<f64>| {
             (0..matrix.nrows()).flat_map(|n| (0..matrix.ncols()).map(move |r| matrix[(n, r)])).collect()
         };
         Some(Tucker {
@@ -132,7 +133,7 @@ impl Cross {
 
 /// The number of rows of a factor without which coefficients are off by at most `most` (root of the sum of squares),
 /// where each column counts by the size of its part of the core. Not fewer than columns.
-fn needed(factor: &Mat<f64>, norms: &[f64], most: f64) -> usize {
+fn needed(factor: &DMatrix<f64>, norms: &[f64], most: f64) -> usize {
     let mut left_out = 0.0;
     let mut rows = factor.nrows();
     while rows > factor.ncols() {

@@ -29,6 +29,7 @@ mod domain;
 mod draft;
 mod leja;
 mod lines;
+mod matrix;
 mod nodes;
 mod refinement;
 mod rounds;

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use faer::{Mat, MatRef};
-
 use super::wide::wide;
 
 /// Rows of a product that are done together.
@@ -55,19 +53,14 @@ impl Matrix {
         &mut self.values[j * self.rows..(j + 1) * self.rows]
     }
 
-    /// All values, column by column.
-    pub fn values(&self) -> &[f64] {
-        &self.values
-    }
-
     /// All values, column by column, to change them.
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }
 
-    /// A copy for other uses than the method's own.
-    pub fn to_faer(&self) -> Mat<f64> {
-        MatRef::from_column_major_slice(&self.values, self.rows, self.columns()).to_owned()
+    /// Its columns, for other uses than the method's own.
+    pub fn to_columns(&self) -> Vec<Vec<f64>> {
+        (0..self.columns()).map(|j| self.column(j).to_vec()).collect()
     }
 
     /// Makes the columns from `first` on a factor times the product of a matrix with another, given row by row, which is
@@ -178,15 +171,15 @@ mod tests {
             for columns in [1, 4, 9] {
                 let (left, vector) = (matrix(rows, columns), matrix(columns, 1));
                 let mut product = vec![f64::NAN; rows];
-                left.multiply(vector.values(), &mut product);
-                let sum = |i: usize| (0..columns).map(|j| left.column(j)[i] * vector.values()[j]).sum::<f64>();
+                left.multiply(vector.column(0), &mut product);
+                let sum = |i: usize| (0..columns).map(|j| left.column(j)[i] * vector.column(0)[j]).sum::<f64>();
                 assert!((0..rows).all(|i| (product[i] - sum(i)).abs() < 1e-14), "{rows} × {columns}");
 
                 let mut twice = Matrix::default();
                 twice.reshape(rows, 2);
                 twice.values_mut().fill(1.0);
-                twice.set_product(0, 2.0, &left, vector.values(), false);
-                twice.set_product(1, -1.0, &left, vector.values(), true);
+                twice.set_product(0, 2.0, &left, vector.column(0), false);
+                twice.set_product(1, -1.0, &left, vector.column(0), true);
                 for i in 0..rows {
                     let error = (twice.column(0)[i] - 2.0 * sum(i)).abs() + (twice.column(1)[i] - 1.0 + sum(i)).abs();
                     assert!(error < 1e-14, "{rows} × {columns}");
