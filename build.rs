@@ -1,6 +1,5 @@
 //! Makes what the program holds of the pages of `stribeck report`: their scripts, joined into one for each kind of page
-//! (`page.js` and others), and Plotly's, deflated (`plotly.deflate`), in the directory of build products. Tells the
-//! program its version.
+//! (`page.js` and others), and large files, deflated, in the directory of build products. Tells the program its version.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,10 +7,10 @@ use std::{env, fs};
 
 #[path = "build/commit.rs"]
 mod commit;
+#[path = "build/deflated.rs"]
+mod deflated;
 #[path = "build/modules.rs"]
 mod modules;
-#[path = "build/plotly.rs"]
-mod plotly;
 
 const SCRIPTS: &str = "assets/report";
 /// The reader of surfaces, which pages share with others.
@@ -24,7 +23,7 @@ fn main() {
     println!("cargo::rerun-if-changed={READER}");
     println!("cargo::rerun-if-changed=build");
     commit::hand_over();
-    plotly::write();
+    deflated::write();
     let mut files = BTreeMap::new();
     let paths = fs::read_dir(SCRIPTS).expect("assets/report is listed");
     let paths = paths.map(|entry| entry.expect("assets/report is listed").path());

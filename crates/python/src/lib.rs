@@ -52,8 +52,8 @@ mod _native {
 
     /// The text of the surface that is built in.
     #[pyfunction]
-    fn universe() -> &'static str {
-        stribeck::universe::TEXT
+    fn universe() -> String {
+        stribeck::universe::text()
     }
 
     #[pymodule_init]
