@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::leja::Leja;
-use super::matrix::{left_vectors, pseudoinverse, svd};
+use super::matrix::{pseudoinverse, svd};
 
 /// What a value may depend on those at the nodes: the root of the sum of squares of its weights. Errors of three axes
 /// are multiplied.
@@ -42,7 +42,7 @@ impl Basis {
 
 /// The fewest functions that leave of no column a remainder above the threshold.
 fn functions(columns: &DMatrix<f64>, threshold: f64) -> Option<DMatrix<f64>> {
-    let vectors = left_vectors(svd(columns)?);
+    let vectors = svd(columns)?.left;
     let shares = vectors.transpose() * columns;
     Some(vectors.columns(0, rank(&shares, threshold)).into_owned())
 }

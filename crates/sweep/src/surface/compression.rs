@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::matrix::{left_vectors, svd};
+use super::matrix::svd;
 
 /// Numbers over one to three axes, the last one fastest.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,14 +62,14 @@ pub fn compress(tensor: &Tensor, most: f64) -> Option<(Vec<DMatrix<f64>>, Tensor
     let share = most / (core.shape.len() as f64).sqrt();
     for axis in 0..core.shape.len() {
         let decomposition = svd(&core.unfolded(axis))?;
-        let values = &decomposition.singular_values;
+        let values = decomposition.values;
         let mut rank = values.len();
         let mut left_out = 0.0;
         while rank > 1 && left_out + values[rank - 1] * values[rank - 1] <= share * share {
             rank -= 1;
             left_out += values[rank] * values[rank];
         }
-        let factor = left_vectors(decomposition).columns(0, rank).into_owned();
+        let factor = decomposition.left.columns(0, rank).into_owned();
         core = core.along(axis, &factor.transpose());
         factors.push(factor);
     }
