@@ -11,8 +11,8 @@ const ROUNDING: f64 = f64::EPSILON;
 /// Singular values below this part of the largest are rounding.
 const NOTHING: f64 = 1e-14;
 
-/// Columns whose squares are below this part of all squares are left as they are: their products underflow.
-const LEAST: f64 = 1e-100;
+/// Columns whose squares are below this part of all squares are zero: they are rounding, and their products underflow.
+const LEAST: f64 = 1e-60;
 
 /// Rotations of all pairs of columns converge in about ten rounds.
 const MOST_ROUNDS: usize = 60;
@@ -57,13 +57,15 @@ fn of_columns(mut columns: DMatrix<f64>) -> Option<Decomposition> {
             return None;
         }
     }
-    let sizes: Vec<f64> = columns.column_iter().map(|column| column.norm()).collect();
+    let least = LEAST * columns.norm_squared();
+    let size = |square: f64| if square < least { 0.0 } else { square.sqrt() };
+    let sizes: Vec<f64> = columns.column_iter().map(|column| size(column.norm_squared())).collect();
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| sizes[b].total_cmp(&sizes[a]));
     let values: Vec<f64> = order.iter().map(|&column| sizes[column]).collect();
     let mut left = columns.select_columns(&order);
-    for (mut column, size) in left.column_iter_mut().zip(&values).filter(|(_, size)| **size > 0.0) {
-        column /= *size;
+    for (mut column, size) in left.column_iter_mut().zip(&values) {
+        column *= if *size > 0.0 { size.recip() } else { 0.0 };
     }
     Some(Decomposition { left, values, right: rotations.select_columns(&order) })
 }
@@ -132,9 +134,13 @@ mod tests {
             let scaled = DMatrix::from_fn(left.nrows(), left.ncols(), |i, k| left[(i, k)] * values[k]);
             prop_assert!((scaled * right.transpose() - &a).amax() < 1e-13 * values[0]);
             for vectors in [&left, &right] {
-                let first = vectors.columns(0, rank);
-                let off = (first.transpose() * first - DMatrix::identity(rank, rank)).amax();
-                prop_assert!(off < 1e-12, "{off:e}");
+                // Orthonormal, or zero where the singular value is rounding.
+                for (i, a) in vectors.column_iter().enumerate() {
+                    for (j, b) in vectors.column_iter().enumerate() {
+                        let off = if i == j { (a.dot(&b) - 1.0).abs().min(a.norm()) } else { a.dot(&b).abs() };
+                        prop_assert!(off < 1e-12 && (i != j || i >= rank || a.norm() > 0.5), "{i}, {j}: {off:e}");
+                    }
+                }
             }
 
             let inverse = pseudoinverse(&a).expect("converged");
