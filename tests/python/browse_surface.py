@@ -20,8 +20,8 @@ import numpy as np
 from browse_report import COLLISIONS
 from chromium import launched, read_number, window
 
-# What a slider's move may take of the processor, in milliseconds.
-MOST = 50
+# What a slider's move may take of the processor, in millions of logarithms and exponentials.
+MOST = 8
 
 PREFIXES = {"": 1, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6}
 
@@ -261,8 +261,10 @@ def click_curve(visit):
 
 
 def measure_moves(visit):
-    """What a slider's move takes: the median on the clock until its frame is painted, and of the processor. The latter
-    is compared with plain arithmetic in the same page, so that a slow processor does not matter."""
+    """What a slider's move takes: the median on the clock until its frame is painted, and of the processor.
+
+    The latter is compared with arithmetic in the same page, so that a slow processor does not matter.
+    """
     page, count = visit.page, 15
     session = page.context.new_cdp_session(page)
     session.send("Performance.enable", {"timeDomain": "threadTicks"})
