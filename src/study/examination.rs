@@ -6,7 +6,7 @@ use stribeck_solver::collocation::CollocationSolver;
 use stribeck_solver::continuation::CaseSolver;
 use stribeck_solver::relaxation::RelaxationSolver;
 
-/// The most equations of which a condition number is computed. The time grows with their cube: a second or two for this
+/// The most equations of which a condition number is computed. The time grows with their cube: fifteen seconds for this
 /// many.
 pub const MOST_EQUATIONS: usize = 2001;
 
