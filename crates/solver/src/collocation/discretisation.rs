@@ -7,8 +7,7 @@ use std::sync::Arc;
 use super::log_moments::{ELSEWHERE, LANES, MOST_MOMENTS, log_moments_together};
 use super::mesh::Mesh;
 use super::reference::ReferencePanel;
-use crate::linear::Matrix;
-use crate::linear::wide;
+use crate::linear::{Matrix, wide};
 
 /// A mesh with its points and the matrix of the elastic displacement.
 ///

@@ -9,8 +9,7 @@ use super::state::State;
 use super::system::System;
 use super::timings::{Timings, timed};
 use crate::continuation::{Effort, FailureKind, SolveContext, SolveError};
-use crate::linear::Factorisation;
-use crate::linear::Matrix;
+use crate::linear::{Factorisation, Matrix};
 use crate::model::{CavityShear, Sensitivities};
 
 /// Iterations after which the corrector is given up.

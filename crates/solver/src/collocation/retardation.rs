@@ -8,8 +8,7 @@ use super::discretisation::Discretisation;
 use super::exponential_moments::{AtPlaces, MOST_PLACES, NO_MOMENTS};
 use super::panel_filter::PanelFilter;
 use super::reference::dot;
-use crate::linear::Matrix;
-use crate::linear::wide;
+use crate::linear::{Matrix, wide};
 use crate::model::retarded_mode;
 
 /// The filter on all panels of a mesh.

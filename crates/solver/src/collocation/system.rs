@@ -6,8 +6,7 @@ use super::displacement::Displacement;
 use super::inlet::Inlet;
 use super::reference::dot;
 use super::state::State;
-use crate::linear::Matrix;
-use crate::linear::wide;
+use crate::linear::{Matrix, wide};
 
 /// Reynolds' equation integrated once (T2): β p′ u³ + u − c; zero where the flow is conserved.
 pub fn flow_residual(beta: f64, pressure_gradient: f64, film: f64, c: f64) -> f64 {

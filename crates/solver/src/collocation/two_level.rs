@@ -9,8 +9,7 @@ use super::log_moments::MOST_MOMENTS;
 use super::reference::{ReferencePanel, dot, evaluate, multiply};
 use super::state::State;
 use super::system::System;
-use crate::linear::Factorisation;
-use crate::linear::wide;
+use crate::linear::{Factorisation, wide};
 
 /// How many degrees richer the panels of the estimate are.
 pub const ENRICHMENT: usize = 2;

@@ -9,11 +9,12 @@ use crate::model::Parameters;
 impl RelaxationSolver {
     /// The Jacobian of the discrete equations at a solution on the grid of the workspace.
     ///
-    /// Column by column. One row for each point under pressure, the derivatives of A p_{i−1} + B p_i + C p_{i+1} − D (T20) with the film
-    /// u = h₀ + x²/2 − χ∗p slaved to the pressure (T3), so that the rows are dense; and one row for the load (T4). The
-    /// unknowns are the dimensionless p at the same points, and h₀ for the kernel whose mean at half a contact's width
-    /// vanishes, as the iteration has it. What stays as it is: the points without pressure, and the pressure at the end
-    /// of the grid with the load ahead of it, which follow explicitly from the rest.
+    /// Column by column. One row for each point under pressure, the derivatives of
+    /// A p_{i−1} + B p_i + C p_{i+1} − D (T20) with the film u = h₀ + x²/2 − χ∗p slaved to the pressure (T3), so that the
+    /// rows are dense; and one row for the load (T4). The unknowns are the dimensionless p at the same points, and h₀ for
+    /// the kernel whose mean at half a contact's width vanishes, as the iteration has it. What stays as it is: the points
+    /// without pressure, and the pressure at the end of the grid with the load ahead of it, which follow explicitly from
+    /// the rest.
     pub fn jacobian(&self, workspace: &Workspace, parameters: &Parameters, state: &State) -> Vec<Vec<f64>> {
         jacobian(&Iteration::new(workspace.finest(), parameters.beta, state))
     }
