@@ -8,18 +8,13 @@ from commands import PATH
 from lib.markdown import read_fences
 from pages import ROOT, executed_pages, is_run
 
-RUN = pytest.StashKey()
-
-
-def pytest_configure(config):
-    """Start the count of what pages took."""
-    config.stash[RUN] = {}
+TOOK = "seconds of "
 
 
 @pytest.fixture
-def took(request):
+def took(record_property):
     """Notes the seconds of a page for the summary: `took(page, seconds)`."""
-    return request.config.stash[RUN].__setitem__
+    return lambda page, seconds: record_property(TOOK + page, seconds)
 
 
 @pytest.fixture(scope="session")
@@ -31,9 +26,11 @@ def packages():
         yield
 
 
-def pytest_terminal_summary(terminalreporter, config):
+def pytest_terminal_summary(terminalreporter):
     """Say what was run, what was not, and which pages are slow."""
-    seconds = config.stash[RUN]
+    reports = [report for kind in ("passed", "failed") for report in terminalreporter.stats.get(kind, [])]
+    properties = dict(entry for report in reports for entry in report.user_properties)
+    seconds = {name.removeprefix(TOOK): value for name, value in properties.items() if name.startswith(TOOK)}
     if not seconds:
         return
     run, left = 0, {}
