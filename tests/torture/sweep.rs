@@ -44,9 +44,9 @@ impl Sweep {
     /// The sweep file.
     pub fn text(self) -> String {
         let (alpha, points, tolerance, fields) = match self {
-            Self::Converging => ("[1.0, 10.0, 100.0]", 150, "1e-8", r#"["pressure", "film_thickness"]"#),
+            Self::Converging => ("[1.0, 10.0, 100.0]", 450, "1e-8", r#"["pressure", "film_thickness"]"#),
             // No case with such an alpha can be solved.
-            Self::Failing => ("[1.0, 10.0, 1e60]", 150, "1e-7", r#"["pressure", "film_thickness"]"#),
+            Self::Failing => ("[1.0, 10.0, 1e60]", 450, "1e-7", r#"["pressure", "film_thickness"]"#),
             Self::Small => ("[1.0, 100.0]", 20, "1e-4", "[]"),
         };
         format!(

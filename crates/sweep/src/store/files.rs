@@ -130,9 +130,6 @@ pub fn create_directory(path: &Path) -> Result<(), StoreError> {
     if path.is_dir() {
         return Ok(());
     }
-    if path.exists() {
-        return Err(StoreError::file(path, "create")(ErrorKind::NotADirectory.into()));
-    }
     let above = directory_of(path);
     if above != path {
         create_directory(above)?;
@@ -140,6 +137,9 @@ pub fn create_directory(path: &Path) -> Result<(), StoreError> {
     match fs::create_dir(path) {
         // Another run may have made it just now.
         Err(error) if error.kind() == ErrorKind::AlreadyExists && path.is_dir() => {}
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            return Err(StoreError::file(path, "create")(ErrorKind::NotADirectory.into()));
+        }
         made => made.map_err(StoreError::file(path, "create"))?,
     }
     match synchronise_directory(above) {
@@ -170,5 +170,42 @@ pub(super) fn hash_file(path: &Path) -> Result<(u64, blake3::Hash), StoreError> 
             return Ok((hasher.count(), hasher.finalize()));
         }
         hasher.update(&buffer[..read]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Barrier;
+    use std::thread;
+
+    use super::*;
+
+    #[test]
+    fn all_who_make_a_directory_at_the_same_moment_have_it() {
+        let home = tempfile::tempdir().expect("a temporary directory");
+        for round in 0..300 {
+            let path = home.path().join(format!("{round}/log"));
+            let barrier = Barrier::new(4);
+            thread::scope(|scope| {
+                for _ in 0..4 {
+                    scope.spawn(|| {
+                        barrier.wait();
+                        create_directory(&path).expect("made by one of them");
+                    });
+                }
+            });
+        }
+    }
+
+    #[test]
+    fn a_file_is_no_directory() {
+        let home = tempfile::tempdir().expect("a temporary directory");
+        let file = home.path().join("file");
+        fs::write(&file, "").expect("written");
+        for path in [file.clone(), file.join("below")] {
+            let error = create_directory(&path).expect_err("there is a file");
+            assert!(error.to_string().contains("cannot create"), "{error}");
+            assert!(error.to_string().contains("not a directory"), "{error}");
+        }
     }
 }
