@@ -28,6 +28,8 @@ pub struct DataSet {
     directory: Directory,
     /// Files of earlier versions have none.
     has_notes: bool,
+    /// In the order of `fields`. They stay open: what is unpacked of one is forgotten when it is closed.
+    field_variables: Vec<Dataset>,
     /// Title of the sweep.
     pub title: String,
     /// The sweep file, whole.
@@ -134,6 +136,7 @@ impl DataSet {
             }
         }
         let fields: Vec<Field> = Field::ALL.into_iter().filter(|field| has(field.name())).collect();
+        let field_variables = fields.iter().map(|field| file.dataset(field.name())).collect::<hdf5::Result<_>>()?;
         Ok(Self {
             title: get_text(&file, "title")?,
             sweep_text: get_text(&file, "sweep")?,
@@ -146,6 +149,7 @@ impl DataSet {
             fixed,
             x: if fields.is_empty() { Vec::new() } else { axis("x")? },
             fields,
+            field_variables,
             has_notes: has("notes"),
             path: path.to_owned(),
             directory,
@@ -285,8 +289,11 @@ impl DataSet {
         let all = SliceOrIndex::SliceCount { start: 0, step: 1, count: self.x.len(), block: 1 };
         let indices = self.indices(index).into_iter().map(SliceOrIndex::Index);
         let selection: Vec<SliceOrIndex> = indices.chain([all]).collect();
-        let values: Vec<f64> = self
-            .read_variable(field.name(), |variable| Ok(variable.read_slice_1d(Hyperslab::from(selection))?.to_vec()))?;
+        let values: Vec<f64> = match self.fields.iter().position(|&held| held == field) {
+            Some(i) => self.field_variables[i].read_slice_1d(Hyperslab::from(selection)).map(|values| values.to_vec()),
+            None => Err(format!("there is no field {}", field.name()).into()),
+        }
+        .map_err(StoreError::hdf5(&self.path, "read"))?;
         self.expect_length(field.name(), values.len(), self.x.len())?;
         Ok(values)
     }

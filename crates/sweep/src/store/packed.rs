@@ -103,8 +103,8 @@ fn store(block: &[u8], bytes: &mut Vec<u8>) {
 }
 
 /// Two bytes of a plane are the same so much more often than two random ones, at most, if it is stored as it is: a code
-/// for single bytes would save at most a thirtieth of it.
-const MOST_EQUAL: f64 = 1.2;
+/// for single bytes would save at most a hundredth of it.
+const MOST_EQUAL: f64 = 1.1;
 
 /// True if it is not worth while to compress these bytes.
 fn is_random(plane: &[u8]) -> bool {
