@@ -1,6 +1,7 @@
 //! The program `stribeck`: its commands, the pictures and the page that they make, and studies of the methods.
 
 pub mod commands;
+pub mod fit_beginning;
 mod format;
 pub mod pictures;
 pub mod report;

@@ -6,7 +6,6 @@ use std::time::Duration;
 use clap::Args;
 
 use super::curve::laboratory;
-use super::fit_beginning;
 use super::fit_progress::{time_limit, watched};
 use super::fitted_curves::FittedCurves;
 use super::fitted_friction::{FittedFriction, LAST_COLUMNS};
@@ -15,6 +14,7 @@ use super::number::number;
 use super::output_file::{OutputFile, OutputFiles, or_empty};
 use super::paper::PaperArguments;
 use super::{CliError, Exit, console};
+use crate::fit_beginning::searched;
 use crate::pictures::{Chart, Format, is_picture};
 use stribeck_input::nearest;
 use stribeck_lab::{Bounds, FittedCurve, FrictionFit, FrictionFitError, LaboratoryQuantity, Measured, Unknown};
@@ -120,7 +120,9 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
     let mut task = friction_task(&sweep, &measured, &arguments.unknown, &arguments.bounds).map_err(refuse)?;
     measured::note_temperatures(&measured, task.experiment.temperature.is_some());
     if arguments.search {
-        task.experiment = fit_beginning::searched(&task).map_err(refuse)?;
+        task.experiment = searched(&task).map_err(refuse)?;
+        let values = task.unknowns.iter().map(|it| format!("{} = {:.3e}", it.name(), it.value(&task.experiment)));
+        console::tell(&format!("begins at {}", values.collect::<Vec<_>>().join(", ")));
     }
     let directory = arguments.output.as_deref();
     let outputs = directory.map(|directory| outputs(arguments, directory)).transpose()?;

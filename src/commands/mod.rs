@@ -36,7 +36,6 @@ mod evaluate;
 mod evaluate_points;
 mod explain;
 mod fit;
-mod fit_beginning;
 mod fit_progress;
 mod fitted_curves;
 mod fitted_friction;

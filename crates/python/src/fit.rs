@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stribeck::fit_beginning::searched;
 use stribeck_lab::{
     Bounds, ColumnChoice, FrictionFit, FrictionFitError, FrictionTask, LaboratoryQuantity, Measured, Unknown, Watch,
 };
@@ -28,6 +29,7 @@ pub struct Request {
     unknown: Vec<String>,
     /// (unknown, least, most).
     bounds: Vec<(String, Option<f64>, Option<f64>)>,
+    search: bool,
     profile: bool,
     threads: Option<i64>,
 }
@@ -56,7 +58,10 @@ pub fn fit(py: Python<'_>, request: Request) -> PyResult<Bound<'_, PyDict>> {
     let radius = sweep.grid.radius().filter(|_| !is_unknown);
     let (measured, understood) = request.measured(radius)?;
     let measured = points_to_fit(measured, &unknowns);
-    let task = friction_task(&sweep, &measured, &unknowns, &bounds).map_err(errors::input)?;
+    let mut task = friction_task(&sweep, &measured, &unknowns, &bounds).map_err(errors::input)?;
+    if request.search {
+        task.experiment = py.detach(|| searched(&task)).map_err(errors::input)?;
+    }
     let (threads, interrupt) = (threads(request.threads)?, Interrupt::new());
     let work = || -> Result<Fitted, FrictionFitError> {
         let watch = Watch { interrupt: &interrupt, evaluated: &|_, _| {} };

@@ -96,6 +96,25 @@ def test_a_fit_finds_what_the_points_were_made_with(experiment):
     assert stribeck.fit(table, start, ["viscosity", "f"]).values == found.values
 
 
+def test_a_search_finds_where_a_fit_begins(experiment):
+    speed = np.geomspace(1e-4, 0.1, 10)
+    points = {"speed": speed, "mu": experiment.friction(speed)}
+    unknown = ["relaxed_modulus", "retardation_time", "f"]
+    far = experiment.replace(relaxed_modulus="15 MPa", retardation_time="0.3 ms", f=100.0)
+
+    def values(**options):
+        return list(stribeck.fit(points, far, unknown, **options).values.values())
+
+    true = pytest.approx([75e3, 0.1, 10.0], rel=1e-3)
+    try:
+        assert values() != true
+    except stribeck.FitError:
+        pass
+    assert values(search=True) == true
+    with pytest.raises(stribeck.InputError, match="the bounds of f leave nothing between them"):
+        values(search=True, bounds={"f": (100, 1)})
+
+
 def test_all_can_be_pickled(experiment):
     curve = experiment.curve([1e-3, 1e-2])
     assert pickle.loads(pickle.dumps(curve)).identical(curve)

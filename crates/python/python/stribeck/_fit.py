@@ -103,6 +103,7 @@ def fit(
     *,
     bounds: Mapping[str, tuple[Any, Any]] | None = None,
     columns: str | None = None,
+    search: bool = False,
     profile: bool = False,
     threads: int | None = None,
 ) -> Fit:
@@ -122,6 +123,9 @@ def fit(
         Where unknowns must stay: numbers in SI units, texts with units, or None for an open end.
     columns : str, optional
         What columns hold whose names do not tell, as in ``"speed=My V (mm/s),mu=#3"``.
+    search : bool, default False
+        Begin at the best of thousands of values between the bounds, or up to a thousand times off, by the built-in
+        surface: for one retardation time and a rigid roller that slides.
     profile : bool, default False
         Find intervals from the profile of the residuals, too, which takes more fits.
     threads : int, optional
@@ -150,6 +154,7 @@ def fit(
             "text": "" if described is None else described.to_toml(),
             "unknown": _unknown(unknown),
             "bounds": _bounds({} if bounds is None else bounds),
+            "search": bool(search),
             "profile": bool(profile),
             "threads": whole("threads", threads),
         }

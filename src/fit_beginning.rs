@@ -1,11 +1,14 @@
 //! Where a fit begins, by the surface that is built in.
 
-use super::console;
 use crate::universe::universe;
 use stribeck_lab::{Experiment, FrictionTask, best_beginning};
 use stribeck_solver::Parameters;
 
-/// The experiment of a task with its unknowns at the best beginning, which is told.
+/// The experiment of a task with its unknowns at the best beginning, of thousands between their bounds or up to a
+/// thousand times off: see [`best_beginning`].
+///
+/// # Errors
+/// What is wrong, in words: the built-in surface is not of such an experiment, or the bounds leave nothing.
 pub fn searched(task: &FrictionTask<'_>) -> Result<Experiment, String> {
     check(task)?;
     let surface = universe();
@@ -23,10 +26,7 @@ pub fn searched(task: &FrictionTask<'_>) -> Result<Experiment, String> {
         let values = evaluator.values(&[case.alpha, case.beta, case.f]).ok()?;
         Some(places.iter().map(|place| values[*place]).sum())
     };
-    let experiment = best_beginning(task, &mut friction).map_err(|error| error.to_string())?;
-    let values = task.unknowns.iter().map(|it| format!("{} = {:.3e}", it.name(), it.value(&experiment)));
-    console::tell(&format!("begins at {}", values.collect::<Vec<_>>().join(", ")));
-    Ok(experiment)
+    best_beginning(task, &mut friction).map_err(|error| error.to_string())
 }
 
 /// Checks that the surface is of such experiments.
@@ -40,7 +40,7 @@ fn check(task: &FrictionTask<'_>) -> Result<(), String> {
             .all(|(name, _)| !["slide_roll_ratio", "roller_speed", "flat_speed"].contains(name));
     match (task.substrate.modes().len(), experiment.roller.is_rigid(), slides) {
         (1, true, true) => Ok(()),
-        _ => Err("--search is for one retardation time and a rigid roller that slides, of which the built-in surface \
+        _ => Err("a search is for one retardation time and a rigid roller that slides, of which the built-in surface \
                   is; leave it out, and give values to begin at"
             .to_owned()),
     }
