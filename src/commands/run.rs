@@ -88,7 +88,8 @@ pub fn execute(arguments: &Arguments) -> Result<Exit, CliError> {
             if !published.rewritten {
                 be_younger(&published.files, &arguments.sweep)?;
             }
-            console::print(&about_whole(&report, published, &notes(&report.directory)?, seconds))?;
+            let notes = published.notes.map_or_else(|| notes(&report.directory), Ok)?;
+            console::print(&about_whole(&report, published, &notes, seconds))?;
             published.failed
         }
         RunOutcome::PartSolved { part, done } => {

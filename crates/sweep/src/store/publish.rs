@@ -17,7 +17,7 @@ use super::replacement::put_in_place;
 use super::results::Results;
 use super::tables::{Summary, Timings};
 use super::{Catalog, Contents, Status, Store, StoreError, clock, program};
-use crate::{CaseId, Field, Values};
+use crate::{CaseId, Field, NoteCounts, Values};
 
 /// Places of the grid that are written in one go, if a row has not more: a write of HDF5 costs as much as many numbers.
 const PLACES_AT_ONCE: usize = 4096;
@@ -38,6 +38,8 @@ pub struct Published {
     pub failed: u64,
     /// Places of the grid without a case: 0 but for a partial publication.
     pub missing: u64,
+    /// How many places have each note; `None` if the files were there already.
+    pub notes: Option<NoteCounts>,
 }
 
 impl Store {
@@ -59,10 +61,10 @@ impl Store {
                 let files = self.published.as_ref().map_or_else(Vec::new, |last| last.files.clone());
                 self.append(&Record::Published { key, files, time: clock() })?;
             }
-            return Ok(Published { files, rewritten: false, converged, failed, missing });
+            return Ok(Published { files, rewritten: false, converged, failed, missing, notes: None });
         }
         let staged = files.clone().map(Staged::new);
-        write(self, publication, missing, &staged)?;
+        let notes = write(self, publication, missing, &staged)?;
         let mut records = Vec::new();
         for (name, file) in PUBLISHED.iter().zip(&staged) {
             let (bytes, hash) = file.synchronise()?;
@@ -71,7 +73,7 @@ impl Store {
         put_in_place(staged.into())?;
         self.append(&Record::Published { key: key.clone(), files: records.clone(), time: clock() })?;
         self.catalog_mut().published = Some(LastPublished { key, files: records });
-        Ok(Published { files, rewritten: true, converged, failed, missing })
+        Ok(Published { files, rewritten: true, converged, failed, missing, notes: Some(notes) })
     }
 }
 
@@ -130,7 +132,13 @@ fn survey(store: &Catalog, publication: &Publication<'_>) -> Result<Survey, Stor
     Ok(Survey { key: hasher.finalize().to_hex().to_string(), converged, failed, missing })
 }
 
-fn write(store: &Catalog, publication: &Publication<'_>, missing: u64, staged: &[Staged; 3]) -> Result<(), StoreError> {
+/// Writes the files under their temporary names. Returns how many places have each note.
+fn write(
+    store: &Catalog,
+    publication: &Publication<'_>,
+    missing: u64,
+    staged: &[Staged; 3],
+) -> Result<NoteCounts, StoreError> {
     let mut files = Files::create(store, publication, staged)?;
     if missing > 0 {
         let places: usize = publication.shape().iter().product();
@@ -147,7 +155,9 @@ fn write(store: &Catalog, publication: &Publication<'_>, missing: u64, staged: &
             files.rows(block, first..neighbours.min(first + rows_at_once))?;
         }
     }
-    files.finish()
+    let notes = files.notes;
+    files.finish()?;
+    Ok(notes)
 }
 
 /// The published files while they are written.
@@ -159,6 +169,7 @@ struct Files<'a> {
     results_path: &'a Path,
     summary: Summary,
     timings: Timings,
+    notes: NoteCounts,
 }
 
 impl<'a> Files<'a> {
@@ -181,6 +192,7 @@ impl<'a> Files<'a> {
             results_path,
             summary: Summary::create(summary.path(), has_ratios, first.as_ref(), &more)?,
             timings: Timings::create(timings.path(), has_ratios)?,
+            notes: NoteCounts::default(),
         })
     }
 
@@ -195,10 +207,17 @@ impl<'a> Files<'a> {
                 places.push(self.place(row * length + column, point)?);
             }
         }
-        self.results.rows(block, range, &places).map_err(StoreError::hdf5(self.results_path, "write"))
+        places.iter().for_each(|place| self.notes.add(place.notes));
+        let Self { results, summary, .. } = self;
+        let (summarised, written) = rayon::join(
+            || places.iter().try_for_each(|place| summary.row(place)),
+            || results.rows(block, range, &places),
+        );
+        summarised?;
+        written.map_err(StoreError::hdf5(self.results_path, "write"))
     }
 
-    /// Writes what is written place by place: tables and fields. Returns the rest.
+    /// Writes what is written place by place: timings and fields. Returns the rest.
     fn place(&mut self, at: usize, point: Point) -> Result<Place, StoreError> {
         let is_held = |case: CaseId| self.store.index.complete(case).is_some();
         let Some(slot) = self.store.index.complete(point.case).filter(|_| point.swapped.is_none_or(is_held)) else {
@@ -220,7 +239,6 @@ impl<'a> Files<'a> {
         }
         let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status, reason, values, more, notes };
-        self.summary.row(&place)?;
         self.timings.row(&place, &shard.cases[case])?;
         if !sources.is_empty() {
             let written = self.results.fields().write(at, sources);
@@ -235,7 +253,6 @@ impl<'a> Files<'a> {
         let numbers = point.numbers_of(&Values::NONE, [None; 2], point.swapped.map(|_| Values::NONE).as_ref(), output);
         let PlacedNumbers { values, more, notes, .. } = numbers;
         let place = Place { point, status: Status::Failed, reason: NOT_SOLVED.to_owned(), values, more, notes };
-        self.summary.row(&place)?;
         self.timings.row(&place, &CaseRecord::unsolved(place.point.case))?;
         Ok(place)
     }
