@@ -139,7 +139,7 @@ fn write(
     missing: u64,
     staged: &[Staged; 3],
 ) -> Result<NoteCounts, StoreError> {
-    let mut files = Files::create(store, publication, staged)?;
+    let (mut files, mut summary) = Files::create(store, publication, staged)?;
     if missing > 0 {
         let places: usize = publication.shape().iter().product();
         let marked = files.results.set_partial(&format!("{missing} of {places} places are not solved yet"));
@@ -150,54 +150,63 @@ fn write(
         return Err(StoreError::Publication { what: "results have at least two dimensions".to_owned() });
     };
     let rows_at_once = (PLACES_AT_ONCE / length).max(1);
+    let (mut written, mut notes) = (Vec::new(), NoteCounts::default());
     for block in 0..publication.rows() / neighbours {
         for first in (0..neighbours).step_by(rows_at_once) {
-            files.rows(block, first..neighbours.min(first + rows_at_once))?;
+            // Text takes a third of the time. It is written while the next places are read.
+            let range = first..neighbours.min(first + rows_at_once);
+            let mut summarised = Ok(());
+            let places = rayon::in_place_scope(|scope| {
+                scope.spawn(|_| summarised = summary.rows(&written));
+                files.rows(block, range)
+            });
+            summarised?;
+            written = places?;
+            written.iter().for_each(|place| notes.add(place.notes));
         }
     }
-    let notes = files.notes;
+    summary.rows(&written)?;
+    summary.finish()?;
     files.finish()?;
     Ok(notes)
 }
 
-/// The published files while they are written.
+/// The published files but the summary, while they are written.
 struct Files<'a> {
     store: &'a Catalog,
     publication: &'a Publication<'a>,
     open: OpenShards<'a>,
     results: Results,
     results_path: &'a Path,
-    summary: Summary,
     timings: Timings,
-    notes: NoteCounts,
 }
 
 impl<'a> Files<'a> {
+    /// All three files, without a place yet.
     fn create(
         store: &'a Catalog,
         publication: &'a Publication<'a>,
         [results, summary, timings]: &'a [Staged; 3],
-    ) -> Result<Self, StoreError> {
+    ) -> Result<(Self, Summary), StoreError> {
         let results_path = results.path();
         let first = publication.places(0)?[0];
         let more = further_columns::columns(Some(&first), store.output());
         let first = first.experiment;
         let has_ratios = publication.has_ratios();
-        Ok(Self {
+        let files = Self {
             store,
             publication,
             open: OpenShards::new(store),
             results: Results::create(results_path, publication, first.as_ref(), &more, &store.wanted)
                 .map_err(StoreError::hdf5(results_path, "write"))?,
             results_path,
-            summary: Summary::create(summary.path(), has_ratios, first.as_ref(), &more)?,
             timings: Timings::create(timings.path(), has_ratios)?,
-            notes: NoteCounts::default(),
-        })
+        };
+        Ok((files, Summary::create(summary.path(), has_ratios, first.as_ref(), &more)?))
     }
 
-    /// Writes neighbouring rows: those of a range of the last dimension but one.
-    fn rows(&mut self, block: usize, range: Range<usize>) -> Result<(), StoreError> {
+    /// Writes neighbouring rows, those of a range of the last dimension but one, and returns their places.
+    fn rows(&mut self, block: usize, range: Range<usize>) -> Result<Vec<Place>, StoreError> {
         let shape = self.publication.shape();
         let (neighbours, length) = (shape[shape.len() - 2], shape[shape.len() - 1]);
         let mut places = Vec::with_capacity(range.len() * length);
@@ -207,14 +216,8 @@ impl<'a> Files<'a> {
                 places.push(self.place(row * length + column, point)?);
             }
         }
-        places.iter().for_each(|place| self.notes.add(place.notes));
-        let Self { results, summary, .. } = self;
-        let (summarised, written) = rayon::join(
-            || places.iter().try_for_each(|place| summary.row(place)),
-            || results.rows(block, range, &places),
-        );
-        summarised?;
-        written.map_err(StoreError::hdf5(self.results_path, "write"))
+        let written = self.results.rows(block, range, &places);
+        written.map(|()| places).map_err(StoreError::hdf5(self.results_path, "write"))
     }
 
     /// Writes what is written place by place: timings and fields. Returns the rest.
@@ -266,7 +269,6 @@ impl<'a> Files<'a> {
 
     fn finish(self) -> Result<(), StoreError> {
         self.results.finish().map_err(StoreError::hdf5(self.results_path, "write"))?;
-        self.summary.finish()?;
         self.timings.finish()
     }
 }

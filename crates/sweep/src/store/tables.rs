@@ -89,7 +89,11 @@ impl Summary {
         Table::create(path, has_ratios, header.chain(more.iter().map(|column| column.name.clone()))).map(Self)
     }
 
-    pub(super) fn row(&mut self, place: &Place) -> Result<(), StoreError> {
+    pub(super) fn rows(&mut self, places: &[Place]) -> Result<(), StoreError> {
+        places.iter().try_for_each(|place| self.row(place))
+    }
+
+    fn row(&mut self, place: &Place) -> Result<(), StoreError> {
         let (table, experiment) = (&mut self.0, place.point.experiment.as_ref());
         table.begin_row(&place.point)?;
         if let Some(experiment) = experiment {
