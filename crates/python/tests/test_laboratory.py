@@ -1,5 +1,6 @@
 """Experiments, materials and fits."""
 
+import contextlib
 import pickle
 
 import numpy as np
@@ -106,10 +107,9 @@ def test_a_search_finds_where_a_fit_begins(experiment):
         return list(stribeck.fit(points, far, unknown, **options).values.values())
 
     true = pytest.approx([75e3, 0.1, 10.0], rel=1e-3)
-    try:
+    # From so far off the fit ends elsewhere, or nowhere.
+    with contextlib.suppress(stribeck.FitError):
         assert values() != true
-    except stribeck.FitError:
-        pass
     assert values(search=True) == true
     with pytest.raises(stribeck.InputError, match="the bounds of f leave nothing between them"):
         values(search=True, bounds={"f": (100, 1)})
