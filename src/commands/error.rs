@@ -1,4 +1,4 @@
-//! What ends a command, with its exit code.
+//! Why a command ended, in words.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,8 +9,7 @@ use super::console;
 use super::solve::ESTIMATE_POINTS;
 use crate::pictures::PictureError;
 use stribeck_charts::ChartError;
-use stribeck_input::{InputError, is_of_disk};
-use stribeck_input::{printable, shown};
+use stribeck_input::{InputError, printable, shown};
 use stribeck_lab::{FrictionFitError, MasterCurveError, MaterialFileError, PronyError, RelaxationFitError, TableError};
 use stribeck_solver::SubstrateError;
 use stribeck_surface::{Outside, SurfaceError};
@@ -351,92 +350,7 @@ fn other_directory(error: &CampaignError) -> &'static str {
     }
 }
 
-fn code_of_campaign(error: &CampaignError) -> u8 {
-    match error {
-        CampaignError::Input(_)
-        | CampaignError::Threads(_)
-        | CampaignError::NothingToMerge
-        | CampaignError::OtherSweep { .. }
-        | CampaignError::NoSuchAxis { .. }
-        | CampaignError::NoSuchCase { .. } => 2,
-        CampaignError::Store(_)
-        | CampaignError::NotADirectory { .. }
-        | CampaignError::Parts { .. }
-        | CampaignError::Stopped { .. } => 4,
-    }
-}
-
-fn code_of_build(error: &SurfaceBuildError) -> u8 {
-    match error {
-        SurfaceBuildError::NoNumber { .. } | SurfaceBuildError::Threads(_) => 2,
-        SurfaceBuildError::Failed { .. } => 3,
-        SurfaceBuildError::Interrupted => 130,
-        _ => 4,
-    }
-}
-
 impl CliError {
-    /// The exit code: 2 for bad input, 4 for the disk and the system, 5 for a time limit.
-    pub fn code(&self) -> u8 {
-        match self {
-            CliError::Input(error) | CliError::Campaign(CampaignError::Input(error)) if error.is_of_disk() => 4,
-            CliError::Table(error) if error.is_of_disk() => 4,
-            CliError::Surface { source: SurfaceError::Unreadable(error), .. } if is_of_disk(error) => 4,
-            CliError::Input(_)
-            | CliError::Table(_)
-            | CliError::NotLaboratory { .. }
-            | CliError::FlatAtRest
-            | CliError::RollerOverFlatAtRest
-            | CliError::Modes(_)
-            | CliError::SeveralCurves { .. }
-            | CliError::NoSuchAxis { .. }
-            | CliError::SeveralAsked { .. }
-            | CliError::NoFit { .. }
-            | CliError::Fit { .. }
-            | CliError::Series { .. }
-            | CliError::MasterCurve { .. }
-            | CliError::NoShifts { .. }
-            | CliError::Unused { .. }
-            | CliError::NoTarget
-            | CliError::IsInput { .. }
-            | CliError::NoName { .. }
-            | CliError::NoTimeToWork { .. }
-            | CliError::NameForSlurm { .. }
-            | CliError::Picture(
-                PictureError::Unknown { .. }
-                | PictureError::Outside { .. }
-                | PictureError::NoAxis { .. }
-                | PictureError::Missing { .. },
-            )
-            | CliError::Threads(_)
-            | CliError::Surface { .. }
-            | CliError::Outside(_)
-            | CliError::NotAnAxis { .. }
-            | CliError::OtherValue { .. }
-            | CliError::NoCoordinate { .. }
-            | CliError::Points { .. }
-            | CliError::Estimate { .. }
-            | CliError::OtherMethod { .. }
-            | CliError::Sensitivities
-            | CliError::Chart(ChartError::Letters { .. } | ChartError::Height { .. })
-            | CliError::Tolerance { .. } => 2,
-            CliError::Campaign(error) => code_of_campaign(error),
-            CliError::SurfaceBuild(error) => code_of_build(error),
-            CliError::TimeIsUp => 5,
-            CliError::Store(_)
-            | CliError::Incomplete { .. }
-            | CliError::Foreign { .. }
-            | CliError::IsThere { .. }
-            | CliError::Slurm { .. }
-            | CliError::Directory { .. }
-            | CliError::Unwritten { .. }
-            | CliError::Chart(_)
-            | CliError::Picture(PictureError::Store(_) | PictureError::Chart(_))
-            | CliError::Stopped { .. }
-            | CliError::System { .. } => 4,
-        }
-    }
-
     /// The text for the user; a sweep file is shown with the place of the error.
     pub fn report(self) -> String {
         match self {

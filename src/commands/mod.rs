@@ -34,6 +34,7 @@ mod destination;
 mod error;
 mod evaluate;
 mod evaluate_points;
+mod exit;
 mod explain;
 mod fit;
 mod fit_progress;
@@ -83,6 +84,7 @@ use clap::Subcommand;
 use crate::study::Meter;
 pub use command_line::{Cli, GROUPS, command_line, parse};
 use error::CliError;
+use exit::Exit;
 pub use shell::set_command_line;
 
 #[derive(Clone, Debug, Subcommand)]
@@ -129,36 +131,6 @@ enum Command {
     Man(man::Arguments),
     /// Print the JSON schema of sweep files, for editors
     Schema(schema::Arguments),
-}
-
-/// How a command ended that did what it was asked to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Exit {
-    /// All is well.
-    Success,
-    /// A surface is not as exact as it says.
-    DoesNotHold,
-    /// Done, but some cases failed.
-    CasesFailed,
-    /// Damage was found.
-    Damaged,
-    /// A time limit ended it: what was found so far is printed.
-    TimeIsUp,
-    /// Stopped by a signal.
-    Interrupted,
-}
-
-impl Exit {
-    fn code(self) -> u8 {
-        match self {
-            Exit::Success => 0,
-            Exit::DoesNotHold => 1,
-            Exit::CasesFailed => 3,
-            Exit::Damaged => 4,
-            Exit::TimeIsUp => 5,
-            Exit::Interrupted => 130,
-        }
-    }
 }
 
 /// Does what the command line says and reports errors on stderr. `meter` tells the memory that a piece of work takes.
